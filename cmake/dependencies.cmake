@@ -1,0 +1,18 @@
+# All third-party libraries, from Debian 12's packages (scripts/dependencies.txt).
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(embree 3.13 REQUIRED)
+find_package(OpenEXR 3 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(valijson REQUIRED)
+find_package(CLI11 2 REQUIRED)
+find_package(spdlog 1.10 REQUIRED)
+find_package(assimp 5.2 REQUIRED)
+
+# Debian's OpenImageIO package file insists on the command-line tools; the library itself is all that is needed.
+find_path(OpenImageIO_INCLUDE OpenImageIO/imageio.h REQUIRED)
+find_library(OpenImageIO_LIBRARY OpenImageIO REQUIRED)
+find_library(OpenImageIO_Util_LIBRARY OpenImageIO_Util REQUIRED)
+add_library(sturm_openimageio INTERFACE)
+target_include_directories(sturm_openimageio SYSTEM INTERFACE ${OpenImageIO_INCLUDE})
+target_link_libraries(sturm_openimageio INTERFACE ${OpenImageIO_LIBRARY} ${OpenImageIO_Util_LIBRARY})

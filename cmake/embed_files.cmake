@@ -1,0 +1,15 @@
+# Script mode: writes OUTPUT, a C++ source that holds FILES as string literals (see embed.cmake).
+set(body "// Generated from files of the source tree; do not edit.\n#include <string_view>\n#include <utility>\n#include <vector>\n")
+string(APPEND body "namespace sturm {\nconst std::vector<std::pair<std::string_view, std::string_view>>& ${SYMBOL}() {\n")
+string(APPEND body "  static const std::vector<std::pair<std::string_view, std::string_view>> files = {\n")
+foreach(file ${FILES})
+  get_filename_component(name ${file} NAME)
+  file(SIZE ${file} bytes)
+  file(READ ${file} hex HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" escaped "${hex}")
+  # One literal per 4 kB keeps lines and literals short.
+  string(REGEX REPLACE "(................................................................)" "\\1\"\n\"" escaped "${escaped}")
+  string(APPEND body "    {\"${name}\", std::string_view(\n\"${escaped}\", ${bytes})},\n")
+endforeach()
+string(APPEND body "  };\n  return files;\n}\n}  // namespace sturm\n")
+file(WRITE ${OUTPUT} "${body}")

@@ -1,0 +1,16 @@
+# Install rules and the CMake package (find_package(sturm)).
+include(CMakePackageConfigHelpers)
+set(sturm_libraries sturm_lensmodel sturm_io sturm_pathtrace sturm_conoid sturm_compare)
+install(TARGETS sturm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS sturm_imageformats LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/sturm)
+install(TARGETS ${sturm_libraries} EXPORT sturm_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(module lensmodel io pathtrace conoid compare)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sturm/${module} FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm)
+install(EXPORT sturm_targets NAMESPACE sturm:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturm)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sturm-config.cmake.in ${PROJECT_BINARY_DIR}/sturm-config.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturm)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/sturm-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/sturm-config.cmake ${PROJECT_BINARY_DIR}/sturm-config-version.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturm)

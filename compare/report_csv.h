@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "io/json.h"
+
+namespace sturm {
+
+/// The ellipses of a report as CSV (RFC 4180: CRLF, quoted where needed), one row per case and ray model after a header that
+/// carries the units. Numbers are written so that they read back exactly; a null is an empty field.
+std::string ellipses_csv(const Json& report);
+
+}  // namespace sturm

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "compare/false_colour.h"
+#include "compare/report_json.h"
+#include "compare/report_markup.h"
+#include "compare/report_numbers.h"
+#include "compare/report_pictures.h"
+#include "compare/report_sections.h"
+#include "io/error.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double shown_decades = 2.0;
+
+/// Semi-axes in arcmin, as the report has them.
+std::optional<Ellipse> ellipse_at(const Json& json) {
+  const auto major = number_at(json, "semi_axes_arcmin/0"), minor = number_at(json, "semi_axes_arcmin/1");
+  if (!major || !minor) return std::nullopt;
+  return Ellipse{*major, *minor, number_at(json, "orientation_deg")};
+}
+
+std::string scale_bar(int width, int height, double pixel_arcmin) {
+  const double length_arcmin = round_length_below(0.3 * width * pixel_arcmin);
+  const double length = length_arcmin / pixel_arcmin, x = 0.05 * width, y = 0.95 * height;
+  return "<path class=\"scale\" d=\"M" + plain_number(x) + " " + plain_number(y) + "h" + plain_number(length) + "\"/><text class=\"scale\" x=\"" +
+         plain_number(x) + "\" y=\"" + plain_number(y - 0.02 * height) + "\" font-size=\"" + plain_number(0.05 * height) + "\">" +
+         plain_number(length_arcmin) + " arcmin</text>";
+}
+
+std::string picture(const Json& psf, const std::filesystem::path& run_folder) {
+  const Image values = luma(main_layer(run_folder / text_at(psf, "file")));
+  const double peak = *std::max_element(values.pixels.begin(), values.pixels.end());
+  const Image colours = sequential_false_colour(values, {.peak = peak > 0.0 ? peak : 1.0, .decades = shown_decades});
+  const std::string width = std::to_string(values.width), height = std::to_string(values.height);
+  std::string body = "<image width=\"" + width + "\" height=\"" + height + "\" href=\"" + data_uri(colours) + "\"/>\n";
+  if (const auto pixel_arcmin = number_at(psf, "pixel_arcmin"); pixel_arcmin && *pixel_arcmin > 0.0) {
+    for (const char* which : {"predicted", "measured"}) {
+      const auto ellipse = ellipse_at(value_at(psf, which));
+      if (ellipse) body += svg_ellipse(*ellipse, 1.0 / *pixel_arcmin, 0.5 * values.width, 0.5 * values.height, which);
+    }
+    body += scale_bar(values.width, values.height, *pixel_arcmin);
+  }
+  return element("svg", "class=\"psf\" viewBox=\"0 0 " + width + " " + height + "\" role=\"img\" aria-label=\"Point-spread function with the predicted and the measured ellipse\"",
+                 body);
+}
+
+std::string orientation_html(const Json& ellipse) {
+  const auto degrees = number_at(ellipse, "orientation_deg");
+  return degrees ? number_html(degrees, 3) + "°" : "–";
+}
+
+std::string numbers(const Json& psf) {
+  HtmlTable table("Semi-axes [arcmin]", "compact", {{"", false}, {"Major"}, {"Minor"}, {"Orientation"}});
+  const auto row = [&](const char* key, const std::string& name) {
+    const Json& ellipse = value_at(psf, key);
+    if (!ellipse.is_object()) return;
+    table.add_row({name, measured_html(number_at(ellipse, "semi_axes_arcmin/0"), number_at(ellipse, "standard_error_arcmin/0")),
+                   measured_html(number_at(ellipse, "semi_axes_arcmin/1"), number_at(ellipse, "standard_error_arcmin/1")), orientation_html(ellipse)});
+  };
+  row("predicted", "<span class=\"key predicted\"></span>predicted");
+  row("measured", "<span class=\"key measured\"></span>image");
+  row("bundle", "ray bundle");
+  return table.html();
+}
+
+std::string figure(const Json& psf, const std::filesystem::path& run_folder) {
+  std::string html;
+  try {
+    html = picture(psf, run_folder);
+  } catch (const InputError& error) {
+    html = element("p", "class=\"missing\"", "No picture: " + escaped(error.what()));
+  }
+  std::string hits;
+  if (const auto count = number_at(psf, "measured/hits")) hits = " · " + count_html(count) + " rays hit";
+  return element("figure", "", element("h4", "", "<code>" + text_html(text_at(psf, "ray_model")) + "</code>" + hits) + html + numbers(psf));
+}
+
+std::string group_heading(const Json& psf) {
+  return text_html(text_at(psf, "id")) + " <small>" + text_html(text_at(psf, "prescription")) + " · " +
+         distance_html(value_at(psf, "distance_m")) + " m · pupil " + exact_html(number_at(psf, "pupil_mm")) + " mm</small>";
+}
+
+}  // namespace
+
+std::string psf_section(const Json& report, const std::filesystem::path& run_folder) {
+  const Json& psfs = array_at(report, "psfs");
+  if (psfs.empty()) return "";
+  std::vector<std::string> ids;  // in the order of the report; one group per id, one picture per ray model
+  for (const Json& psf : psfs) {
+    if (std::find(ids.begin(), ids.end(), text_at(psf, "id")) == ids.end()) ids.push_back(text_at(psf, "id"));
+  }
+  std::string html = element("h2", "", "Point-spread functions") +
+                     element("p", "", "Path-traced images of a point-like light on the line of sight, seen by the wearer (x to the wearer's right, y up). "
+                                      "<span class=\"key predicted\"></span>Solid: the ellipse predicted by the conoid. "
+                                      "<span class=\"key measured\"></span>Dashed: the ellipse with the second moments of the picture. "
+                                      "Orientations are counter-clockwise from the horizontal.") +
+                     colour_bar_svg(ColourMap::Sequential, {{0.0, "≤ 1/100"}, {0.5, "1/10"}, {1.0, "1"}},
+                                    "Radiance relative to each picture's peak (logarithmic)");
+  for (const std::string& id : ids) {
+    std::string figures;
+    const Json* first = nullptr;
+    for (const Json& psf : psfs) {
+      if (text_at(psf, "id") != id) continue;
+      if (!first) first = &psf;
+      figures += figure(psf, run_folder);
+    }
+    html += element("article", "", element("h3", "", group_heading(*first)) + element("div", "class=\"gallery\"", figures));
+  }
+  return element("section", "id=\"psfs\"", html);
+}
+
+}  // namespace sturm

@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "io/json.h"
+
+namespace sturm {
+
+/// The parts of the report page, in the order in which they are read; each is an HTML <section> or <header>,
+/// or "" when the report has nothing for it.
+std::string verdict_section(const Json& report);
+std::string gates_section(const Json& report);
+std::string sin2_section(const Json& report);
+std::string psf_section(const Json& report, const std::filesystem::path& run_folder);
+std::string image_section(const Json& report, const std::filesystem::path& run_folder);
+std::string ellipse_section(const Json& report);
+std::string provenance_section(const Json& report);
+
+}  // namespace sturm

@@ -1,0 +1,22 @@
+#include "conoid/footprint.h"
+
+#include <cmath>
+
+namespace sturm {
+
+Footprint naked_eye_footprint(const Eye& eye, double distance_m, double accommodation_D) {
+  const double vergence = std::isinf(distance_m) ? 0.0 : 1.0 / distance_m;
+  const PowerMatrix slope = eye.slope_matrix(accommodation_D);
+  Footprint f;
+  f.accommodation_D = accommodation_D;
+  f.distance_m = distance_m;
+  f.angular = (PowerMatrix::scalar(vergence) + slope).matrix();
+  f.wavefront_curvature = -slope.matrix();
+  return f;
+}
+
+Footprint naked_eye_footprint(const Eye& eye, double distance_m) {
+  return naked_eye_footprint(eye, distance_m, eye.accommodation_for(std::isinf(distance_m) ? 0.0 : 1.0 / distance_m));
+}
+
+}  // namespace sturm

@@ -1,0 +1,36 @@
+#include "lensmodel/eye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace sturm {
+
+double hofstetter_amplitude(double age_years) { return std::max(0.0, 18.5 - 0.3 * age_years); }
+
+Eye Eye::with(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation) {
+  validate(rx);
+  if (!(pupil_diameter_m >= 0.0 && pupil_diameter_m <= 0.1))
+    throw std::invalid_argument("pupil diameter is " + std::to_string(pupil_diameter_m) + " m, expected 0 to 0.1");
+  Eye eye;
+  eye.prescription = rx;
+  eye.correction = power_at_cornea(rx);
+  eye.pupil_radius_m = 0.5 * pupil_diameter_m;
+  eye.accommodation = accommodation;
+  return eye;
+}
+
+double Eye::accommodation_for(double target_vergence_D) const {
+  if (const auto* fixed = std::get_if<FixedAccommodation>(&accommodation)) return fixed->power_D;
+  if (const auto* best = std::get_if<BestAccommodation>(&accommodation))
+    return std::clamp(target_vergence_D + correction.spherical_equivalent(), 0.0, best->amplitude_D);
+  return 0.0;
+}
+
+std::optional<double> Eye::stated_focus_distance_m() const {
+  const auto* fixed = std::get_if<FixedAccommodation>(&accommodation);
+  if (fixed && fixed->focus_distance_m > 0.0) return fixed->focus_distance_m;
+  return std::nullopt;
+}
+
+}  // namespace sturm

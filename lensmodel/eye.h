@@ -1,0 +1,31 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+
+#include "lensmodel/accommodation.h"
+#include "lensmodel/power_matrix.h"
+
+namespace sturm {
+
+/// Thin-lens eye (physics.md §3). Pupil, cornea and principal plane coincide. Both predictors read this one object.
+struct Eye {
+  Prescription prescription;                 ///< as written; `correction` is the same at the cornea
+  PowerMatrix correction;                    ///< F, the correcting power at the cornea [D], wearer frame; a myope's is negative
+  double pupil_radius_m = 2e-3;              ///< a ≥ 0; 0 is a pinhole
+  double rotation_center_m = 13.5e-3;        ///< distance of the centre of rotation behind the pupil
+  Accommodation accommodation = RelaxedAccommodation{};
+
+  /// Checks ranges and applies the vertex distance. Throws std::invalid_argument or std::domain_error.
+  static Eye with(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation = RelaxedAccommodation{});
+
+  /// S = F − A·I: maps a pupil offset [m] to the slope of the ray that leaves the eye there, for an accommodation A [D].
+  PowerMatrix slope_matrix(double accommodation_D) const { return correction - PowerMatrix::scalar(accommodation_D); }
+
+  /// The accommodation A [D] for a target at vergence 1/d [D] (0 at infinity), naked eye. `best` is clamp(1/d + M, 0, A_max).
+  double accommodation_for(double target_vergence_D) const;
+
+  /// The distance that the accommodation was stated as [m], where it was; the metalstigmatism model needs it.
+  std::optional<double> stated_focus_distance_m() const;
+};
+
+}  // namespace sturm

@@ -1,0 +1,58 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+
+#include "lensmodel/prescription.h"
+
+namespace sturm {
+
+/// Power vector of a thin lens [D]: spherical equivalent M and the two Jackson cross cylinders, examiner's frame.
+/// Thibos, Wheeler & Horner 1997; physics.md §2.
+struct PowerVector {
+  double M, J0, J45;
+};
+
+PowerVector power_vector(const Prescription& rx);
+
+/// Symmetric 2×2 dioptric power: maps a pupil offset [m] to the ray-slope change [rad] of a thin astigmatic lens.
+/// Wearer frame (physics.md §1): x to the wearer's right, y up. A cylinder has no power along its axis and full power across it.
+class PowerMatrix {
+ public:
+  PowerMatrix() : matrix_(Eigen::Matrix2d::Zero()) {}
+
+  /// The lens as written, at its own plane (the vertex distance is not applied).
+  static PowerMatrix from(const Prescription& rx);
+
+  /// From the three numbers of a symmetric matrix in the wearer frame [D].
+  static PowerMatrix from_components(double xx, double xy, double yy);
+
+  static PowerMatrix scalar(double power_D) { return from_components(power_D, 0.0, power_D); }
+
+  /// The same correction seen `distance_m` further along the light towards the eye: F (I − d F)⁻¹.
+  /// Throws std::domain_error where I − d F is singular (the plane lies at a focal line of the lens).
+  PowerMatrix moved_towards_eye(double distance_m) const;
+
+  /// Slope [rad] that this power gives to the offset `pupil_point` [m].
+  Eigen::Vector2d slope(const Eigen::Vector2d& pupil_point) const { return matrix_ * pupil_point; }
+
+  /// Prescription in minus-cylinder form stated at this plane (vertex distance 0).
+  Prescription as_prescription() const;
+
+  double spherical_equivalent() const { return 0.5 * (matrix_(0, 0) + matrix_(1, 1)); }
+  const Eigen::Matrix2d& matrix() const { return matrix_; }
+  double xx() const { return matrix_(0, 0); }
+  double xy() const { return matrix_(0, 1); }
+  double yy() const { return matrix_(1, 1); }
+
+  friend PowerMatrix operator+(const PowerMatrix& a, const PowerMatrix& b) { return PowerMatrix(a.matrix_ + b.matrix_); }
+  friend PowerMatrix operator-(const PowerMatrix& a, const PowerMatrix& b) { return PowerMatrix(a.matrix_ - b.matrix_); }
+
+ private:
+  explicit PowerMatrix(const Eigen::Matrix2d& matrix) : matrix_(matrix) {}
+  Eigen::Matrix2d matrix_;
+};
+
+/// The correcting power at the cornea of a prescription written for its vertex distance (physics.md §2).
+PowerMatrix power_at_cornea(const Prescription& rx);
+
+}  // namespace sturm

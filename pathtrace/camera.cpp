@@ -1,0 +1,91 @@
+#include "pathtrace/camera.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace sturm {
+
+double pixel_slope(const CameraPose& pose) { return 2.0 * std::tan(0.5 * pose.vertical_field) / pose.height; }
+
+CameraPose widened(const CameraPose& pose, int margin_px, int oversampling) {
+  CameraPose wide = pose;
+  wide.width = (pose.width + 2 * margin_px) * oversampling;
+  wide.height = (pose.height + 2 * margin_px) * oversampling;
+  wide.vertical_field = 2.0 * std::atan(0.5 * pixel_slope(pose) * (pose.height + 2 * margin_px));
+  return wide;
+}
+
+EyeCamera::EyeCamera(const CameraPose& pose, const EyeRays<float>& rays)
+    : width_(pose.width), height_(pose.height), pixel_slope_(static_cast<float>(pixel_slope(pose))), rays_(rays) {
+  const Eigen::Vector3d forward = (pose.look_at - pose.position).normalized();
+  const Eigen::Vector3d right = forward.cross(pose.up).normalized();
+  position_ = pose.position.cast<float>();
+  forward_ = forward.cast<float>();
+  right_ = right.cast<float>();
+  up_ = right.cross(forward).cast<float>();
+}
+
+void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
+  constexpr int size = CameraRayBlock::size;
+  alignas(64) std::uint32_t film_x[size], film_y[size], lens_x[size], lens_y[size];
+  const std::uint32_t film_key = sequence.key(dimension::film), lens_key = sequence.key(dimension::lens);
+  const bool pinhole = rays_.pupil_radius() == 0.0f;
+  if (sequence.kind() == Sequence::Sobol) {
+    for (int i = 0; i < size; ++i) {
+      const auto film = owen_sobol::pair(first_sample + static_cast<std::uint32_t>(i), film_key);
+      film_x[i] = film.x;
+      film_y[i] = film.y;
+    }
+    if (!pinhole) {
+      for (int i = 0; i < size; ++i) {
+        const auto lens = owen_sobol::pair(first_sample + static_cast<std::uint32_t>(i), lens_key);
+        lens_x[i] = lens.x;
+        lens_y[i] = lens.y;
+      }
+    }
+  } else {
+    for (int i = 0; i < size; ++i) {
+      const auto film = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), film_key);
+      const auto lens = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), lens_key);
+      film_x[i] = film.x;
+      film_y[i] = film.y;
+      lens_x[i] = lens.x;
+      lens_y[i] = lens.y;
+    }
+  }
+
+  alignas(64) float px[size], py[size], sx[size], sy[size];
+  if (pinhole) {
+    for (int i = 0; i < size; ++i) {
+      px[i] = py[i] = sx[i] = sy[i] = 0.0f;
+      block.status[i] = LaunchStatus::ok;
+    }
+  } else {
+    const float radius = rays_.pupil_radius();
+    for (int i = 0; i < size; ++i) {
+      const auto disk = concentric_disk(unit_float(lens_x[i]), unit_float(lens_y[i]));
+      px[i] = radius * disk.x;
+      py[i] = radius * disk.y;
+    }
+    for_model(rays_.model(), [&](auto model) {
+      for (int i = 0; i < size; ++i) {
+        const auto ray = rays_.through_as<model>(px[i], py[i]);
+        sx[i] = ray.sx;
+        sy[i] = ray.sy;
+        block.status[i] = ray.status;
+      }
+    });
+  }
+
+  const float fx = static_cast<float>(x), fy = static_cast<float>(y);
+  for (int i = 0; i < size; ++i) {
+    const float cx = slope_x(fx + unit_float(film_x[i])) + sx[i];
+    const float cy = slope_y(fy + unit_float(film_y[i])) + sy[i];
+    for (int k = 0; k < 3; ++k) {
+      block.origin[k][i] = position_[k] + px[i] * right_[k] + py[i] * up_[k];
+      block.direction[k][i] = forward_[k] + cx * right_[k] + cy * up_[k];
+    }
+  }
+}
+
+}  // namespace sturm

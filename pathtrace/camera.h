@@ -1,0 +1,60 @@
+#pragma once
+#include <Eigen/Core>
+#include <numbers>
+
+#include "pathtrace/disk.h"
+#include "pathtrace/owen_sobol.h"
+#include "pathtrace/ray_model.h"
+#include "pathtrace/sequence.h"
+
+namespace sturm {
+
+/// Where the eye is and where it looks; perspective, `camera` gaze (physics.md §3).
+struct CameraPose {
+  Eigen::Vector3d position{0.0, 0.0, 0.0};    ///< centre of the pupil [m], world
+  Eigen::Vector3d look_at{0.0, 0.0, -1.0};    ///< [m], world
+  Eigen::Vector3d up{0.0, 1.0, 0.0};
+  double vertical_field = 0.6860;             ///< [rad]
+  int width = 256, height = 256;              ///< [px]
+};
+
+/// Pixel pitch in tangent image coordinates [rad].
+double pixel_slope(const CameraPose& pose);
+
+/// The same view with `margin_px` more pixels on every side, same pixel pitch; then each pixel divided into oversampling² pixels.
+CameraPose widened(const CameraPose& pose, int margin_px, int oversampling);
+
+/// Rays of a block of consecutive samples of one pixel, as structure of arrays.
+struct CameraRayBlock {
+  static constexpr int size = 16;
+  alignas(64) float origin[3][size];
+  alignas(64) float direction[3][size];   ///< not normalised: one unit of t is one metre of planar distance
+  LaunchStatus status[size];
+};
+
+/// The thin-lens eye as a camera. Rays are launched in slope form: origin at the pupil point p, slope = chief slope + s(p).
+/// No focal point is formed, so hyperopia and zero power are no special case.
+class EyeCamera {
+ public:
+  EyeCamera(const CameraPose& pose, const EyeRays<float>& rays);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const EyeRays<float>& rays() const { return rays_; }
+  const Eigen::Vector3f& forward() const { return forward_; }
+
+  /// Chief slopes (x right, y up) [rad] at pixel coordinates, (0, 0) = upper left corner of the image.
+  float slope_x(float px) const { return (px - 0.5f * static_cast<float>(width_)) * pixel_slope_; }
+  float slope_y(float py) const { return (0.5f * static_cast<float>(height_) - py) * pixel_slope_; }
+
+  /// Fills the block with the rays of samples first_sample … first_sample + size − 1 of pixel (x, y).
+  void generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const;
+
+ private:
+  int width_, height_;
+  float pixel_slope_;
+  Eigen::Vector3f position_, right_, up_, forward_;
+  EyeRays<float> rays_;
+};
+
+}  // namespace sturm

@@ -1,0 +1,25 @@
+#pragma once
+#include <embree3/rtcore.h>
+
+#include "pathtrace/camera.h"
+#include "pathtrace/scene.h"
+
+namespace sturm {
+
+/// Camera rays of one block and what they hit. Lanes whose ray was dropped or that lie beyond the last sample hit nothing.
+struct CameraHits {
+  CameraRayBlock rays;
+  alignas(64) RTCRayHit8 packets[CameraRayBlock::size / 8];
+
+  bool hit(int i) const { return packets[i / 8].hit.geomID[i % 8] != RTC_INVALID_GEOMETRY_ID; }
+  float distance(int i) const { return packets[i / 8].ray.tfar[i % 8]; }
+  RTCHit record(int i) const;
+  Eigen::Vector3f origin(int i) const { return {rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]}; }
+  Eigen::Vector3f direction(int i) const { return {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}; }
+};
+
+/// Generates and traces the camera rays of samples first_sample … of pixel (x, y), `count` ≤ block size of them, in packets of 8.
+void trace_camera_rays(const Scene& scene, const EyeCamera& camera, int x, int y, std::uint32_t first_sample, int count,
+                       const PixelSequence& sequence, CameraHits& hits);
+
+}  // namespace sturm

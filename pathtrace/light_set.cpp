@@ -1,0 +1,126 @@
+#include "pathtrace/light_set.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pathtrace/vector_math.h"
+
+namespace sturm {
+
+namespace {
+constexpr float pi = std::numbers::pi_v<float>;
+
+/// 1 − cos of the half angle under which a sphere is seen, without cancellation for small ones.
+float one_minus_cosine(float sine_squared) { return sine_squared / (1.0f + std::sqrt(std::max(0.0f, 1.0f - sine_squared))); }
+}  // namespace
+
+int LightSet::add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, const Eigen::Vector3f& radiance) {
+  const Eigen::Vector3f edge1 = b - a, edge2 = c - a;
+  const float area = 0.5f * edge1.cross(edge2).norm();
+  lights_.push_back({Kind::triangle, a, edge1, edge2, radiance, area, 0.0f});
+  power_.push_back(pi * area * luminance(radiance));
+  return size() - 1;
+}
+
+int LightSet::add_sphere(const Eigen::Vector3f& center, float radius, const Eigen::Vector3f& radiance) {
+  lights_.push_back({Kind::sphere, center, {radius, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, radiance, 0.0f, 0.0f});
+  power_.push_back(4.0f * pi * pi * radius * radius * luminance(radiance));
+  return size() - 1;
+}
+
+int LightSet::add_point(const Eigen::Vector3f& position, const Eigen::Vector3f& intensity) {
+  lights_.push_back({Kind::point, position, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, intensity, 0.0f, 0.0f});
+  power_.push_back(4.0f * pi * luminance(intensity));
+  return size() - 1;
+}
+
+void LightSet::finish() {
+  const int n = size();
+  double total = 0.0;
+  for (float p : power_) total += p;
+  slots_.assign(static_cast<std::size_t>(n), {1.0f, 0});
+  std::vector<double> scaled(static_cast<std::size_t>(n));
+  std::vector<int> small, large;
+  for (int i = 0; i < n; ++i) {
+    const double probability = total > 0.0 ? power_[i] / total : 1.0 / n;
+    lights_[i].probability = static_cast<float>(probability);
+    scaled[i] = probability * n;
+    slots_[i].alias = i;
+    (scaled[i] < 1.0 ? small : large).push_back(i);
+  }
+  while (!small.empty() && !large.empty()) {
+    const int s = small.back(), l = large.back();
+    small.pop_back();
+    slots_[s] = {static_cast<float>(scaled[s]), l};
+    scaled[l] -= 1.0 - scaled[s];
+    if (scaled[l] < 1.0) {
+      large.pop_back();
+      small.push_back(l);
+    }
+  }
+}
+
+LightSample LightSet::sample(const Eigen::Vector3f& point, float u, float v) const {
+  const float position = u * static_cast<float>(slots_.size());
+  const int slot = std::min(static_cast<int>(position), size() - 1);
+  float rest = position - static_cast<float>(slot);
+  const Slot& choice = slots_[static_cast<std::size_t>(slot)];
+  int index = slot;
+  // What is left of u after the choice is uniform again.
+  if (rest < choice.keep) {
+    rest /= choice.keep;
+  } else {
+    index = choice.alias;
+    rest = (rest - choice.keep) / (1.0f - choice.keep);
+  }
+  const Light& light = lights_[static_cast<std::size_t>(index)];
+  switch (light.kind) {
+    case Kind::triangle: return sample_triangle(light, point, rest, v);
+    case Kind::sphere: return sample_sphere(light, point, rest, v);
+    default: {
+      const Eigen::Vector3f direction = light.a - point;
+      return {direction, light.emission / direction.squaredNorm(), light.probability, true};
+    }
+  }
+}
+
+LightSample LightSet::sample_triangle(const Light& light, const Eigen::Vector3f& point, float u, float v) const {
+  const float root = std::sqrt(u);
+  const Eigen::Vector3f direction = light.a + (root * (1.0f - v)) * light.edge1 + (root * v) * light.edge2 - point;
+  const Eigen::Vector3f scaled_normal = light.edge1.cross(light.edge2);   // length = 2·area
+  const float facing = -scaled_normal.dot(direction);
+  if (!(facing > 0.0f)) return {direction, light.emission, 0.0f, false};
+  const float square = direction.squaredNorm();
+  // pdf = probability / area · distance² / cos, with cos = facing / (2·area·distance)
+  return {direction, light.emission, light.probability * 2.0f * square * std::sqrt(square) / facing, false};
+}
+
+LightSample LightSet::sample_sphere(const Light& light, const Eigen::Vector3f& point, float u, float v) const {
+  const Eigen::Vector3f to_center = light.a - point;
+  const float radius = light.edge1.x(), square = to_center.squaredNorm();
+  if (square <= radius * radius) return {to_center, light.emission, 0.0f, false};
+  const float distance = std::sqrt(square), cap = one_minus_cosine(radius * radius / square);
+  const float drop = u * cap, cosine = 1.0f - drop;   // uniform in the cone
+  const float sine_squared = drop * (2.0f - drop), sine = std::sqrt(sine_squared);
+  const float angle = 2.0f * pi * v;
+  const Eigen::Vector3f axis = to_center / distance;
+  const TangentFrame frame(axis);
+  const Eigen::Vector3f unit = cosine * axis + sine * (std::cos(angle) * frame.tangent + std::sin(angle) * frame.bitangent);
+  const float reach = distance * cosine - std::sqrt(std::max(0.0f, radius * radius - square * sine_squared));
+  return {reach * unit, light.emission, light.probability / (2.0f * pi * cap), false};
+}
+
+float LightSet::pdf(int index, const Eigen::Vector3f& from, const Eigen::Vector3f& at, const Eigen::Vector3f& normal) const {
+  const Light& light = lights_[static_cast<std::size_t>(index)];
+  if (light.kind == Kind::sphere) {
+    const float radius = light.edge1.x(), square = (light.a - from).squaredNorm();
+    return square <= radius * radius ? 0.0f : light.probability / (2.0f * pi * one_minus_cosine(radius * radius / square));
+  }
+  const Eigen::Vector3f direction = at - from;
+  const float square = direction.squaredNorm(), facing = -normal.dot(direction);
+  return facing > 0.0f ? light.probability * square * std::sqrt(square) / (facing * light.area) : 0.0f;
+}
+
+}  // namespace sturm

@@ -1,0 +1,57 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace sturm {
+
+/// A direction towards a light, sampled at a point that it may illuminate.
+struct LightSample {
+  Eigen::Vector3f direction;   ///< from the point to the light, not normalised: t = 1 is the sampled point
+  Eigen::Vector3f radiance;    ///< emitted towards the point; for a point light: intensity / distance²
+  float pdf;                   ///< per solid angle, choice of the light included; for a point light: probability of the choice
+  bool delta;                  ///< cannot be hit by chance
+};
+
+/// All lights of a scene; one is chosen with a probability in proportion to its power (alias method of Walker 1977 and Vose 1991).
+class LightSet {
+ public:
+  int add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, const Eigen::Vector3f& radiance);
+  int add_sphere(const Eigen::Vector3f& center, float radius, const Eigen::Vector3f& radiance);
+  int add_point(const Eigen::Vector3f& position, const Eigen::Vector3f& intensity);
+
+  /// Builds the table of choices; call once after the last light.
+  void finish();
+
+  bool empty() const { return lights_.empty(); }
+  int size() const { return static_cast<int>(lights_.size()); }
+
+  /// Samples a light for `point` from two uniform numbers; pdf = 0 where it cannot shine there (e.g. the back of a triangle).
+  LightSample sample(const Eigen::Vector3f& point, float u, float v) const;
+
+  /// Density of `sample` for the direction of a ray from `from` that hit emitter `light` at `at` with unit normal `normal` there.
+  float pdf(int light, const Eigen::Vector3f& from, const Eigen::Vector3f& at, const Eigen::Vector3f& normal) const;
+
+ private:
+  enum class Kind : std::uint8_t { triangle, sphere, point };
+  struct Light {
+    Kind kind;
+    Eigen::Vector3f a, edge1, edge2;   // triangle; sphere: a = centre, edge1.x = radius; point: a = position
+    Eigen::Vector3f emission;
+    float area;                        // triangle only
+    float probability;                 // of being chosen
+  };
+  struct Slot {
+    float keep;                        // probability of staying in this slot
+    int alias;
+  };
+
+  LightSample sample_triangle(const Light& light, const Eigen::Vector3f& point, float u, float v) const;
+  LightSample sample_sphere(const Light& light, const Eigen::Vector3f& point, float u, float v) const;
+
+  std::vector<Light> lights_;
+  std::vector<float> power_;
+  std::vector<Slot> slots_;
+};
+
+}  // namespace sturm

@@ -1,0 +1,72 @@
+#include "pathtrace/path_tracer.h"
+
+#include <numbers>
+
+#include "pathtrace/embree_rays.h"
+#include "pathtrace/vector_math.h"
+
+namespace sturm {
+
+namespace {
+constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
+
+/// Power heuristic with exponent 2 (Veach & Guibas 1995) for the technique of density `a` against one of density `b`.
+float mis_weight(float a, float b) {
+  const float ratio = b / a;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+}  // namespace
+
+Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal, const Eigen::Vector3f& origin, float u,
+                                         float v, RenderCounters& counters) const {
+  const LightSample light = scene_.lights().sample(origin, u, v);
+  const float facing = normal.dot(light.direction);
+  if (!(light.pdf > 0.0f) || !(facing > 0.0f)) return Eigen::Vector3f::Zero();
+  ++counters.shadow_rays;
+  if (occluded(scene_.embree(), origin, light.direction)) return Eigen::Vector3f::Zero();
+  const float cosine = facing / light.direction.norm();
+  const float weight = light.delta ? 1.0f : mis_weight(light.pdf, cosine * inverse_pi);
+  return (weight * cosine * inverse_pi / light.pdf) * at.albedo.cwiseProduct(light.radiance);
+}
+
+Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, const PixelSequence& sequence,
+                                     std::uint32_t sample, RenderCounters& counters) const {
+  SurfacePoint at = first;
+  Eigen::Vector3f direction = first_direction, throughput = Eigen::Vector3f::Ones(), sum = Eigen::Vector3f::Zero();
+  Eigen::Vector3f previous_origin = Eigen::Vector3f::Zero();
+  float scatter_pdf = 0.0f;
+  for (int bounce = 0;; ++bounce) {
+    const bool seen_from_front = at.normal.dot(direction) < 0.0f;
+    if (at.emitter >= 0 && seen_from_front) {
+      const float weight = bounce == 0 ? 1.0f : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin, at.position, at.normal));
+      sum += weight * throughput.cwiseProduct(at.material->emission);
+    }
+    if (bounce == settings_.max_bounces || !(at.albedo.maxCoeff() > 0.0f)) return sum;
+
+    const Eigen::Vector3f normal = seen_from_front ? at.normal : Eigen::Vector3f(-at.normal);
+    const Eigen::Vector3f origin = offset_from_surface(at.position, normal);
+    const std::uint32_t first_dimension = dimension::first_vertex + dimension::per_vertex * static_cast<std::uint32_t>(bounce);
+    if (!scene_.lights().empty()) {
+      const auto u = sequence.pair(sample, first_dimension + dimension::light);
+      sum += throughput.cwiseProduct(direct_light(at, normal, origin, unit_float(u.x), unit_float(u.y), counters));
+    }
+
+    throughput = throughput.cwiseProduct(at.albedo);
+    if (bounce >= settings_.first_roulette_bounce) {
+      const float survival = std::min(0.95f, throughput.maxCoeff());
+      if (unit_float(sequence.single(sample, first_dimension + dimension::survive)) >= survival) return sum;
+      throughput /= survival;
+    }
+
+    const auto u = sequence.pair(sample, first_dimension + dimension::scatter);
+    direction = cosine_direction(normal, unit_float(u.x), unit_float(u.y));
+    scatter_pdf = std::max(0.0f, normal.dot(direction)) * inverse_pi;
+    ++counters.bounce_rays;
+    RTCRayHit ray = ray_from(origin, direction);
+    if (!intersect(scene_.embree(), ray) || !(scatter_pdf > 0.0f)) return sum;
+    at = scene_.surface_point(ray.hit, origin, direction, ray.ray.tfar);
+    previous_origin = origin;
+  }
+}
+
+}  // namespace sturm

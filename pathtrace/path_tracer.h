@@ -1,0 +1,23 @@
+#pragma once
+#include "pathtrace/render.h"
+
+namespace sturm {
+
+/// Radiance along one camera ray that has already been traced, by unidirectional path tracing with next-event estimation.
+class PathTracer {
+ public:
+  PathTracer(const Scene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {}
+
+  /// `first` is what the camera ray origin + t·direction hit.
+  Eigen::Vector3f radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence, std::uint32_t sample,
+                           RenderCounters& counters) const;
+
+ private:
+  Eigen::Vector3f direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal, const Eigen::Vector3f& origin, float u, float v,
+                               RenderCounters& counters) const;
+
+  const Scene& scene_;
+  const RenderSettings& settings_;
+};
+
+}  // namespace sturm

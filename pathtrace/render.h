@@ -1,0 +1,37 @@
+#pragma once
+#include <functional>
+
+#include "io/image.h"
+#include "pathtrace/camera.h"
+#include "pathtrace/ray_model.h"
+#include "pathtrace/scene.h"
+#include "pathtrace/sequence.h"
+
+namespace sturm {
+
+struct RenderSettings {
+  int samples_per_pixel = 64;
+  int max_bounces = 16;                                  ///< a path has at most max_bounces + 1 edges
+  Sequence sequence = Sequence::Sobol;
+  std::uint64_t seed = 1;
+  int first_roulette_bounce = 2;                         ///< Russian roulette may end a path from this bounce on
+  std::function<void(double fraction)> progress;         ///< called from worker threads as tiles finish; may be empty
+};
+
+struct RenderCounters {
+  RayCounters camera;
+  std::uint64_t bounce_rays = 0, shadow_rays = 0;
+};
+
+/// Layers of one size: radiance (3, mean over pixel and pupil), variance (3, of single samples), albedo (3), normal (3, world),
+/// depth (1, planar [m], mean in vergence, ∞ where nothing was hit).
+struct RenderResult {
+  Image radiance, variance, albedo, normal, depth;
+  RenderCounters counters;
+};
+
+/// Path traces what the eye sees. The result is the same, bit for bit, for any number of threads.
+/// Throws RuntimeFailure naming pixel, sample and seed if a sample is not finite.
+RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSettings& settings);
+
+}  // namespace sturm

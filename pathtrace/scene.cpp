@@ -1,0 +1,142 @@
+#include "pathtrace/scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "io/error.h"
+#include "pathtrace/texture.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr unsigned triangle_geometry = 0, sphere_geometry = 1;
+constexpr float largest_coordinate = 1e6f;   // [m]; beyond it single precision cannot resolve a millimetre
+
+void require_usable(const Eigen::Vector3f& p, const std::string& where) {
+  if (!(p.array().abs() <= largest_coordinate).all())
+    throw InputError("", where, "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")",
+                     "finite coordinates within ±1e6 m");
+}
+
+bool emits(const Material& material) { return material.emission.maxCoeff() > 0.0f; }
+
+}  // namespace
+
+Scene::Scene(const SceneDescription& description, const std::string& isa)
+    : instruction_set_(isa.empty() ? "default" : isa),
+      device_(rtcNewDevice(isa.empty() ? nullptr : ("isa=" + isa).c_str())),
+      materials_(description.materials),
+      lower_(Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity())),
+      upper_(-lower_) {
+  if (!device_) throw RuntimeFailure("Embree cannot create a device (isa=" + isa + ")");
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
+  add_triangles(description);
+  add_spheres(description);
+  if (triangle_material_.empty() && sphere_material_.empty()) throw InputError("", "/scene", "no surface", "at least one mesh or sphere");
+  for (const PointLight& light : description.lights) lights_.add_point(light.position, light.intensity);
+  lights_.finish();
+  rtcCommitScene(scene_.get());
+  if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
+    throw RuntimeFailure("Embree could not build the scene (error " + std::to_string(error) + ")");
+}
+
+void Scene::add_triangles(const SceneDescription& description) {
+  std::size_t vertex_count = 0, triangle_count = 0;
+  bool textured = false;
+  for (const Mesh& mesh : description.meshes) {
+    vertex_count += mesh.positions.size();
+    triangle_count += mesh.triangles.size();
+    textured = textured || (!mesh.texture_coordinates.empty() && materials_.at(mesh.material).albedo_texture);
+  }
+  if (triangle_count == 0) return;
+
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertex_count));
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangle_count));
+  if (!vertices || !indices) {
+    rtcReleaseGeometry(geometry);
+    throw RuntimeFailure("Embree has no memory for " + std::to_string(triangle_count) + " triangles");
+  }
+  std::uint32_t first_vertex = 0;
+  for (const Mesh& mesh : description.meshes) {
+    const std::string where = "mesh '" + mesh.name + "'";
+    for (const Eigen::Vector3f& p : mesh.positions) {
+      require_usable(p, where);
+      lower_ = lower_.cwiseMin(p);
+      upper_ = upper_.cwiseMax(p);
+      vertices = std::copy_n(p.data(), 3, vertices);
+    }
+    const Material& material = materials_.at(mesh.material);
+    for (const auto& triangle : mesh.triangles) {
+      for (std::uint32_t v : triangle) {
+        if (v >= mesh.positions.size()) {
+          rtcReleaseGeometry(geometry);
+          throw InputError("", where, "vertex index " + std::to_string(v), "less than " + std::to_string(mesh.positions.size()));
+        }
+        *indices++ = first_vertex + v;
+      }
+      triangle_material_.push_back(mesh.material);
+      const auto corner = [&](int k) { return mesh.positions[triangle[k]]; };
+      triangle_emitter_.push_back(emits(material) ? lights_.add_triangle(corner(0), corner(1), corner(2), material.emission) : -1);
+      if (textured) {
+        const bool has = !mesh.texture_coordinates.empty();
+        const auto uv = [&](int k) { return has ? mesh.texture_coordinates[triangle[k]] : Eigen::Vector2f(0.0f, 0.0f); };
+        triangle_uv_.push_back({uv(0), uv(1), uv(2)});
+      }
+    }
+    first_vertex += static_cast<std::uint32_t>(mesh.positions.size());
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_.get(), geometry, triangle_geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+void Scene::add_spheres(const SceneDescription& description) {
+  if (description.spheres.empty()) return;
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  auto* data = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float),
+                                                           description.spheres.size()));
+  for (const Sphere& sphere : description.spheres) {
+    require_usable(sphere.center, "sphere");
+    if (!(sphere.radius > 0.0f && sphere.radius <= largest_coordinate)) {
+      rtcReleaseGeometry(geometry);
+      throw InputError("", "sphere", "radius " + std::to_string(sphere.radius) + " m", "a radius above 0");
+    }
+    data = std::copy_n(sphere.center.data(), 3, data);
+    *data++ = sphere.radius;
+    lower_ = lower_.cwiseMin(sphere.center - Eigen::Vector3f::Constant(sphere.radius));
+    upper_ = upper_.cwiseMax(sphere.center + Eigen::Vector3f::Constant(sphere.radius));
+    const Material& material = materials_.at(sphere.material);
+    sphere_material_.push_back(sphere.material);
+    sphere_emitter_.push_back(emits(material) ? lights_.add_sphere(sphere.center, sphere.radius, material.emission) : -1);
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_.get(), geometry, sphere_geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float t) const {
+  const bool triangle = hit.geomID == triangle_geometry;
+  const int material_index = triangle ? triangle_material_[hit.primID] : sphere_material_[hit.primID];
+  const Material& material = materials_[static_cast<std::size_t>(material_index)];
+  SurfacePoint point;
+  point.position = origin + t * direction;
+  // Embree's normal of a triangle is (v2 − v0) × (v1 − v0) scaled; counter-clockwise faces need the opposite sign.
+  point.normal = Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z).normalized();
+  point.material = &material;
+  point.emitter = triangle ? triangle_emitter_[hit.primID] : sphere_emitter_[hit.primID];
+  point.albedo = material.albedo;
+  if (triangle && material.albedo_texture && !triangle_uv_.empty()) {
+    const auto& uv = triangle_uv_[hit.primID];
+    const Eigen::Vector2f at = (1.0f - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
+    point.albedo = point.albedo.cwiseProduct(texel(*material.albedo_texture, at, material.nearest_filter));
+  }
+  return point;
+}
+
+}  // namespace sturm

@@ -1,0 +1,62 @@
+#pragma once
+#include <embree3/rtcore.h>
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pathtrace/light_set.h"
+#include "pathtrace/scene_description.h"
+
+namespace sturm {
+
+/// What a ray hit, with all that shading needs.
+struct SurfacePoint {
+  Eigen::Vector3f position;        ///< [m], world
+  Eigen::Vector3f normal;          ///< geometric, unit length, on the side from which the mesh emits
+  const Material* material;
+  int emitter;                     ///< index into the light set, −1 where the surface does not emit
+  Eigen::Vector3f albedo;          ///< texture applied
+};
+
+/// Immutable scene on Embree 3: all triangles in one geometry, all spheres in another.
+class Scene {
+ public:
+  /// `isa` names the instruction set that Embree is pinned to ("" = its own choice); hits differ between instruction sets in the last bits.
+  /// Throws InputError for non-finite or out-of-range vertices and indices, and for a scene without any surface.
+  explicit Scene(const SceneDescription& description, const std::string& isa = "avx2");
+
+  RTCScene embree() const { return scene_.get(); }
+  const LightSet& lights() const { return lights_; }
+  const Eigen::Vector3f& lower() const { return lower_; }
+  const Eigen::Vector3f& upper() const { return upper_; }
+  std::size_t triangle_count() const { return triangle_material_.size(); }
+  const std::string& instruction_set() const { return instruction_set_; }
+
+  /// Resolves an Embree hit of the ray origin + t·direction.
+  SurfacePoint surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float t) const;
+
+ private:
+  struct DeviceRelease {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  };
+  struct SceneRelease {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+
+  void add_triangles(const SceneDescription& description);
+  void add_spheres(const SceneDescription& description);
+
+  std::string instruction_set_;
+  std::unique_ptr<RTCDeviceTy, DeviceRelease> device_;
+  std::unique_ptr<RTCSceneTy, SceneRelease> scene_;
+  std::vector<Material> materials_;
+  std::vector<int> triangle_material_, triangle_emitter_;
+  std::vector<std::array<Eigen::Vector2f, 3>> triangle_uv_;   // empty when no mesh is textured
+  std::vector<int> sphere_material_, sphere_emitter_;
+  LightSet lights_;
+  Eigen::Vector3f lower_, upper_;
+};
+
+}  // namespace sturm

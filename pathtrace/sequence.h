@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+
+#include "io/ray_bundle_spec.h"
+#include "pathtrace/owen_sobol.h"
+
+namespace sturm {
+
+/// Dimensions of a path; every vertex of a path has its own block.
+namespace dimension {
+inline constexpr std::uint32_t film = 0, lens = 1, first_vertex = 2, per_vertex = 3;
+inline constexpr std::uint32_t scatter = 0, light = 1, survive = 2;
+}  // namespace dimension
+
+/// The samples of one pixel, addressed by (sample, dimension).
+class PixelSequence {
+ public:
+  PixelSequence(Sequence kind, std::uint64_t seed, std::uint32_t pixel)
+      : kind_(kind),
+        key_(owen_sobol::combined(owen_sobol::combined(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)), pixel)) {}
+
+  Sequence kind() const { return kind_; }
+
+  std::uint32_t key(std::uint32_t dimension) const { return owen_sobol::combined(key_, dimension); }
+
+  owen_sobol::Pair pair(std::uint32_t sample, std::uint32_t dimension) const {
+    const std::uint32_t k = key(dimension);
+    return kind_ == Sequence::Sobol ? owen_sobol::pair(sample, k) : independent(sample, k);
+  }
+
+  std::uint32_t single(std::uint32_t sample, std::uint32_t dimension) const {
+    const std::uint32_t k = key(dimension);
+    return kind_ == Sequence::Sobol ? owen_sobol::single(sample, k) : independent(sample, k).x;
+  }
+
+  /// Two independent 32-bit words for (sample, key).
+  static owen_sobol::Pair independent(std::uint32_t sample, std::uint32_t key) {
+    const std::uint32_t x = owen_sobol::mixed(owen_sobol::mixed(sample + 0x9e3779b9u) ^ key);
+    return {x, owen_sobol::mixed(x ^ owen_sobol::mixed(key + 0x51ed270bu))};
+  }
+
+ private:
+  Sequence kind_;
+  std::uint32_t key_;
+};
+
+}  // namespace sturm

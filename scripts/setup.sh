@@ -1,0 +1,45 @@
+# Sourced by scripts/run and scripts/test: installs what is missing, configures and builds.
+
+fail() {
+  echo "error: $*" >&2
+  exit 1
+}
+
+install_dependencies() {
+  command -v dpkg-query >/dev/null || fail "this script installs Debian packages, but dpkg is not here; install the packages of scripts/dependencies.txt by hand"
+  local missing=() package
+  while read -r package _; do
+    case "$package" in '' | '#'*) continue ;; esac
+    dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' || missing+=("$package")
+  done <scripts/dependencies.txt
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "== installing ${#missing[@]} packages: ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "packages are missing (${missing[*]}) and there is neither root nor sudo"
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -qq || fail "the package lists could not be updated"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
+    fail "packages could not be installed: ${missing[*]}"
+}
+
+# build_preset PRESET [TARGET...]
+build_preset() {
+  local preset=$1
+  shift
+  local log=build/$preset/setup.log
+  mkdir -p "build/$preset"
+  if [ ! -f "build/$preset/build.ninja" ]; then
+    echo "== configuring (preset $preset)"
+    cmake --preset "$preset" >"$log" 2>&1 || {
+      tail -n 20 "$log" >&2
+      fail "configuring failed; the whole log is in $log"
+    }
+  fi
+  echo "== building (preset $preset)"
+  cmake --build "build/$preset" ${1:+--target "$@"} >"$log" 2>&1 || {
+    tail -n 40 "$log" >&2
+    fail "the build failed; the whole log is in $log"
+  }
+}
