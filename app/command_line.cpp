@@ -1,2 +1,131 @@
 #include "app/command_line.h"
-namespace sturm { int run_command_line(int, char**) { return 2; } }
+
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <memory>
+
+#include "app/commands.h"
+#include "io/build_info.h"
+#include "io/error.h"
+#include "io/manifest.h"
+
+namespace sturm {
+
+namespace {
+
+enum ExitStatus { passed = 0, failed = 1, wrong_input = 2, runtime_failure = 3 };
+
+std::string version_text() {
+  const BuildInfo& b = build_info();
+  return "sturm " + std::string(b.version) + " (commit " + std::string(b.commit) + ")\nbuilt with " + std::string(b.compiler) + ", " +
+         std::string(b.build_type) + ", flags " + std::string(b.flags) + "\ninstruction set " + instruction_set() + "\n";
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
+  command.add_option("file", options.file, std::string(what) + " (- is standard input)")->required();
+  command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")->allow_extra_args(false);
+  command.add_option("--seed", options.seed, "seed of all random numbers");
+  command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
+  command.add_flag("--quiet", options.quiet, "no progress on stderr");
+}
+
+/// The commands with their options; `action` is what the chosen one does.
+struct CommandLine {
+  CLI::App app{"Sturm: the blur of an astigmatic eye, path traced and predicted, and whether the two agree.", "sturm"};
+  CommonOptions common;
+  CompareOptions compare;
+  GateOptions gate;
+  std::string output, folder, file, schema;
+  bool resume = false;
+  std::function<int()> action;
+
+  CommandLine() {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", version_text());
+    add_run();
+    add_ellipse();
+    add_render();
+    add_compare();
+    add_gate();
+    auto* validate = app.add_subcommand("validate", "check a configuration without running it");
+    validate->add_option("file", file, "any document of Sturm (- is standard input)")->required();
+    validate->callback([this] { action = [this] { return validate_command(file); }; });
+    auto* schema_app = app.add_subcommand("schema", "print a JSON schema, or the names of all");
+    schema_app->add_option("name", schema, "e.g. experiment");
+    schema_app->callback([this] { action = [this] { return schema_command(schema); }; });
+  }
+
+  void add_run() {
+    auto* run = app.add_subcommand("run", "run an experiment and write its report");
+    add_common_options(*run, common, "experiment (sturm.experiment/1)");
+    run->add_option("--out", folder, "folder of the report (default: reports/NAME)");
+    run->add_flag("--resume", resume, "take over what an interrupted run has finished");
+    run->callback([this] { action = [this] { return run_command(common, folder, resume); }; });
+  }
+
+  void add_ellipse() {
+    auto* ellipse = app.add_subcommand("ellipse", "blur ellipses for a list of targets: JSON in, JSON out");
+    add_common_options(*ellipse, common, "query (sturm.ellipse/1)");
+    ellipse->add_option("-o,--output", output, "file instead of standard output");
+    ellipse->callback([this] { action = [this] { return ellipse_command(common, output); }; });
+  }
+
+  void add_render() {
+    auto* render = app.add_subcommand("render", "one image, path traced or predicted");
+    add_common_options(*render, common, "view (sturm.render/1)");
+    render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
+    render->callback([this] { action = [this] { return render_command(common, output); }; });
+  }
+
+  void add_compare() {
+    auto* c = app.add_subcommand("compare", "metrics of two EXR images; bounds make it a gate");
+    c->add_option("test", compare.test, "EXR")->required();
+    c->add_option("reference", compare.reference, "EXR")->required();
+    c->add_option("--json", compare.json_file, "write the metrics as JSON (- is standard output, instead of the table)");
+    c->add_option("--exposure", compare.exposure, "factor before the display transfer function")->check(CLI::PositiveNumber);
+    c->add_option("--min-ssim", compare.min_ssim, "fail below this SSIM (display space)");
+    c->add_option("--min-psnr", compare.min_psnr_dB, "fail below this PSNR [dB] (display space)");
+    c->add_option("--max-rmse", compare.max_rmse, "fail above this RMSE (linear)");
+    c->add_option("--max-relative-mse", compare.max_relative_mse, "fail above this relative MSE (linear)");
+    c->callback([this] { action = [this] { return compare_command(compare); }; });
+  }
+
+  void add_gate() {
+    auto* g = app.add_subcommand("gate", "evaluate gates on a stored report");
+    g->add_option("report", gate.report, "report.json")->required();
+    g->add_option("--gates", gate.gates, "gates file (default: the gates that the report was judged by)");
+    g->add_option("--baseline", gate.baseline, "baseline to compare with");
+    g->add_option("--junit", gate.junit, "write the results as JUnit XML");
+    g->add_option("--write-baseline", gate.new_baseline, "store this report's numbers as a new baseline");
+    g->callback([this] { action = [this] { return gate_command(gate); }; });
+  }
+};
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CommandLine line;
+  try {
+    line.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return line.app.exit(error) == 0 ? passed : wrong_input;
+  }
+  try {
+    std::unique_ptr<tbb::global_control> limit;
+    if (line.common.threads > 0)
+      limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(line.common.threads));
+    return line.action();
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return wrong_input;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return runtime_failure;
+  }
+}
+
+}  // namespace sturm

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -13,14 +14,19 @@ namespace {
 
 constexpr double binomial[5][5] = {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
 
-Eigen::Vector3d entries(const Eigen::Matrix2d& m) { return {m(0, 0), 0.5 * (m(0, 1) + m(1, 0)), m(1, 1)}; }
+Eigen::Vector3d entries(const Eigen::Matrix2d& m) {
+  return {m(0, 0), 0.5 * (m(0, 1) + m(1, 0)), m(1, 1)};
+}
 
 /// √max(0, x): a quadratic form of a scatter matrix may come out as −1e-40.
-double safe_root(double x) { return std::sqrt(std::max(0.0, x)); }
+double safe_root(double x) {
+  return std::sqrt(std::max(0.0, x));
+}
 
 /// Covariance matrix of the mean of R vectors from their scatter: 1/(R(R − 1)) Σ (v − v̄)(v − v̄)ᵀ.
 template <int N>
-Eigen::Matrix<double, N, N> covariance_of_mean(const std::vector<Eigen::Matrix<double, N, 1>>& values, const Eigen::Matrix<double, N, 1>& mean) {
+Eigen::Matrix<double, N, N> covariance_of_mean(const std::vector<Eigen::Matrix<double, N, 1>>& values,
+                                               const Eigen::Matrix<double, N, 1>& mean) {
   Eigen::Matrix<double, N, N> scatter = Eigen::Matrix<double, N, N>::Zero();
   for (const auto& v : values) scatter += (v - mean) * (v - mean).transpose();
   const double r = static_cast<double>(values.size());
@@ -29,7 +35,9 @@ Eigen::Matrix<double, N, N> covariance_of_mean(const std::vector<Eigen::Matrix<d
 
 }  // namespace
 
-void BundleMoments::add(const Eigen::Vector2d& point) { add(std::span<const Eigen::Vector2d>(&point, 1)); }
+void BundleMoments::add(const Eigen::Vector2d& point) {
+  add(std::span<const Eigen::Vector2d>(&point, 1));
+}
 
 void BundleMoments::add(std::span<const Eigen::Vector2d> points) {
   constexpr std::size_t chunk = 1024;  // small enough that plain sums keep their digits, large enough that merging costs nothing
@@ -62,7 +70,8 @@ void BundleMoments::merge(const BundleMoments& other) {
   }
   const double na = static_cast<double>(count_), nb = static_cast<double>(other.count_), n = na + nb;
   const Eigen::Vector2d delta = other.mean_ - mean_;
-  // Each side's deviations shift by a constant: −n_B/n·δ for this side, n_A/n·δ for the other; expand (d + shift)^p by the binomial theorem.
+  // Each side's deviations shift by a constant: −n_B/n·δ for this side, n_A/n·δ for the other; expand (d + shift)^p by the binomial
+  // theorem.
   const auto shifted = [](const BundleMoments& m, const Eigen::Vector2d& shift, int p, int q) {
     double sum = 0.0, shift_x = 1.0;
     for (int i = 0; i <= p; ++i, shift_x *= shift.x()) {
@@ -168,6 +177,22 @@ BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind
     e.centroid_standard_error = (e.covariance.diagonal() / static_cast<double>(e.points)).cwiseSqrt();
     e.degrees_of_freedom = static_cast<double>(e.points);
   }
+  return e;
+}
+
+BundleEllipse ellipse_of_quadrature(std::span<const Eigen::Vector2d> points, std::span<const double> weights) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  if (points.size() != weights.size() || !(total > 0.0))
+    throw std::invalid_argument("ellipse_of_quadrature: needs one weight per point, with a positive sum");
+  BundleEllipse e;
+  e.points = points.size();
+  e.replicates = 1;
+  for (std::size_t i = 0; i < points.size(); ++i) e.centroid += weights[i] / total * points[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d d = points[i] - e.centroid;
+    e.covariance += weights[i] / total * d * d.transpose();
+  }
+  e.ellipse = Ellipse::of_second_moments(e.covariance);
   return e;
 }
 

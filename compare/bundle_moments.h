@@ -58,7 +58,7 @@ class BundleMoments {
 
 /// The ellipse of a ray bundle, measured by several replicates, with its standard errors. Units follow the points (u).
 struct BundleEllipse {
-  std::uint64_t points = 0;     ///< of all replicates
+  std::uint64_t points = 0;  ///< of all replicates
   int replicates = 0;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();      ///< [u]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();    ///< about the centroid of each replicate, mean over the replicates [u²]
@@ -86,5 +86,9 @@ Eigen::Vector3d entry_weights(const Eigen::Vector2d& u, const Eigen::Vector2d& v
 /// between the replicates divided by √R. A single replicate of independent points falls back to its own fourth moments; a single
 /// low-discrepancy replicate has no standard error. Throws std::invalid_argument for an empty list or unequal replicates.
 BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind);
+
+/// The ellipse of a quadrature rule: point i has the weight `weights[i]` > 0 (normalised here). It has no standard error.
+/// Throws std::invalid_argument for lists of different length and for weights that do not add up to something positive.
+BundleEllipse ellipse_of_quadrature(std::span<const Eigen::Vector2d> points, std::span<const double> weights);
 
 }  // namespace sturm

@@ -39,9 +39,9 @@ EllipseComparison compare_to_prediction(const BundleEllipse& measured, const Eig
 /// the cancellation, so that nearly equal matrices keep a distance below √ε.
 double bures_wasserstein_distance(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b);
 
-/// Covariance of the `sin2_radial` pattern of a uniform pupil of radius `a` [m] under the symmetric vergence matrix V [D] (physics.md §4.1):
-/// with V = m·I + D (D without trace, D² = δ²·I), a²/4·(m²·I + m·D + δ²/2·I); its principal values are a²/4·(5V₁² + 2V₁V₂ + V₂²)/8 and
-/// a²/4·(V₁² + 2V₁V₂ + 5V₂²)/8. (Wavefront theory: a²/4·V² = a²/4·(m²·I + 2m·D + δ²·I).)
+/// Covariance of the `sin2_radial` pattern of a uniform pupil of radius `a` [m] under the symmetric vergence matrix V [D] (physics.md
+/// §4.1): with V = m·I + D (D without trace, D² = δ²·I), a²/4·(m²·I + m·D + δ²/2·I); its principal values are a²/4·(5V₁² + 2V₁V₂ + V₂²)/8
+/// and a²/4·(V₁² + 2V₁V₂ + 5V₂²)/8. (Wavefront theory: a²/4·V² = a²/4·(m²·I + 2m·D + δ²·I).)
 Eigen::Matrix2d sin2_closed_form_covariance(const Eigen::Matrix2d& v, double a);
 
 }  // namespace sturm

@@ -46,11 +46,17 @@ Image coloured(const Image& values, ColourOf colour_of) {
 
 }  // namespace
 
-DisplayColour sequential_colour(double t) { return interpolate(inferno, t); }
+DisplayColour sequential_colour(double t) {
+  return interpolate(inferno, t);
+}
 
-DisplayColour diverging_colour(double t) { return interpolate(blue_to_red, 0.5 + 0.5 * t); }
+DisplayColour diverging_colour(double t) {
+  return interpolate(blue_to_red, 0.5 + 0.5 * t);
+}
 
-DisplayColour not_finite_colour() { return {0.0f, 1.0f, 0.0f}; }
+DisplayColour not_finite_colour() {
+  return {0.0f, 1.0f, 0.0f};
+}
 
 double position_on(const SequentialScale& scale, double value) {
   const double relative = value / scale.peak;

@@ -24,7 +24,9 @@ double variance_of_channel_mean(const float* pixel, int channels) {
   return sum * sum / (static_cast<double>(channels) * channels);
 }
 
-Eigen::Vector2d centre_of(int x, int y) { return {x + 0.5, y + 0.5}; }
+Eigen::Vector2d centre_of(int x, int y) {
+  return {x + 0.5, y + 0.5};
+}
 
 /// Calls visit(pixel centre relative to `origin`, x, y) for every pixel in index order.
 template <class Visit>
@@ -48,7 +50,8 @@ ImageEllipse measure_image_ellipse(const Image& image, const Image* variance_of_
     total += w;
     first += w * d;
   });
-  if (!(total > 0.0)) throw InputError("", "", "an image whose pixels sum to " + std::to_string(total), "the image of an emitter (a positive sum)");
+  if (!(total > 0.0))
+    throw InputError("", "", "an image whose pixels sum to " + std::to_string(total), "the image of an emitter (a positive sum)");
   e.centroid_px = middle + first / total;
 
   Eigen::Vector3d second = Eigen::Vector3d::Zero();  // pixel axes, with everything that is still to be taken off

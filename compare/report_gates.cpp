@@ -10,22 +10,36 @@ namespace sturm {
 
 namespace {
 
-bool failed(const Json& gate) { return !boolean_at(gate, "passed").value_or(false); }
+bool failed(const Json& gate) {
+  return !boolean_at(gate, "passed").value_or(false);
+}
 
-bool proves_that_gates_fail(const Json& gate) { return text_at(gate, "kind") == "must_fail"; }
+bool proves_that_gates_fail(const Json& gate) {
+  return text_at(gate, "kind") == "must_fail";
+}
 
 /// 0 failures, 1 gates, 2 gates that show that gates can fail.
-int reading_order(const Json& gate) { return failed(gate) ? 0 : proves_that_gates_fail(gate) ? 2 : 1; }
+int reading_order(const Json& gate) {
+  return failed(gate) ? 0 : proves_that_gates_fail(gate) ? 2 : 1;
+}
 
 std::string bound_html(const Json& gate) {
   const auto bound = number_at(gate, "bound");
   if (!bound) return "–";
   const std::string kind = text_at(gate, "kind");
-  std::string sign = "≤ ";
-  if (kind == "must_fail") sign = "&gt; ";
-  if (kind == "baseline") sign = "baseline ± ";
-  if (kind == "must_differ" || kind == "differs" || kind == "lower_bound" || kind == "at_least") sign = "≥ ";
-  return sign + exact_html(bound);
+  std::string html = "≤ ";
+  if (kind == "must_fail") html = "&gt; ";
+  if (kind == "baseline") html = "baseline ± ";
+  if (kind == "must_differ" || kind == "differs" || kind == "lower_bound" || kind == "at_least") html = "≥ ";
+  const std::string unit = text_at(gate, "unit");
+  html += exact_html(bound);
+  return unit.empty() ? html : html.append(" ").append(escaped(unit));
+}
+
+std::string worst_case_html(const Json& gate) {
+  const auto cases = number_at(gate, "cases");
+  return text_html(text_at(gate, "worst_case")) +
+         (cases ? "<small>of " + count_html(cases) + (*cases == 1.0 ? " case" : " cases") + "</small>" : "");
 }
 
 std::string result_html(const Json& gate) {
@@ -34,10 +48,11 @@ std::string result_html(const Json& gate) {
 }
 
 std::string description(const Json& gate) {
-  std::string html = element("span", "class=\"title\"", text_html(text_at(gate, "title"))) +
-                     element("code", "", text_html(text_at(gate, "id")));
-  if (const std::string statistic = text_at(gate, "statistic"); !statistic.empty()) html += element("span", "class=\"what\"", escaped(statistic));
-  if (const std::string reason = text_at(gate, "reason"); !reason.empty()) html += element("span", "class=\"why\"", "Bound: " + escaped(reason));
+  std::string html =
+      element("span", "class=\"title\"", text_html(text_at(gate, "title"))) + element("code", "", text_html(text_at(gate, "id")));
+  if (const std::string statistic = text_at(gate, "statistic"); !statistic.empty())
+    html += element("small", "", "statistic: " + escaped(statistic));
+  if (const std::string reason = text_at(gate, "reason"); !reason.empty()) html += element("small", "", "bound: " + escaped(reason));
   return html;
 }
 
@@ -46,12 +61,10 @@ std::string gate_table(const Json& gates) {
   for (const Json& gate : gates) order.push_back(&gate);
   std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return reading_order(*a) < reading_order(*b); });
   HtmlTable table("Gates, failures first", "gates",
-                  {{"Gate", false}, {"Result", false}, {"Value ± uncertainty"}, {"Bound"}, {"Unit", false}, {"Cases"}, {"Worst case", false}});
+                  {{"Gate", false}, {"Result", false}, {"Value ± uncertainty"}, {"Bound, with unit"}, {"Worst case", false}});
   for (const Json* gate : order) {
-    const std::string unit = text_at(*gate, "unit");
-    table.add_row({description(*gate), result_html(*gate), measured_html(number_at(*gate, "value"), number_at(*gate, "uncertainty")),
-                   bound_html(*gate), unit.empty() ? "" : escaped(unit), count_html(number_at(*gate, "cases")),
-                   text_html(text_at(*gate, "worst_case"))},
+    table.add_row({description(*gate), result_html(*gate), measured_html(number_at(*gate, "value"), number_at(*gate, "uncertainty"), 3),
+                   bound_html(*gate), worst_case_html(*gate)},
                   failed(*gate) ? "fail" : "");
   }
   return table.html();
@@ -64,11 +77,13 @@ std::string mutant_table(const Json& mutants) {
     const bool rejected = boolean_at(mutant, "failed_as_it_must").value_or(false);
     table.add_row({"<code>" + text_html(text_at(mutant, "id")) + "</code>", text_html(text_at(mutant, "what")),
                    rejected ? "<span class=\"mark pass\">yes</span>" : "<strong class=\"mark fail\">no</strong>",
-                   number_html(number_at(mutant, "value")), exact_html(number_at(mutant, "bound"))},
+                   number_html(number_at(mutant, "value"), 3), exact_html(number_at(mutant, "bound"))},
                   rejected ? "" : "fail");
   }
   return element("h3", "", "The gates can fail") +
-         element("p", "", "Each statistic below was computed again with one input made wrong on purpose. A gate that let it pass would be worthless.") +
+         element(
+             "p", "",
+             "Each statistic below was computed again with one input made wrong on purpose. A gate that let it pass would be worthless.") +
          table.html();
 }
 

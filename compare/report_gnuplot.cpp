@@ -79,7 +79,9 @@ std::string for_inline_use(std::string svg, const PlotFrame& frame) {
   svg = std::regex_replace(svg, std::regex(R"re(\sxmlns(:xlink)?="[^"]*")re"), "");
   svg = std::regex_replace(svg, std::regex(R"re(\sfont-family="[^"]*")re"), "");
   svg = std::regex_replace(svg, std::regex("xlink:href="), "href=");
-  // Several plots share the page, so their ids must not meet.
+  // gnuplot gives each curve an id, some of them twice; nothing refers to those. Several plots share the page, so the ids that are
+  // needed must not meet.
+  svg = std::regex_replace(svg, std::regex(R"re(\sid="gnuplot_[^"]*")re"), "");
   svg = std::regex_replace(svg, std::regex(R"re((\sid=|href=)(['"])(#?))re"), "$1$2$3" + frame.id + "-");
   svg = std::regex_replace(svg, std::regex(R"re(url\(#)re"), "url(#" + frame.id + "-");
   svg = std::regex_replace(svg, std::regex("<title>Gnuplot</title>\\s*<desc>[^<]*</desc>"), "");
@@ -89,8 +91,8 @@ std::string for_inline_use(std::string svg, const PlotFrame& frame) {
 }  // namespace
 
 std::string gnuplot_svg(std::string_view script, const PlotFrame& frame) {
-  const std::string setup = "set encoding utf8\nset terminal svg size " + std::to_string(frame.width) + "," +
-                            std::to_string(frame.height) + " dynamic enhanced font \"sans-serif,13\"\n";
+  const std::string setup = "set encoding utf8\nset terminal svg size " + std::to_string(frame.width) + "," + std::to_string(frame.height) +
+                            " dynamic enhanced font \"sans-serif,13\"\n";
   return for_inline_use(run_gnuplot(setup + std::string(script) + "\n"), frame);
 }
 

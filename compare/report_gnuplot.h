@@ -5,8 +5,8 @@
 namespace sturm {
 
 struct PlotFrame {
-  std::string id;     ///< unique on the page: prefix of every id inside the picture
-  std::string label;  ///< what the picture shows, for those who cannot see it; plain text
+  std::string id;                 ///< unique on the page: prefix of every id inside the picture
+  std::string label;              ///< what the picture shows, for those who cannot see it; plain text
   int width = 560, height = 400;  ///< [px] at its natural size; it scales with its place
 };
 

@@ -37,8 +37,8 @@ Pair load_pair(const Json& entry, const std::filesystem::path& run_folder) {
       return {{}, {}, {}, "the two images differ in size"};
     }
     Pair pair{to_display(traced, 1.0), to_display(predicted, 1.0), {}, ""};
-    const Image a = luma(pair.path_traced);
-    pair.difference = luma(pair.predicted);
+    const Image a = luma_image(pair.path_traced);
+    pair.difference = luma_image(pair.predicted);
     for (std::size_t i = 0; i < a.pixels.size(); ++i) pair.difference.pixels[i] -= a.pixels[i];
     return pair;
   } catch (const InputError& error) {
@@ -75,8 +75,9 @@ Image with_visible_defects(Image display) {
 }
 
 std::string picture(const Image& display, const std::string& title) {
-  return element("figure", "", element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) + "\" height=\"" +
-                                   std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
+  return element("figure", "",
+                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) + "\" height=\"" +
+                     std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
 }
 
 std::string floor_html(const Json& entry, const std::string& metric) {
@@ -86,8 +87,8 @@ std::string floor_html(const Json& entry, const std::string& metric) {
 
 std::string metric_html(const Json& entry, const std::string& metric) {
   const Json& value = value_at(entry, "metrics/" + metric);
-  const std::string html = value.is_object() ? measured_html(number_at(value, "value"), number_at(value, "uncertainty"))
-                                             : number_html(number_at(value, ""));
+  const std::string html =
+      value.is_object() ? measured_html(number_at(value, "value"), number_at(value, "uncertainty")) : number_html(number_at(value, ""), 3);
   return html + floor_html(entry, metric);
 }
 
@@ -99,7 +100,8 @@ std::string speed_up_html(const Json& entry) {
 std::string predicted_seconds_html(const Json& entry) {
   const auto sharp = number_at(entry, "seconds/sharp_view"), spreading = number_at(entry, "seconds/spreading");
   std::string html = number_html(number_at(entry, "seconds/predicted_total"), 3);
-  if (sharp && spreading) html += "<small>sharp view " + number_html(sharp, 2) + ", spreading " + number_html(spreading, 2) + "</small>";
+  if (sharp && spreading)
+    html += "<small>sharp view " + number_html(sharp, 2) + "</small><small>spreading " + number_html(spreading, 2) + "</small>";
   return html;
 }
 
@@ -133,9 +135,10 @@ std::string article(const Json& entry, const Pair& pair, double limit, std::size
   if (pair.problem.empty()) {
     const int factor = shrink_factor(pair.path_traced, pictures);
     if (factor > 1) heading += " · shown at 1/" + std::to_string(factor) + " of its size";
-    body = element("div", "class=\"three\"", picture(with_visible_defects(shrunk(pair.path_traced, factor)), "Path traced") +
-                                                 picture(with_visible_defects(shrunk(pair.predicted, factor)), "Predicted") +
-                                                 picture(diverging_false_colour(shrunk(pair.difference, factor), limit), "Predicted − path traced"));
+    body = element("div", "class=\"three\"",
+                   picture(with_visible_defects(shrunk(pair.path_traced, factor)), "Path traced") +
+                       picture(with_visible_defects(shrunk(pair.predicted, factor)), "Predicted") +
+                       picture(diverging_false_colour(shrunk(pair.difference, factor), limit), "Predicted − path traced"));
   } else {
     body = element("p", "class=\"missing\"", "No pictures: " + escaped(pair.problem));
   }
@@ -151,12 +154,15 @@ std::string image_section(const Json& report, const std::filesystem::path& run_f
   for (const Json& entry : images) pairs.push_back(load_pair(entry, run_folder));
   const double limit = error_limit(pairs);
   const std::string end = plain_number(limit), half = plain_number(0.5 * limit);
-  std::string html = element("h2", "", "Images") +
-                     element("p", "", "The same view, path traced through the eye and predicted from one sharp view. <i>Floor</i> is the same metric between two "
-                                      "independently seeded path-traced images: no prediction can do better than that noise. Display means sRGB, clamped to 0 … 1.") +
-                     metrics_table(images) +
-                     colour_bar_svg(ColourMap::Diverging, {{0.0, "−" + end}, {0.25, "−" + half}, {0.5, "0"}, {0.75, half}, {1.0, end}},
-                                    "Predicted − path traced, luma in display space (one scale for all)");
+  std::string html =
+      element("h2", "", "Images") +
+      element(
+          "p", "",
+          "The same view, path traced through the eye and predicted from one sharp view. <i>Floor</i> is the same metric between two "
+          "independently seeded path-traced images: no prediction can do better than that noise. Display means sRGB, clamped to 0 … 1.") +
+      metrics_table(images) +
+      colour_bar_svg(ColourMap::Diverging, {{0.0, "−" + end}, {0.25, "−" + half}, {0.5, "0"}, {0.75, half}, {1.0, end}},
+                     "Predicted − path traced, luma in display space (one scale for all)");
   for (std::size_t i = 0; i < images.size(); ++i) html += article(images[i], pairs[i], limit, 3 * images.size());
   return element("section", "id=\"images\"", html);
 }

@@ -11,11 +11,21 @@ std::string escaped(std::string_view text) {
   result.reserve(text.size());
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      case '\'': result += "&#39;"; break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
       default:
         if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') {
           result += "\uFFFD";
@@ -27,7 +37,9 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string text_html(std::string_view text) { return text.empty() ? "–" : escaped(text); }
+std::string text_html(std::string_view text) {
+  return text.empty() ? "–" : escaped(text);
+}
 
 std::string element(std::string_view tag, std::string_view attributes, std::string_view inner_html) {
   std::string result = "<";
@@ -62,9 +74,9 @@ std::string HtmlTable::html() const {
   for (const Column& column : columns_) {
     head += std::string("<th scope=\"col\"") + (column.numeric ? " class=\"n\"" : "") + ">" + column.heading_html + "</th>";
   }
-  const std::string table = element("table", "class=\"" + css_class_ + "\"",
-                                    element("caption", "", escaped(caption_)) + element("thead", "", element("tr", "", head)) +
-                                        element("tbody", "", rows_));
+  const std::string table =
+      element("table", "class=\"" + css_class_ + "\"",
+              element("caption", "", escaped(caption_)) + element("thead", "", element("tr", "", head)) + element("tbody", "", rows_));
   return element("div", "class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(caption_) + "\"", table);
 }
 

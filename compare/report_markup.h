@@ -27,6 +27,7 @@ struct Cell {
   std::string html;
   std::optional<double> order;  ///< what sorting compares instead of the text
   Cell(std::string html_, std::optional<double> order_ = std::nullopt) : html(std::move(html_)), order(order_) {}
+  Cell(const char* html_) : html(html_) {}
 };
 
 /// An HTML table with caption and scoped headers, in a frame that scrolls (also by keyboard) where the window is too narrow.

@@ -33,13 +33,17 @@ std::string with_true_minus(std::string text) {
   return text;
 }
 
-std::string fixed(double value, int decimals) { return with_true_minus(formatted("%.*f", std::clamp(decimals, 0, 60), value)); }
+std::string fixed(double value, int decimals) {
+  return with_true_minus(formatted("%.*f", std::clamp(decimals, 0, 60), value));
+}
 
 std::string times_power_of_ten(int exponent) {
   return " × 10<sup>" + with_true_minus(std::to_string(exponent)) + "</sup>";
 }
 
-bool reads_well_in_fixed_notation(int exponent) { return exponent >= smallest_fixed_exponent && exponent <= largest_fixed_exponent; }
+bool reads_well_in_fixed_notation(int exponent) {
+  return exponent >= smallest_fixed_exponent && exponent <= largest_fixed_exponent;
+}
 
 }  // namespace
 
@@ -59,32 +63,35 @@ std::string exact_html(std::optional<double> value) {
   return with_true_minus(text.substr(0, e)) + times_power_of_ten(std::stoi(text.substr(e + 1)));
 }
 
-std::string measured_html(std::optional<double> value, std::optional<double> uncertainty) {
-  if (!value || !uncertainty || !std::isfinite(*value) || !std::isfinite(*uncertainty) || *uncertainty <= 0.0) return number_html(value);
+std::string measured_html(std::optional<double> value, std::optional<double> uncertainty, int significant) {
+  if (!value || !uncertainty || !std::isfinite(*value) || !std::isfinite(*uncertainty) || *uncertainty <= 0.0) {
+    return number_html(value, significant);
+  }
   const int decimals = 1 - rounded_exponent(*uncertainty, 2);
   const int exponent = rounded_exponent(std::max(std::abs(*value), *uncertainty), 2);
   if (reads_well_in_fixed_notation(exponent) && decimals <= 7) return fixed(*value, decimals) + " ± " + fixed(*uncertainty, decimals);
   const double scale = std::pow(10.0, exponent);
-  return "(" + fixed(*value / scale, decimals + exponent) + " ± " + fixed(*uncertainty / scale, decimals + exponent) + ")" +
-         times_power_of_ten(exponent);
+  std::string html = "(";
+  html.append(fixed(*value / scale, decimals + exponent)).append(" ± ").append(fixed(*uncertainty / scale, decimals + exponent));
+  return html.append(")").append(times_power_of_ten(exponent));
 }
 
 std::string count_html(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return absent;
   std::string digits = formatted("%.*f", 0, std::abs(*value));
   for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, "\u2009");
-  return (*value < 0 ? "−" : "") + digits;
+  return digits.insert(0, *value < 0 ? "−" : "");
 }
 
 std::string duration_html(std::optional<double> seconds) {
   if (!seconds || !std::isfinite(*seconds)) return absent;
-  if (*seconds < 100.0) return number_html(seconds, 2) + " s";
+  if (*seconds < 100.0) return number_html(seconds, 2) + "\u00a0s";
   const long long whole = std::llround(*seconds);
   char buffer[64];
   if (whole < 3600) {
-    std::snprintf(buffer, sizeof buffer, "%lld min %02lld s", whole / 60, whole % 60);
+    std::snprintf(buffer, sizeof buffer, "%lld\u00a0min\u00a0%02lld\u00a0s", whole / 60, whole % 60);
   } else {
-    std::snprintf(buffer, sizeof buffer, "%lld h %02lld min", whole / 3600, whole % 3600 / 60);
+    std::snprintf(buffer, sizeof buffer, "%lld\u00a0h\u00a0%02lld\u00a0min", whole / 3600, whole % 3600 / 60);
   }
   return buffer;
 }
@@ -93,6 +100,8 @@ std::string distance_html(const Json& distance_m) {
   return distance_m == "inf" ? "∞" : exact_html(number_at(distance_m, ""));
 }
 
-std::string plain_number(double value, int significant) { return formatted("%.*g", significant, value); }
+std::string plain_number(double value, int significant) {
+  return formatted("%.*g", significant, value);
+}
 
 }  // namespace sturm

@@ -16,13 +16,13 @@ std::string number_html(std::optional<double> value, int significant = 4);
 std::string exact_html(std::optional<double> value);
 
 /// Value ± standard uncertainty; the uncertainty has two significant digits and decides those of the value.
-/// Without a (positive) uncertainty the value alone, with four digits.
-std::string measured_html(std::optional<double> value, std::optional<double> uncertainty);
+/// Without a (positive) uncertainty the value alone, with `significant` digits.
+std::string measured_html(std::optional<double> value, std::optional<double> uncertainty, int significant = 4);
 
 /// A whole number with thin spaces between groups of three digits.
 std::string count_html(std::optional<double> value);
 
-/// "8.2 s", "3 min 20 s", "1 h 05 min".
+/// "8.2 s", "3 min 20 s", "1 h 05 min", with spaces that do not break.
 std::string duration_html(std::optional<double> seconds);
 
 /// A distance of the report: metres as a number, or the text "inf" → "∞".

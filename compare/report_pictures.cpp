@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "compare/false_colour.h"
+#include "compare/metrics/luma.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
 #include "io/error.h"
@@ -40,7 +41,9 @@ std::string base64(const std::vector<unsigned char>& bytes) {
   return text;
 }
 
-std::string data_uri(const Image& display) { return "data:image/png;base64," + base64(encode_png(display)); }
+std::string data_uri(const Image& display) {
+  return "data:image/png;base64," + base64(encode_png(display));
+}
 
 Image main_layer(const std::filesystem::path& file) {
   LayeredImage image = read_exr(file);
@@ -49,14 +52,10 @@ Image main_layer(const std::filesystem::path& file) {
   return std::move(main->second);
 }
 
-Image luma(const Image& image) {
-  if (image.channels == 1) return image;
-  if (image.channels != 3) throw InputError("", "", std::to_string(image.channels) + " channels", "1 or 3 channels");
+Image luma_image(const Image& image) {
+  const std::vector<double> values = luma(image);
   Image result(image.width, image.height, 1);
-  for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-    const float* rgb = &image.pixels[3 * i];
-    result.pixels[i] = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
-  }
+  std::transform(values.begin(), values.end(), result.pixels.begin(), [](double value) { return static_cast<float>(value); });
   return result;
 }
 
@@ -110,24 +109,26 @@ double round_length_above(double shortest) {
 }
 
 std::string colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, const std::string& title) {
-  constexpr int width = 360, height = 14, margin = 30, steps = 64;
+  constexpr int width = 360, height = 14, margin = 30, stops = 33;
+  const std::string gradient = map == ColourMap::Sequential ? "sequential-colours" : "diverging-colours";
   std::string body;
-  for (int i = 0; i < steps; ++i) {
-    const double t = (i + 0.5) / steps;
+  for (int i = 0; i < stops; ++i) {
+    const double t = static_cast<double>(i) / (stops - 1);
     const DisplayColour colour = map == ColourMap::Sequential ? sequential_colour(t) : diverging_colour(2 * t - 1);
-    // Overlapping by half a unit hides the seams between neighbouring rectangles.
-    body += "<rect x=\"" + plain_number(margin + i * double(width) / steps) + "\" y=\"20\" width=\"" +
-            plain_number(double(width) / steps + (i + 1 < steps ? 0.5 : 0.0)) + "\" height=\"" + std::to_string(height) + "\" fill=\"" +
-            hex(colour) + "\"/>";
+    body += "<stop offset=\"" + plain_number(t) + "\" stop-color=\"" + hex(colour) + "\"/>";
   }
+  body = element("linearGradient", "id=\"" + gradient + "\"", body);
+  body += "<rect x=\"" + std::to_string(margin) + "\" y=\"20\" width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +
+          "\" fill=\"url(#" + gradient + ")\"/>";
   body += "<text x=\"" + std::to_string(margin) + "\" y=\"13\">" + escaped(title) + "</text>";
   for (const ColourTick& tick : ticks) {
     const std::string x = plain_number(margin + tick.position * width);
     body += "<path class=\"tick\" d=\"M" + x + " 34v4\"/><text x=\"" + x + "\" y=\"51\" text-anchor=\"middle\">" + escaped(tick.label) +
             "</text>";
   }
-  return element("svg", "class=\"bar\" viewBox=\"0 0 " + std::to_string(width + 2 * margin) + " 56\" role=\"img\" aria-label=\"Colour bar: " +
-                            escaped(title) + "\"",
+  return element("svg",
+                 "class=\"bar\" viewBox=\"0 0 " + std::to_string(width + 2 * margin) +
+                     " 56\" role=\"img\" aria-label=\"Colour bar: " + escaped(title) + "\"",
                  body);
 }
 

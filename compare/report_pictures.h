@@ -17,8 +17,8 @@ std::string base64(const std::vector<unsigned char>& bytes);
 /// The main layer of an EXR file; throws InputError where it has none.
 Image main_layer(const std::filesystem::path& file);
 
-/// Rec. 709 luma weights of three channels, or the one channel itself.
-Image luma(const Image& image);
+/// luma() as an image of one channel.
+Image luma_image(const Image& image);
 
 /// Means over `factor`×`factor` blocks (the last ones may be smaller).
 Image shrunk(const Image& image, int factor);
@@ -41,6 +41,7 @@ struct ColourTick {
 };
 
 /// A horizontal colour bar as an <svg> with labels below it; `title` says what the colours mean.
+/// Its gradient has an id, so a page can hold one bar of each map.
 std::string colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, const std::string& title);
 
 }  // namespace sturm

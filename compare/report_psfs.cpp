@@ -26,13 +26,13 @@ std::optional<Ellipse> ellipse_at(const Json& json) {
 std::string scale_bar(int width, int height, double pixel_arcmin) {
   const double length_arcmin = round_length_below(0.3 * width * pixel_arcmin);
   const double length = length_arcmin / pixel_arcmin, x = 0.05 * width, y = 0.95 * height;
-  return "<path class=\"scale\" d=\"M" + plain_number(x) + " " + plain_number(y) + "h" + plain_number(length) + "\"/><text class=\"scale\" x=\"" +
-         plain_number(x) + "\" y=\"" + plain_number(y - 0.02 * height) + "\" font-size=\"" + plain_number(0.05 * height) + "\">" +
-         plain_number(length_arcmin) + " arcmin</text>";
+  return "<path class=\"scale\" d=\"M" + plain_number(x) + " " + plain_number(y) + "h" + plain_number(length) +
+         "\"/><text class=\"scale\" x=\"" + plain_number(x) + "\" y=\"" + plain_number(y - 0.02 * height) + "\" font-size=\"" +
+         plain_number(0.05 * height) + "\">" + plain_number(length_arcmin) + " arcmin</text>";
 }
 
 std::string picture(const Json& psf, const std::filesystem::path& run_folder) {
-  const Image values = luma(main_layer(run_folder / text_at(psf, "file")));
+  const Image values = luma_image(main_layer(run_folder / text_at(psf, "file")));
   const double peak = *std::max_element(values.pixels.begin(), values.pixels.end());
   const Image colours = sequential_false_colour(values, {.peak = peak > 0.0 ? peak : 1.0, .decades = shown_decades});
   const std::string width = std::to_string(values.width), height = std::to_string(values.height);
@@ -44,25 +44,31 @@ std::string picture(const Json& psf, const std::filesystem::path& run_folder) {
     }
     body += scale_bar(values.width, values.height, *pixel_arcmin);
   }
-  return element("svg", "class=\"psf\" viewBox=\"0 0 " + width + " " + height + "\" role=\"img\" aria-label=\"Point-spread function with the predicted and the measured ellipse\"",
+  return element("svg",
+                 "class=\"psf\" viewBox=\"0 0 " + width + " " + height +
+                     "\" role=\"img\" aria-label=\"Point-spread function with the predicted and the measured ellipse\"",
                  body);
 }
 
-std::string orientation_html(const Json& ellipse) {
-  const auto degrees = number_at(ellipse, "orientation_deg");
-  return degrees ? number_html(degrees, 3) + "°" : "–";
+/// Value with its uncertainty on a line of its own, which keeps the table as narrow as the picture.
+std::string stacked_html(const Json& ellipse, const std::string& index) {
+  std::string html = measured_html(number_at(ellipse, "semi_axes_arcmin/" + index), number_at(ellipse, "standard_error_arcmin/" + index));
+  constexpr std::string_view separator = " ± ";
+  if (const std::size_t at = html.find(separator); at != std::string::npos && html[0] != '(') {
+    html = html.substr(0, at) + "<small>± " + html.substr(at + separator.size()) + "</small>";
+  }
+  return html;
 }
 
 std::string numbers(const Json& psf) {
-  HtmlTable table("Semi-axes [arcmin]", "compact", {{"", false}, {"Major"}, {"Minor"}, {"Orientation"}});
+  HtmlTable table("Semi-axes and orientation", "", {{"Ellipse", false}, {"Major [arcmin]"}, {"Minor [arcmin]"}, {"Angle [°]"}});
   const auto row = [&](const char* key, const std::string& name) {
     const Json& ellipse = value_at(psf, key);
     if (!ellipse.is_object()) return;
-    table.add_row({name, measured_html(number_at(ellipse, "semi_axes_arcmin/0"), number_at(ellipse, "standard_error_arcmin/0")),
-                   measured_html(number_at(ellipse, "semi_axes_arcmin/1"), number_at(ellipse, "standard_error_arcmin/1")), orientation_html(ellipse)});
+    table.add_row({name, stacked_html(ellipse, "0"), stacked_html(ellipse, "1"), number_html(number_at(ellipse, "orientation_deg"), 3)});
   };
   row("predicted", "<span class=\"key predicted\"></span>predicted");
-  row("measured", "<span class=\"key measured\"></span>image");
+  row("measured", "<span class=\"key measured\"></span>measured");
   row("bundle", "ray bundle");
   return table.html();
 }
@@ -93,13 +99,15 @@ std::string psf_section(const Json& report, const std::filesystem::path& run_fol
   for (const Json& psf : psfs) {
     if (std::find(ids.begin(), ids.end(), text_at(psf, "id")) == ids.end()) ids.push_back(text_at(psf, "id"));
   }
-  std::string html = element("h2", "", "Point-spread functions") +
-                     element("p", "", "Path-traced images of a point-like light on the line of sight, seen by the wearer (x to the wearer's right, y up). "
-                                      "<span class=\"key predicted\"></span>Solid: the ellipse predicted by the conoid. "
-                                      "<span class=\"key measured\"></span>Dashed: the ellipse with the second moments of the picture. "
-                                      "Orientations are counter-clockwise from the horizontal.") +
-                     colour_bar_svg(ColourMap::Sequential, {{0.0, "≤ 1/100"}, {0.5, "1/10"}, {1.0, "1"}},
-                                    "Radiance relative to each picture's peak (logarithmic)");
+  std::string html =
+      element("h2", "", "Point-spread functions") +
+      element("p", "",
+              "Path-traced images of a point-like light on the line of sight, seen by the wearer (x to the wearer's right, y up). "
+              "<span class=\"key predicted\"></span>Solid: the ellipse predicted by the conoid. "
+              "<span class=\"key measured\"></span>Dashed: the ellipse with the second moments of the picture. "
+              "Orientations are counter-clockwise from the horizontal.") +
+      colour_bar_svg(ColourMap::Sequential, {{0.0, "≤ 1/100"}, {0.5, "1/10"}, {1.0, "1"}},
+                     "Radiance relative to each picture's peak (logarithmic)");
   for (const std::string& id : ids) {
     std::string figures;
     const Json* first = nullptr;

@@ -10,7 +10,9 @@ namespace sturm {
 
 namespace {
 
-std::string pair_html(const Json& pair) { return number_html(number_at(pair, "0")) + " × " + number_html(number_at(pair, "1")); }
+std::string pair_html(const Json& pair) {
+  return number_html(number_at(pair, "0")) + " × " + number_html(number_at(pair, "1"));
+}
 
 std::string explanation() {
   return R"(<p>A ray that is bent by <i>P</i>(φ) = <i>S</i> + <i>C</i> sin²(φ − α) stays in its own meridian. The wavefront also
@@ -29,9 +31,10 @@ std::string headline(const Json& sin2) {
   const Json& lost = value_at(sin2, "lost_total_variance");
   HtmlTable table("What sin² rays lose, measured against prediction", "compact",
                   {{"Quantity", false}, {"Measured (median)"}, {"Predicted"}, {"Worst deviation"}});
-  table.add_row({"difference of the principal variances, sin² ÷ true", number_html(number_at(ratio, "measured_median"), 5),
+  table.add_row({"difference of the principal variances, sin² ÷ true", number_html(number_at(ratio, "measured_median"), 6),
                  exact_html(number_at(ratio, "predicted")), number_html(number_at(ratio, "worst_deviation"), 2)});
-  table.add_row({"total variance lost (predicted <i>a</i>²<i>C</i>²/16)", "–", "–", number_html(number_at(lost, "worst_deviation_relative"), 2) + " (relative)"});
+  table.add_row({"total variance lost ÷ (<i>a</i>²<i>C</i>²/16)", number_html(number_at(lost, "measured_median"), 6), "1",
+                 number_html(number_at(lost, "worst_deviation_relative"), 2)});
   return element("p", "", "Cases with a cylinder: " + count_html(number_at(sin2, "cases_with_cylinder")) + ".") + table.html();
 }
 
@@ -70,15 +73,20 @@ std::string sin2_section(const Json& report) {
   std::string html = element("h2", "", "sin² against its closed form") + explanation();
   if (sin2.is_object()) html += headline(sin2);
   if (const std::string plots = sin2_ratio_plots(report); !plots.empty()) {
-    html += element("figure", "", element("div", "class=\"two\"", plots) +
-                                      element("figcaption", "", "Every case with a cylinder. Left of t = 0 the target lies between the two "
-                                                                "focal lines. A focal line has no true width, so its minor ratio is not shown."));
+    html += element(
+        "figure", "",
+        element("div", "class=\"two\"", plots) + element("figcaption", "",
+                                                         "Every case with a cylinder. Left of t = 0 the target lies between the two "
+                                                         "focal lines. A focal line has no true width, so its minor ratio is not shown."));
   }
   if (!by_cylinder.empty()) {
-    html += element("figure", "", by_cylinder + element("figcaption", "",
-                                      "‖rays − conoid‖ / ‖conoid‖ of the covariance matrices. Power-matrix rays differ only by their "
-                                      "sampling noise; sin² and spherical-equivalent rays differ by physics. A difference of zero has no place on a "
-                                      "logarithmic axis."));
+    html +=
+        element("figure", "",
+                by_cylinder +
+                    element("figcaption", "",
+                            "‖rays − conoid‖ / ‖conoid‖ of the covariance matrices. Power-matrix rays differ only by their "
+                            "sampling noise; sin² and spherical-equivalent rays differ by physics. A difference of zero has no place on a "
+                            "logarithmic axis."));
   }
   if (const Json& rows = array_at(sin2, "table"); !rows.empty()) html += case_table(rows);
   return element("section", "id=\"sin2\"", html);

@@ -17,19 +17,24 @@ constexpr const char* style = R"(
 set border 3 lc rgb '#666666'
 set tics nomirror out
 set grid ytics lc rgb '#e4e4e4' lw 1 lt 1
-set key top left Left reverse samplen 1.5 spacing 1.3 opaque
+set key bottom right Left reverse samplen 1.5 spacing 1.3 opaque
 )";
 
-constexpr const char* ratio_axis = R"(
+constexpr const char* ratio_axis = R"plot(
 set xrange [-1.05:1.05]
-set xlabel "t = V_2 / V_1   (ratio of the principal vergence errors, |V_1| ≥ |V_2|)"
+set xlabel "t = V_2 / V_1,  |V_1| ≥ |V_2|" offset 0,-1.6
+set bmargin 6
 set xtics ("−1\ncircle of least\nconfusion" -1, "−0.5" -0.5, "0\nfocal line" 0, "0.5" 0.5, "1\nno astigmatism\nin the blur" 1)
 set samples 1001
-)";
+)plot";
 
-std::string data_block(const std::string& name, const std::string& rows) { return "$" + name + " << END\n" + rows + "END\n"; }
+std::string data_block(const std::string& name, const std::string& rows) {
+  return "$" + name + " << END\n" + rows + "END\n";
+}
 
-std::string point(double x, double y) { return plain_number(x, 9) + " " + plain_number(y, 9) + "\n"; }
+std::string point(double x, double y) {
+  return plain_number(x, 9) + " " + plain_number(y, 9) + "\n";
+}
 
 /// V₂/V₁ with the larger in the denominator; nothing where both vanish.
 std::optional<double> ratio_of_vergences(const Json& row) {
@@ -49,11 +54,13 @@ std::string ratio_plot(const Json& table, const RatioPlot& plot) {
     if (t && ratio && *ratio > 0.0) rows += point(*t, *ratio);
   }
   if (rows.empty()) return "";
-  const std::string script = std::string(style) + ratio_axis + plot.range + data_block("measured", rows) + "set ylabel \"" + plot.axis_label +
-                             "\"\nplot 1 with lines lw 2 lc rgb '#2166ac' title 'wavefront theory: 1', " + plot.closed_form +
+  const std::string script = std::string(style) + ratio_axis + plot.range + data_block("measured", rows) + "set ylabel \"" +
+                             plot.axis_label + "\"\nplot 1 with lines lw 2 lc rgb '#2166ac' title 'wavefront theory: 1', " +
+                             plot.closed_form +
                              " with lines lw 1.5 lc rgb '#333333' title 'closed form of sin²', "
                              "$measured with points pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b' title 'sin² rays, measured'";
-  return gnuplot_svg(script, {.id = slug(plot.key), .label = plot.axis_label + " against V2/V1: measured points on the closed-form curve", .height = 420});
+  return gnuplot_svg(
+      script, {.id = slug(plot.key), .label = plot.axis_label + " against V2/V1: measured points on the closed-form curve", .height = 430});
 }
 
 /// ‖a − b‖_F/‖b‖_F of symmetric matrices [xx, xy, yy].
@@ -86,7 +93,8 @@ std::string closed_form_differences(const Json& cases) {
   std::string rows;
   for (const Json& item : cases) {
     const auto cylinder = number_at(item, "cylinder_D");
-    const auto difference = relative_difference(value_at(item, "sin2_closed_form/covariance_rad2"), value_at(item, "conoid/covariance_rad2"));
+    const auto difference =
+        relative_difference(value_at(item, "sin2_closed_form/covariance_rad2"), value_at(item, "conoid/covariance_rad2"));
     if (cylinder && difference && *difference > 1e-9) rows += point(std::abs(*cylinder), *difference);
   }
   return rows;
@@ -111,16 +119,16 @@ std::string difference_plot(const Json& report) {
   struct Series {
     std::string name, title, look, rows;
   };
-  const Series all[] = {
-      {"sin2", "sin² rays", "pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b'", differences_of(cases, "sin2_radial")},
-      {"closed", "closed form of sin²", "pt 2 ps 0.5 lw 1 lc rgb '#333333'", closed_form_differences(cases)},
-      {"thin", "spherical-equivalent rays", "pt 8 ps 0.7 lw 1.2 lc rgb '#b8860b'", differences_of(cases, "thin_lens")},
-      {"matrix", "power-matrix rays", "pt 4 ps 0.6 lw 1.4 lc rgb '#2166ac'", differences_of(cases, "power_matrix")}};
+  const Series all[] = {{"sin2", "sin² rays", "pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b'", differences_of(cases, "sin2_radial")},
+                        {"closed", "closed form of sin²", "pt 2 ps 0.5 lw 1 lc rgb '#333333'", closed_form_differences(cases)},
+                        {"thin", "spherical-equivalent rays", "pt 8 ps 0.7 lw 1.2 lc rgb '#b8860b'", differences_of(cases, "thin_lens")},
+                        {"matrix", "power-matrix rays", "pt 4 ps 0.6 lw 1.4 lc rgb '#2166ac'", differences_of(cases, "power_matrix")}};
   std::string blocks, plots;
   for (const Series& series : all) {
     if (series.rows.empty()) continue;
     blocks += data_block(series.name, series.rows);
-    plots += std::string(plots.empty() ? "plot " : ", ") + "$" + series.name + " with points " + series.look + " title '" + series.title + "'";
+    plots +=
+        std::string(plots.empty() ? "plot " : ", ") + "$" + series.name + " with points " + series.look + " title '" + series.title + "'";
   }
   if (plots.empty()) return "";
   const std::string script = std::string(style) + R"(
@@ -128,12 +136,15 @@ set xlabel "|cylinder| of the prescription [D]"
 set ylabel "relative difference of the covariance from the conoid"
 set logscale y
 set format y "10^{%T}"
-set offsets 0.1, 0.1, 0, 0
+set xrange [-0.1:*]
+set offsets 0, 0.1, 0, 0
+set xtics 0.5
 set key outside top center horizontal
 )" + blocks + plots;
   return gnuplot_svg(script, {.id = "difference",
                               .label = "Relative difference between ray bundles and the conoid against the cylinder",
-                              .width = 1120, .height = 420});
+                              .width = 1120,
+                              .height = 430});
 }
 
 }  // namespace sturm

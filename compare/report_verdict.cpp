@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "compare/report_json.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
@@ -16,7 +18,9 @@ std::string ray_facts(const Json& conditions) {
   if (!count || !replicates) return "";
   std::string html = count_html(replicates) + " × " + count_html(count);
   for (const char* key : {"sequence", "sampling"}) {
-    if (const std::string text = text_at(conditions, key); !text.empty()) html += ", " + escaped(text);
+    std::string text = text_at(conditions, key);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    if (!text.empty()) html += ", " + escaped(text);
   }
   return html;
 }
@@ -29,7 +33,7 @@ std::string time_facts(const Json& provenance) {
       parts += (parts.empty() ? "" : ", ") + std::string(part) + " " + duration_html(seconds);
     }
   }
-  return parts.empty() ? html : html + " (" + parts + ")";
+  return parts.empty() ? html : html + "<small>" + parts + "</small>";
 }
 
 std::string conditions(const Json& report) {
@@ -53,7 +57,8 @@ std::string verdict_section(const Json& report) {
   const auto passed = boolean_at(report, "verdict/passed");
   const std::string word = !passed ? "No verdict" : *passed ? "Passed" : "Failed";
   const std::string css_class = !passed ? "unknown" : *passed ? "pass" : "fail";
-  std::string banner = element("p", "class=\"word\"", word) + element("p", "class=\"sentence\"", text_html(text_at(report, "verdict/sentence")));
+  std::string banner =
+      element("p", "class=\"word\"", word) + element("p", "class=\"sentence\"", text_html(text_at(report, "verdict/sentence")));
   std::string html = element("p", "class=\"kind\"", "Sturm: path-traced against predicted blur of an astigmatic eye") +
                      element("h1", "", text_html(text_at(report, "title"))) +
                      element("div", "class=\"verdict " + css_class + "\" role=\"status\"", banner);

@@ -63,9 +63,13 @@ std::uint64_t next_random(std::uint64_t& state) {
 
 }  // namespace
 
-double normal_upper_tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
+double normal_upper_tail(double z) {
+  return 0.5 * std::erfc(z / std::numbers::sqrt2);
+}
 
-double normal_two_sided(double z) { return std::erfc(std::abs(z) / std::numbers::sqrt2); }
+double normal_two_sided(double z) {
+  return std::erfc(std::abs(z) / std::numbers::sqrt2);
+}
 
 double normal_upper_quantile(double upper_tail) {
   if (!(upper_tail > 0.0 && upper_tail < 1.0)) throw std::domain_error("normal_upper_quantile: probability outside (0, 1)");
@@ -125,7 +129,9 @@ double fisher_upper_tail(double f, double d1, double d2) {
   return regularised_incomplete_beta(0.5 * d2, 0.5 * d1, d2 / (d2 + d1 * f));
 }
 
-double chi_squared_upper_tail(double x, double degrees) { return x <= 0.0 ? 1.0 : regularised_upper_gamma(0.5 * degrees, 0.5 * x); }
+double chi_squared_upper_tail(double x, double degrees) {
+  return x <= 0.0 ? 1.0 : regularised_upper_gamma(0.5 * degrees, 0.5 * x);
+}
 
 double sidak_level(double family, std::size_t tests) {
   if (!(family > 0.0 && family < 1.0) || tests == 0) throw std::domain_error("sidak_level: needs 0 < family < 1 and at least one test");

@@ -28,8 +28,8 @@ class HiddenSurface {
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       if (ring_[i] <= 0) continue;
       const auto& rgb = guesses_[i].rgb;
-      result.push_back({x_of(i), y_of(i), guesses_[i].vergence_D,
-                        {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])}});
+      result.push_back(
+          {x_of(i), y_of(i), guesses_[i].vergence_D, {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])}});
     }
     return result;
   }
@@ -91,7 +91,8 @@ class HiddenSurface {
   }
 
   /// Grows by one pixel from guesses of earlier rings only, so the order of visits does not matter.
-  std::vector<std::size_t> next_ring(const std::vector<std::size_t>& front, std::int32_t ring, const std::function<double(double)>& reach_px) {
+  std::vector<std::size_t> next_ring(const std::vector<std::size_t>& front, std::int32_t ring,
+                                     const std::function<double(double)>& reach_px) {
     std::vector<std::size_t> candidates;
     for (const std::size_t i : front)
       around(i, 1, [&](std::size_t j) {

@@ -9,8 +9,8 @@ namespace sturm {
 
 /// A guess at a surface point that the sharp view does not show because something nearer hides it.
 struct HiddenSample {
-  int x, y;                   ///< pixel of the sharp view
-  double vergence_D;          ///< 1/planar depth
+  int x, y;           ///< pixel of the sharp view
+  double vergence_D;  ///< 1/planar depth
   std::array<float, 3> rgb;
 };
 

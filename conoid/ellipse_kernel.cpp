@@ -16,7 +16,8 @@ using std::numbers::pi;
 struct GridLine {
   double t, angle, sine, cap;
 
-  explicit GridLine(double t_) : t(std::clamp(t_, -1.0, 1.0)), angle(std::acos(t)), sine(std::sqrt((1.0 - t) * (1.0 + t))), cap(angle - t * sine) {}
+  explicit GridLine(double t_)
+      : t(std::clamp(t_, -1.0, 1.0)), angle(std::acos(t)), sine(std::sqrt((1.0 - t) * (1.0 + t))), cap(angle - t * sine) {}
 };
 
 /// The two families of grid lines as the unit disc sees them. All that matters of the ellipse's shape is the angle between their normals.
@@ -32,7 +33,7 @@ class DiscGrid {
 
   /// Area of the disc beyond both lines: the intersection of two caps.
   double beyond(const GridLine& x, const GridLine& y) const {
-    if (x.angle + y.angle <= angle_) return 0.0;                          // disjoint
+    if (x.angle + y.angle <= angle_) return 0.0;                               // disjoint
     if (std::abs(x.angle - y.angle) >= angle_) return std::min(x.cap, y.cap);  // one in the other
     if (x.angle + y.angle + angle_ >= 2.0 * pi) return x.cap + y.cap - pi;     // together they cover the disc
     // The chords cross at P. Green's theorem along chord y, the common arc, chord x; s are P's positions along the chords.
@@ -59,7 +60,9 @@ class DiscGrid {
   double angle_, sine_, cosine_;  // between the normals of the two families, [0, π]
 };
 
-int floor_int(double x) { return static_cast<int>(std::floor(x)); }
+int floor_int(double x) {
+  return static_cast<int>(std::floor(x));
+}
 
 }  // namespace
 

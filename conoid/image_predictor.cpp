@@ -1,6 +1,5 @@
 #include "conoid/image_predictor.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -8,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "conoid/disocclusion.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int bins_per_layer = 64;
 constexpr int rows_per_band = 8;
+constexpr double largest_radius_px = 16384.0;  // keeps kernels and layer numbers bounded; no image is that wide
 
 /// The blur of one eye in image pixels, as a function of vergence 1/d.
 class PixelBlur {
@@ -47,10 +49,10 @@ constexpr std::int32_t copied = -1;
 
 /// One source pixel. Samples are sorted by layer, then by row.
 struct Sample {
-  std::int64_t layer;    ///< ascending from near to far
-  std::int32_t x, y;     ///< output pixel that holds it; outside of the output in the guard band
-  std::int32_t phase;    ///< which of the oversampling² places in that pixel
-  std::int32_t kernel;   ///< index among the layer's kernels, or `copied`
+  std::int64_t layer;   ///< ascending from near to far
+  std::int32_t x, y;    ///< output pixel that holds it; outside of the output in the guard band
+  std::int32_t phase;   ///< which of the oversampling² places in that pixel
+  std::int32_t kernel;  ///< index among the layer's kernels, or `copied`
   double vergence_D;
   float rgb[3];
 };
@@ -66,7 +68,9 @@ struct Light {
   }
 };
 
-Light weighted(const Sample& sample, double weight) { return {{weight * sample.rgb[0], weight * sample.rgb[1], weight * sample.rgb[2]}, weight}; }
+Light weighted(const Sample& sample, double weight) {
+  return {{weight * sample.rgb[0], weight * sample.rgb[1], weight * sample.rgb[2]}, weight};
+}
 
 void check(const SharpView& view, const PredictorSettings& settings) {
   const auto require = [](bool holds, const char* message) {
@@ -114,6 +118,9 @@ class Predictor {
     const Image& radiance = view_.radiance;
     std::vector<double> vergence(view_.depth.pixels.size());
     for (std::size_t i = 0; i < vergence.size(); ++i) vergence[i] = 1.0 / static_cast<double>(view_.depth.pixels[i]);  // 1/∞ = 0
+    for (const double extreme : {*std::min_element(vergence.begin(), vergence.end()), *std::max_element(vergence.begin(), vergence.end())})
+      if (!(blur_.semi_major_px(extreme) <= largest_radius_px))
+        throw std::invalid_argument("sharp view: a blur ellipse exceeds 16384 pixels");
     for (int y = 0; y < radiance.height; ++y)
       for (int x = 0; x < radiance.width; ++x)
         add_sample(x, y, vergence[static_cast<std::size_t>(y) * radiance.width + x], radiance.at(x, y));
@@ -212,7 +219,8 @@ class Predictor {
     const auto samples_begin = samples_.begin() + begin, samples_end = samples_.begin() + end;
     tbb::parallel_for(first_row / rows_per_band, (end_row - 1) / rows_per_band + 1, [&](int band) {
       const int row0 = band * rows_per_band, row1 = std::min(height_, row0 + rows_per_band);
-      std::fill(layer_.begin() + static_cast<std::size_t>(row0) * width_, layer_.begin() + static_cast<std::size_t>(row1) * width_, Light{});
+      std::fill(layer_.begin() + static_cast<std::size_t>(row0) * width_, layer_.begin() + static_cast<std::size_t>(row1) * width_,
+                Light{});
       auto s = std::lower_bound(samples_begin, samples_end, row0 - reach_down, [](const Sample& a, int row) { return a.y < row; });
       for (; s != samples_end && s->y < row1 + reach_up; ++s) spread(*s, row0, row1);
       composite(row0, row1);
@@ -282,7 +290,8 @@ Prediction predict_image(const SharpView& view, const Eye& eye, double accommoda
 }
 
 int required_margin_px(const Eye& eye, double accommodation_D, double pixel_slope, double nearest_m, double farthest_m) {
-  if (!(nearest_m > 0.0 && farthest_m >= nearest_m && pixel_slope > 0.0)) throw std::invalid_argument("guard band: expected 0 < nearest <= farthest");
+  if (!(nearest_m > 0.0 && farthest_m >= nearest_m && pixel_slope > 0.0))
+    throw std::invalid_argument("guard band: expected 0 < nearest <= farthest");
   const PixelBlur blur(eye, accommodation_D, pixel_slope);
   // The larger semi-axis is a norm of a matrix that is affine in the vergence: convex, so largest at an end.
   return static_cast<int>(std::ceil(std::max(blur.semi_major_px(1.0 / nearest_m), blur.semi_major_px(1.0 / farthest_m))));

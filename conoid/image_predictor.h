@@ -6,12 +6,12 @@ namespace sturm {
 
 /// What the predictor starts from: one sharp (pinhole) HDR rendering with depth, in `camera` gaze, with a guard band around it.
 struct SharpView {
-  Image radiance;         ///< 3 channels, linear
-  Image depth;            ///< 1 channel, planar distance along the line of sight [m], > 0; +∞ where nothing was hit. One surface's
-                          ///< distance per pixel (the nearest that was seen), never a mean across an edge
-  int margin_px = 0;      ///< width of the guard band on each side, in pixels of this image
-  double pixel_slope = 0; ///< size of a pixel *of this image* in tangent image coordinates (slope units), same in x and y
-  int oversampling = 1;   ///< pixels of this image per output pixel along each side
+  Image radiance;          ///< 3 channels, linear
+  Image depth;             ///< 1 channel, planar distance along the line of sight [m], > 0; +∞ where nothing was hit. One surface's
+                           ///< distance per pixel (the nearest that was seen), never a mean across an edge
+  int margin_px = 0;       ///< width of the guard band on each side, in pixels of this image
+  double pixel_slope = 0;  ///< size of a pixel *of this image* in tangent image coordinates (slope units), same in x and y
+  int oversampling = 1;    ///< pixels of this image per output pixel along each side
 };
 
 struct PredictionCounters {
@@ -24,14 +24,14 @@ struct PredictionCounters {
 };
 
 struct Prediction {
-  Image radiance;                  ///< without the guard band, output resolution
-  Image coverage;                  ///< 1 channel: how much of each pixel the layers covered before normalisation (1 = fully)
+  Image radiance;  ///< without the guard band, output resolution
+  Image coverage;  ///< 1 channel: how much of each pixel the layers covered before normalisation (1 = fully)
   PredictionCounters counters;
 };
 
 struct PredictorSettings {
-  double layer_width_px = 0.5;     ///< depth layers are so thin that the ellipse's semi-axes change by at most this many output pixels
-  double sharp_below_px = 0.05;    ///< a larger semi-axis below this [output px] is copied, not spread
+  double layer_width_px = 0.5;   ///< depth layers are so thin that the ellipse's semi-axes change by at most this many output pixels
+  double sharp_below_px = 0.05;  ///< a larger semi-axis below this [output px] is copied, not spread
 };
 
 /// Predicts what the naked eye sees in `camera` gaze with the accommodation `accommodation_D` [D]: the pinhole image spread pixel by
@@ -52,8 +52,8 @@ struct PredictorSettings {
 /// - a pixel is spread from its centre. As the sharp view is box filtered already and the weights integrate over the output pixel,
 ///   a bright point's variance holds 1/12 px² of the sharp pixels too much: it shrinks with oversampling².
 ///
-/// Throws std::invalid_argument for views whose sizes do not fit together, a pixel slope that is not positive, and values that are
-/// not finite (radiance) or not positive (depth).
+/// Throws std::invalid_argument for views whose sizes do not fit together, a pixel slope that is not positive, values that are
+/// not finite (radiance) or not positive (depth), and depths so near that a semi-axis exceeds 16384 output pixels.
 Prediction predict_image(const SharpView& view, const Eye& eye, double accommodation_D, const PredictorSettings& settings = {});
 
 /// Guard band [px of `pixel_slope`] that the largest ellipse between the planar depths `nearest_m` > 0 and `farthest_m` ≤ ∞ needs.

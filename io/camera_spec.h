@@ -17,7 +17,4 @@ struct CameraSpec {
 /// Reads a "camera" object. Throws InputError.
 CameraSpec read_camera(const Json& value, const Source& where);
 
-/// The same object with every default spelt out.
-Json resolved_camera(const Json& value);
-
 }  // namespace sturm

@@ -63,7 +63,6 @@ struct ExperimentSpec {
   std::vector<ImageExperiment> images;             ///< ids are unique
   std::filesystem::path gates;                     ///< absolute
   std::optional<std::filesystem::path> baseline;   ///< absolute; need not exist yet
-  std::vector<std::string> notes;                  ///< for the manifest
   std::vector<std::string> input_files;            ///< absolute paths of all further files that are named and exist
   std::shared_ptr<const Json> resolved;            ///< the document with every default spelt out, paths as given
 };

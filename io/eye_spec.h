@@ -30,9 +30,14 @@ Accommodation read_accommodation(const Json& value, const Source& where);
 /// A distance [m]: a number > 0, or "inf".
 double read_distance(const Json& value, const Source& where);
 
-/// Fill in the defaults: the object that means the same with every member spelt out. An eye file's contents take its place.
-Json resolved_eye(const Json& value, const Source& where);
-Json resolved_prescription(const Json& value);
-Json resolved_accommodation(const Json& value);
+/// Eye::with, its errors turned into InputErrors about `where`.
+Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation, const Source& where);
+
+/// Throws InputError unless an eye can accommodate so in `camera` gaze, where one accommodation holds for all distances, and with
+/// the ray model, of which metalstigmatism needs a stated focus distance.
+void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model, const Source& where);
+
+/// The contents of the eye file that `value` names, validated; `value` itself if it is an object.
+Json eye_object(const Json& value, const Source& where);
 
 }  // namespace sturm

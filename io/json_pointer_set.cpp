@@ -1,5 +1,6 @@
 #include "io/json_pointer_set.h"
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -52,12 +53,22 @@ Json value_of(std::string_view text) {
   }
 }
 
+/// Text that JSON cannot hold would only be noticed when the document is written.
+void require_utf8(std::string_view text) {
+  try {
+    Json(std::string(text)).dump();
+  } catch (const Json::type_error&) {
+    throw InputError("--set", "", "bytes that are not UTF-8", "/pointer=value in UTF-8");
+  }
+}
+
 }  // namespace
 
 void apply_set(Json& document, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (assignment.empty() || assignment[0] != '/' || equals == std::string_view::npos)
     throw InputError("--set", "", "\"" + std::string(assignment) + "\"", "/pointer=value");
+  require_utf8(assignment);
   Json* place = &document;
   Source where{"--set", ""};
   for (const std::string& token : tokens_of(assignment.substr(0, equals))) {

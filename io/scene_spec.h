@@ -60,7 +60,4 @@ struct SceneSpec {
 /// Every named file must exist. Throws InputError.
 SceneSpec read_scene(const Json& value, const Source& where);
 
-/// The same object with every default spelt out; the path of a file stays as it was given.
-Json resolved_scene(const Json& value);
-
 }  // namespace sturm

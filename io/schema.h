@@ -28,4 +28,7 @@ std::string format_of(const Json& document, const std::string& file);
 /// then types, ranges and missing members, with pointer, value and what the schema says about that place.
 void validate(const Json& document, std::string_view schema_name, const std::string& file);
 
+/// A valid document with every default that the schema states spelt out.
+Json with_defaults(const Json& document, std::string_view schema_name);
+
 }  // namespace sturm

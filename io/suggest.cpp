@@ -1,9 +1,22 @@
 #include "io/suggest.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace sturm {
+
+namespace {
+
+/// The units that names at the edges of the program end in.
+bool has_unit(std::string_view name) {
+  static constexpr std::array<std::string_view, 6> units = {"_D", "_m", "_mm", "_deg", "_rad", "_years"};
+  return std::any_of(units.begin(), units.end(), [&](std::string_view unit) { return name.ends_with(unit); });
+}
+
+std::string_view without_unit(std::string_view name) { return has_unit(name) ? name.substr(0, name.rfind('_')) : name; }
+
+}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
   const auto same = [](char x, char y) { return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y)); };
@@ -32,19 +45,21 @@ std::optional<std::string> suggestion(std::string_view word, const std::vector<s
       best = candidate;
     }
   if (best) return best;
-  // A unit that was left out or made up ("sphere" for "sphere_D", "distance_mm" for "distance_m").
-  const std::string stem(word.substr(0, word.rfind('_')));
   for (const std::string& candidate : candidates)
-    if (stem.size() > 2 && candidate.substr(0, candidate.rfind('_')) == stem) return candidate;
+    if (has_unit(candidate) && without_unit(candidate) == without_unit(word)) return candidate;
   return best;
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-  if (const auto nearest = suggestion(word, candidates)) return "did you mean \"" + *nearest + "\"?";
-  if (candidates.empty()) return "nothing here";
+  const auto nearest = suggestion(word, candidates);
+  return nearest ? " (did you mean \"" + *nearest + "\"?)" : "";
+}
+
+std::string one_of(const std::vector<std::string>& candidates, std::size_t limit) {
+  if (candidates.empty()) return "nothing";
   std::string text = candidates.size() == 1 ? "" : "one of ";
-  for (std::size_t i = 0; i < candidates.size(); ++i) text += (i ? ", \"" : "\"") + candidates[i] + "\"";
-  return text;
+  for (std::size_t i = 0; i < std::min(candidates.size(), limit); ++i) text += (i ? ", \"" : "\"") + candidates[i] + "\"";
+  return candidates.size() > limit ? text + ", …" : text;
 }
 
 }  // namespace sturm

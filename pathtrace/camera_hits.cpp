@@ -48,6 +48,7 @@ void trace_camera_rays(const Scene& scene, const EyeCamera& camera, int x, int y
     }
     rtcIntersect8(valid, scene.embree(), &context, &packet);
   }
+  for (int i = (count + 7) / 8 * 8; i < CameraRayBlock::size; ++i) hits.packets[i / 8].hit.geomID[i % 8] = RTC_INVALID_GEOMETRY_ID;
 }
 
 }  // namespace sturm

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "io/image.h"
@@ -33,7 +35,7 @@ class PixelStatistics {
   double mean_[3] = {0.0, 0.0, 0.0}, squares_[3] = {0.0, 0.0, 0.0};
 };
 
-/// What the camera ray of a sample met first; averaged over a pixel for the auxiliary layers.
+/// What the camera rays of a pixel met first; for the auxiliary layers.
 class FirstHitStatistics {
  public:
   void add(const Eigen::Vector3f& albedo, const Eigen::Vector3f& normal, float planar_depth) {
@@ -42,19 +44,20 @@ class FirstHitStatistics {
       albedo_[k] += albedo[k];
       normal_[k] += normal[k];
     }
-    vergence_ += 1.0 / planar_depth;
+    nearest_ = std::min(nearest_, planar_depth);
   }
   void add_miss() { ++count_; }
 
   double albedo(int channel) const { return count_ ? albedo_[channel] / static_cast<double>(count_) : 0.0; }
   double normal(int channel) const { return count_ ? normal_[channel] / static_cast<double>(count_) : 0.0; }
 
-  /// Planar distance [m] whose vergence is the pixel's mean vergence (blur is linear in vergence); ∞ where nothing was hit.
-  double depth() const { return vergence_ > 0.0 ? static_cast<double>(count_) / vergence_ : std::numeric_limits<double>::infinity(); }
+  /// Nearest planar distance [m] that was seen; ∞ where nothing was hit. Not a mean: across an edge it would lie where nothing is.
+  float depth() const { return nearest_; }
 
  private:
   std::uint64_t count_ = 0;
-  double albedo_[3] = {0.0, 0.0, 0.0}, normal_[3] = {0.0, 0.0, 0.0}, vergence_ = 0.0;
+  double albedo_[3] = {0.0, 0.0, 0.0}, normal_[3] = {0.0, 0.0, 0.0};
+  float nearest_ = std::numeric_limits<float>::infinity();
 };
 
 }  // namespace sturm

@@ -65,7 +65,7 @@ class PixelRenderer {
       result_.albedo.at(x, y)[k] = static_cast<float>(first_hit.albedo(k));
       result_.normal.at(x, y)[k] = static_cast<float>(first_hit.normal(k));
     }
-    *result_.depth.at(x, y) = static_cast<float>(first_hit.depth());
+    *result_.depth.at(x, y) = first_hit.depth();
   }
 
   const Scene& scene_;

@@ -24,7 +24,7 @@ struct RenderCounters {
 };
 
 /// Layers of one size: radiance (3, mean over pixel and pupil), variance (3, of single samples), albedo (3), normal (3, world),
-/// depth (1, planar [m], mean in vergence, ∞ where nothing was hit).
+/// depth (1, nearest planar distance [m], ∞ where nothing was hit).
 struct RenderResult {
   Image radiance, variance, albedo, normal, depth;
   RenderCounters counters;

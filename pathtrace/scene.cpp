@@ -22,6 +22,31 @@ void require_usable(const Eigen::Vector3f& p, const std::string& where) {
 
 bool emits(const Material& material) { return material.emission.maxCoeff() > 0.0f; }
 
+void require_material(int material, std::size_t count, const std::string& where) {
+  if (material < 0 || static_cast<std::size_t>(material) >= count)
+    throw InputError("", where, "material " + std::to_string(material), "0 to " + std::to_string(static_cast<long long>(count) - 1));
+}
+
+void validate(const Mesh& mesh, std::size_t material_count) {
+  const std::string where = "mesh '" + mesh.name + "'";
+  require_material(mesh.material, material_count, where);
+  for (const Eigen::Vector3f& p : mesh.positions) require_usable(p, where);
+  for (const auto& triangle : mesh.triangles)
+    for (std::uint32_t v : triangle)
+      if (v >= mesh.positions.size())
+        throw InputError("", where, "vertex index " + std::to_string(v), "less than " + std::to_string(mesh.positions.size()));
+  if (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != mesh.positions.size())
+    throw InputError("", where, std::to_string(mesh.texture_coordinates.size()) + " texture coordinates",
+                     "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
+}
+
+void validate(const Sphere& sphere, std::size_t material_count) {
+  require_material(sphere.material, material_count, "sphere");
+  require_usable(sphere.center, "sphere");
+  if (!(sphere.radius > 0.0f && sphere.radius <= largest_coordinate))
+    throw InputError("", "sphere", "radius " + std::to_string(sphere.radius) + " m", "a radius above 0");
+}
+
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, const std::string& isa)
@@ -47,9 +72,10 @@ void Scene::add_triangles(const SceneDescription& description) {
   std::size_t vertex_count = 0, triangle_count = 0;
   bool textured = false;
   for (const Mesh& mesh : description.meshes) {
+    validate(mesh, materials_.size());
     vertex_count += mesh.positions.size();
     triangle_count += mesh.triangles.size();
-    textured = textured || (!mesh.texture_coordinates.empty() && materials_.at(mesh.material).albedo_texture);
+    textured = textured || (!mesh.texture_coordinates.empty() && materials_[mesh.material].albedo_texture);
   }
   if (triangle_count == 0) return;
 
@@ -64,22 +90,14 @@ void Scene::add_triangles(const SceneDescription& description) {
   }
   std::uint32_t first_vertex = 0;
   for (const Mesh& mesh : description.meshes) {
-    const std::string where = "mesh '" + mesh.name + "'";
     for (const Eigen::Vector3f& p : mesh.positions) {
-      require_usable(p, where);
       lower_ = lower_.cwiseMin(p);
       upper_ = upper_.cwiseMax(p);
       vertices = std::copy_n(p.data(), 3, vertices);
     }
-    const Material& material = materials_.at(mesh.material);
+    const Material& material = materials_[mesh.material];
     for (const auto& triangle : mesh.triangles) {
-      for (std::uint32_t v : triangle) {
-        if (v >= mesh.positions.size()) {
-          rtcReleaseGeometry(geometry);
-          throw InputError("", where, "vertex index " + std::to_string(v), "less than " + std::to_string(mesh.positions.size()));
-        }
-        *indices++ = first_vertex + v;
-      }
+      for (std::uint32_t v : triangle) *indices++ = first_vertex + v;
       triangle_material_.push_back(mesh.material);
       const auto corner = [&](int k) { return mesh.positions[triangle[k]]; };
       triangle_emitter_.push_back(emits(material) ? lights_.add_triangle(corner(0), corner(1), corner(2), material.emission) : -1);
@@ -98,20 +116,20 @@ void Scene::add_triangles(const SceneDescription& description) {
 
 void Scene::add_spheres(const SceneDescription& description) {
   if (description.spheres.empty()) return;
+  for (const Sphere& sphere : description.spheres) validate(sphere, materials_.size());
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* data = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float),
                                                            description.spheres.size()));
+  if (!data) {
+    rtcReleaseGeometry(geometry);
+    throw RuntimeFailure("Embree has no memory for " + std::to_string(description.spheres.size()) + " spheres");
+  }
   for (const Sphere& sphere : description.spheres) {
-    require_usable(sphere.center, "sphere");
-    if (!(sphere.radius > 0.0f && sphere.radius <= largest_coordinate)) {
-      rtcReleaseGeometry(geometry);
-      throw InputError("", "sphere", "radius " + std::to_string(sphere.radius) + " m", "a radius above 0");
-    }
     data = std::copy_n(sphere.center.data(), 3, data);
     *data++ = sphere.radius;
     lower_ = lower_.cwiseMin(sphere.center - Eigen::Vector3f::Constant(sphere.radius));
     upper_ = upper_.cwiseMax(sphere.center + Eigen::Vector3f::Constant(sphere.radius));
-    const Material& material = materials_.at(sphere.material);
+    const Material& material = materials_[sphere.material];
     sphere_material_.push_back(sphere.material);
     sphere_emitter_.push_back(emits(material) ? lights_.add_sphere(sphere.center, sphere.radius, material.emission) : -1);
   }
@@ -126,7 +144,7 @@ SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& orig
   const Material& material = materials_[static_cast<std::size_t>(material_index)];
   SurfacePoint point;
   point.position = origin + t * direction;
-  // Embree's normal of a triangle is (v2 − v0) × (v1 − v0) scaled; counter-clockwise faces need the opposite sign.
+  // Embree's normal of a triangle is (v1 − v0) × (v2 − v0): it points to the side that sees the winding counter-clockwise.
   point.normal = Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z).normalized();
   point.material = &material;
   point.emitter = triangle ? triangle_emitter_[hit.primID] : sphere_emitter_[hit.primID];

@@ -24,7 +24,8 @@ struct SurfacePoint {
 class Scene {
  public:
   /// `isa` names the instruction set that Embree is pinned to ("" = its own choice); hits differ between instruction sets in the last bits.
-  /// Throws InputError for non-finite or out-of-range vertices and indices, and for a scene without any surface.
+  /// Throws InputError for non-finite or out-of-range vertices, indices, materials and radii, for a wrong number of texture coordinates,
+  /// and for a scene without any surface.
   explicit Scene(const SceneDescription& description, const std::string& isa = "avx2");
 
   RTCScene embree() const { return scene_.get(); }

@@ -17,8 +17,9 @@ void require_finite(const Image& image, const std::string& name) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     if (std::isfinite(image.pixels[i])) continue;
     const std::size_t pixel = i / image.channels;
-    throw InputError("", "", name + " with a non-finite value at x = " + std::to_string(pixel % image.width) + ", y = " +
-                                 std::to_string(pixel / image.width) + ", channel " + std::to_string(i % image.channels),
+    throw InputError("", "",
+                     name + " with a non-finite value at x = " + std::to_string(pixel % image.width) +
+                         ", y = " + std::to_string(pixel / image.width) + ", channel " + std::to_string(i % image.channels),
                      "finite pixels");
   }
 }

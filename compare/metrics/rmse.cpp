@@ -16,6 +16,8 @@ double rmse(const Image& test, const Image& reference) {
   return std::sqrt(sum / static_cast<double>(test.pixels.size()));
 }
 
-double psnr_dB(const Image& test, const Image& reference, double peak) { return 20.0 * std::log10(peak / rmse(test, reference)); }
+double psnr_dB(const Image& test, const Image& reference, double peak) {
+  return 20.0 * std::log10(peak / rmse(test, reference));
+}
 
 }  // namespace sturm

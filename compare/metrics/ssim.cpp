@@ -57,7 +57,8 @@ void filter_row(const double* x, const double* y, const std::array<double, taps>
 Ssim ssim(const Image& test, const Image& reference) {
   require_comparable(test, reference);
   if (test.width < taps || test.height < taps)
-    throw InputError("", "", std::to_string(test.width) + " × " + std::to_string(test.height) + " pixels", "at least 11 × 11 pixels for SSIM");
+    throw InputError("", "", std::to_string(test.width) + " × " + std::to_string(test.height) + " pixels",
+                     "at least 11 × 11 pixels for SSIM");
   const std::vector<double> x = luma(test), y = luma(reference);
   const std::array<double, taps> w = gaussian_window();
   Ssim result;

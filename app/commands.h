@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sturm {
+
+/// What several commands take.
+struct CommonOptions {
+  std::string file;                        ///< the configuration; "-" is standard input
+  std::vector<std::string> assignments;    ///< --set /pointer=value
+  std::optional<std::uint64_t> seed;
+  int threads = 0;                         ///< 0: one per processor
+  bool quiet = false;
+};
+
+/// Bounds that turn `sturm compare` into a gate; none of them set: it only reports.
+struct CompareOptions {
+  std::string test, reference;
+  std::string json_file;                   ///< "" = none, "-" = standard output instead of the table
+  double exposure = 1.0;
+  std::optional<double> min_ssim, min_psnr_dB, max_rmse, max_relative_mse;
+};
+
+struct GateOptions {
+  std::string report, gates, baseline, junit, new_baseline;   ///< "" = not given
+};
+
+// Each command returns the exit status; errors are thrown as InputError (2) or RuntimeFailure (3).
+int ellipse_command(const CommonOptions& options, const std::string& output);
+int render_command(const CommonOptions& options, const std::string& output);
+int run_command(const CommonOptions& options, const std::string& folder, bool resume);
+int compare_command(const CompareOptions& options);
+int gate_command(const GateOptions& options);
+int validate_command(const std::string& file);
+int schema_command(const std::string& name);
+
+}  // namespace sturm

@@ -1,0 +1,20 @@
+#include "app/configuration.h"
+
+#include <tbb/info.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/json_pointer_set.h"
+
+namespace sturm {
+
+Json load_configuration(const CommonOptions& options) {
+  Json document = load_json(options.file);
+  for (const std::string& assignment : options.assignments) apply_set(document, assignment);
+  if (options.seed && document.is_object()) document["seed"] = *options.seed;
+  return document;
+}
+
+int thread_count(const CommonOptions& options) { return options.threads > 0 ? options.threads : tbb::info::default_concurrency(); }
+
+}  // namespace sturm

@@ -1,0 +1,13 @@
+#pragma once
+#include "app/commands.h"
+#include "io/json.h"
+
+namespace sturm {
+
+/// Loads the configuration that a command was given and applies --set and --seed to it. It is not validated yet.
+Json load_configuration(const CommonOptions& options);
+
+/// Threads that a command will use: as asked for, else one per processor.
+int thread_count(const CommonOptions& options);
+
+}  // namespace sturm

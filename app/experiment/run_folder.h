@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "io/json.h"
+
+namespace sturm {
+
+/// The output folder of a run. Finished parts are kept in parts/<key>/, where the key stands for the resolved spec, the program and the
+/// contents of all inputs: a part of another run is never taken for one of this run.
+class RunFolder {
+ public:
+  /// Prepares `folder`: an old report and parts of other runs go away; parts of this run stay only if `resume`.
+  /// Throws RuntimeFailure where the folder cannot be written.
+  RunFolder(std::filesystem::path folder, const std::string& key, bool resume);
+
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// The finished part of this name, or the result of `make`, stored before it is returned. `reused` tells which.
+  struct Part {
+    Json value;
+    bool reused;
+  };
+  Part part(const std::string& name, const std::function<Json()>& make) const;
+
+ private:
+  std::filesystem::path folder_, parts_;
+};
+
+}  // namespace sturm

@@ -1,0 +1,109 @@
+#include "app/experiment/runner.h"
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/experiment/run_folder.h"
+#include "app/experiment/sections.h"
+#include "app/progress.h"
+#include "compare/gates.h"
+#include "compare/junit.h"
+#include "compare/report_csv.h"
+#include "compare/report_html.h"
+#include "io/atomic_file.h"
+#include "io/build_info.h"
+#include "io/gate_spec.h"
+#include "io/manifest.h"
+#include "io/sha256.h"
+
+namespace sturm {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// What a finished part depends on: the resolved spec, the program, and the contents of every input.
+std::string run_key(const ExperimentSpec& spec, const std::vector<std::string>& inputs) {
+  std::string facts = spec_hash(*spec.resolved) + std::string(build_info().version) + std::string(build_info().commit);
+  for (const std::string& file : inputs) facts += sha256_of_file(file);
+  return sha256(facts);
+}
+
+/// The parts of one run in their order, with the time that each took (also when it was taken from an interrupted run).
+class Parts {
+ public:
+  Parts(const RunFolder& folder, bool quiet) : folder_(folder), quiet_(quiet) {}
+
+  Json operator()(const std::string& name, const std::string& label, const std::function<Json(const ProgressFunction&)>& make) {
+    const RunFolder::Part part = folder_.part(name, [&] {
+      Progress progress(label, 0.0, "", quiet_);
+      Json value = make([&](double fraction) { progress.update(fraction); });
+      progress.update(1.0);
+      return Json{{"value", std::move(value)}, {"seconds", progress.seconds()}};
+    });
+    if (part.reused && !quiet_) std::fprintf(stderr, "%s: taken from the interrupted run\n", label.c_str());
+    seconds_ = part.value.at("seconds").get<double>();
+    return part.value.at("value");
+  }
+
+  double seconds() const { return seconds_; }   ///< of the last part
+
+ private:
+  const RunFolder& folder_;
+  bool quiet_;
+  double seconds_ = 0.0;
+};
+
+void append(Json& list, const Json& entries) { list.insert(list.end(), entries.begin(), entries.end()); }
+
+}  // namespace
+
+RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experiment_file, const RunOptions& options) {
+  const Clock::time_point start = Clock::now();
+  const std::string started = utc_now();
+  std::vector<std::string> inputs = spec.input_files;
+  if (experiment_file != "-") inputs.insert(inputs.begin(), experiment_file);
+  const std::vector<GateSpec> gates = read_gates(load_json(spec.gates.string()), spec.gates.string());
+  const Json baseline = spec.baseline && std::filesystem::exists(*spec.baseline) ? load_json(spec.baseline->string()) : Json(nullptr);
+
+  const RunFolder folder(options.folder, run_key(spec, inputs), options.resume);
+  Parts parts(folder, options.quiet);
+  std::map<std::string, double> seconds;
+  Json report = {{"format", "sturm.report/1"}, {"title", spec.title}, {"spec", *spec.resolved}, {"psfs", Json::array()}, {"images", Json::array()}, {"must_fail", Json::array()}};
+  Json sin2 = nullptr;
+  if (spec.reference) {
+    report["reference"] = reference_section(*spec.reference);
+  }
+  if (spec.ellipses) {
+    report["ellipses"] = parts("ellipses", "ellipses", [&](const ProgressFunction& progress) { return ellipse_section(*spec.ellipses, spec.seed, progress); });
+    seconds["ellipses"] = parts.seconds();
+    report["sin2"] = sin2 = sin2_section(report["ellipses"]);
+    report["must_fail"] = must_fail_section(*spec.ellipses, report["ellipses"]);
+  }
+  for (const PsfExperiment& psf : spec.psfs) {
+    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
+    seconds["psfs"] += parts.seconds();
+  }
+  for (const ImageExperiment& image : spec.images) {
+    append(report["images"], parts("image_" + image.id, "image " + image.id, [&](const ProgressFunction& progress) { return image_entries(image, spec.seed, folder.path(), progress); }));
+    seconds["images"] += parts.seconds();
+  }
+  report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
+  report["verdict"] = verdict_of(report["gates"]);
+  report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
+  seconds["total"] = seconds_since(start);
+  report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
+
+  write_file_atomically(folder.path() / "ellipses.csv", ellipses_csv(report));
+  write_file_atomically(folder.path() / "junit.xml", junit_xml(report["gates"], spec.title, seconds["total"]));
+  write_file_atomically(folder.path() / "report.html", render_report_html(report, folder.path()));
+  write_file_atomically(folder.path() / "report.json", report.dump(1));
+  const Json& verdict = report["verdict"];
+  return {verdict.at("passed"), verdict.at("sentence"), verdict.at("sin2_sentence").is_string() ? verdict.at("sin2_sentence").get<std::string>() : "",
+          folder.path() / "report.html"};
+}
+
+}  // namespace sturm

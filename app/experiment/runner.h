@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "io/experiment_spec.h"
+
+namespace sturm {
+
+struct RunOptions {
+  std::filesystem::path folder;   ///< where the report goes
+  int threads = 0;                ///< for the provenance
+  bool resume = false;
+  bool quiet = false;
+};
+
+struct RunOutcome {
+  bool passed = false;
+  std::string verdict, sin2_verdict;   ///< sentences
+  std::filesystem::path report_html;
+};
+
+/// Runs an experiment: computes what is missing, evaluates the gates and writes ellipses.csv, junit.xml, report.html and, last,
+/// report.json. Throws InputError or RuntimeFailure.
+RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experiment_file, const RunOptions& options);
+
+}  // namespace sturm

@@ -1,0 +1,62 @@
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "compare/gates.h"
+#include "compare/junit.h"
+#include "io/atomic_file.h"
+#include "io/gate_spec.h"
+#include "io/schema.h"
+
+namespace sturm {
+
+namespace {
+
+/// The gates that a report was judged by, read back from it.
+std::vector<GateSpec> gates_in(const Json& report) {
+  static const std::map<std::string, Comparison> comparisons = {{"upper_bound", Comparison::AtMost}, {"lower_bound", Comparison::AtLeast},
+                                                                {"must_differ", Comparison::Differs}, {"baseline", Comparison::Baseline},
+                                                                {"must_fail", Comparison::MustFail}};
+  std::vector<GateSpec> gates;
+  for (const Json& g : report.at("gates")) {
+    const auto comparison = comparisons.find(g.at("kind"));
+    if (comparison != comparisons.end() && g.at("bound").is_number())
+      gates.push_back({g.at("id"), g.at("title"), g.at("statistic"), comparison->second, g.at("bound"), g.at("unit"), g.at("reason")});
+  }
+  return gates;
+}
+
+void print_results(const Json& results) {
+  for (const Json& r : results) {
+    const std::string value = r.at("value").is_number() ? r.at("value").dump() : "no value";
+    std::printf("%s  %-36s %s %s (bound %s)\n", r.at("passed").get<bool>() ? "pass" : "FAIL", r.at("id").get<std::string>().c_str(), value.c_str(),
+                r.at("unit").get<std::string>().c_str(), r.at("bound").dump().c_str());
+  }
+}
+
+/// What later runs are held against: the numbers with their uncertainty, not every case.
+Json baseline_of(const Json& report) {
+  Json baseline = report;
+  for (const char* bulky : {"ellipses", "sin2", "psfs"}) baseline.erase(bulky);
+  return baseline;
+}
+
+}  // namespace
+
+int gate_command(const GateOptions& options) {
+  const Json report = load_json(options.report);
+  validate(report, "report", options.report);
+  const std::vector<GateSpec> gates = options.gates.empty() ? gates_in(report) : read_gates(load_json(options.gates), options.gates);
+  const Json baseline = options.baseline.empty() ? Json(nullptr) : load_json(options.baseline);
+  const Json results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
+  const Json verdict = verdict_of(results);
+  print_results(results);
+  std::cout << verdict.at("sentence").get<std::string>() << "\n";
+  if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results, report.at("title")));
+  if (!options.new_baseline.empty()) write_file_atomically(options.new_baseline, baseline_of(report).dump(1) + "\n");
+  return verdict.at("passed").get<bool>() ? 0 : 1;
+}
+
+}  // namespace sturm

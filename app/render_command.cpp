@@ -1,0 +1,49 @@
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/configuration.h"
+#include "app/image_files.h"
+#include "app/progress.h"
+#include "app/render_stage.h"
+#include "io/atomic_file.h"
+#include "io/error.h"
+#include "io/exr.h"
+#include "io/manifest.h"
+
+namespace sturm {
+
+namespace {
+
+/// The folder must be there and writable before the work starts, not after it.
+void require_writable(const std::filesystem::path& file) { AtomicFile probe(file); }
+
+}  // namespace
+
+int render_command(const CommonOptions& options, const std::string& output) {
+  const std::filesystem::path exr(output);
+  if (exr.extension() != ".exr") throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .exr");
+  const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
+  require_writable(exr);
+
+  RunFacts facts;
+  facts.threads = thread_count(options);
+  facts.seed = spec.seed;
+  facts.started_utc = utc_now();
+  facts.input_files = spec.input_files;
+  facts.input_files.insert(facts.input_files.end(), spec.scene.input_files.begin(), spec.scene.input_files.end());
+  const double samples = static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
+  Progress progress("rendering", samples, "samples", options.quiet);
+  RenderOutput result = render_view(spec, [&](double fraction) { progress.update(fraction); });
+  facts.seconds = result.seconds;
+  facts.seconds["total"] = progress.seconds();
+
+  std::filesystem::path beside = exr;
+  write_exr(exr, result.image);
+  write_png(beside.replace_extension(".png"), result.image.layers.at(""), 1.0);
+  write_file_atomically(beside.replace_extension(".manifest.json"), manifest(facts, *spec.resolved, result.counters, spec.notes).dump(1) + "\n");
+  return 0;
+}
+
+}  // namespace sturm

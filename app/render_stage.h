@@ -1,0 +1,47 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "conoid/image_predictor.h"
+#include "io/json.h"
+#include "io/render_spec.h"
+#include "pathtrace/render.h"
+
+namespace sturm {
+
+using ProgressFunction = std::function<void(double fraction)>;
+
+CameraPose camera_pose(const CameraSpec& spec);
+
+/// Path traces one view. `accommodation` and focus distance come from the eye (relaxed or fixed).
+/// Throws InputError where metalstigmatism has no focus distance.
+RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings);
+
+struct PredictionTimes {
+  double sharp_view_seconds = 0.0, spreading_seconds = 0.0;
+};
+
+struct PredictedImage {
+  Prediction prediction;
+  PredictionTimes times;
+  RenderCounters sharp_counters;
+  int margin_px = 0;
+};
+
+/// Predicts the same view: one pinhole rendering of `settings.samples_per_pixel` samples per output pixel, spread by the conoid's ellipses.
+PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling, const RenderSettings& settings);
+
+Json counters_json(const RenderCounters& counters);
+
+/// What `sturm render` writes: the layers, the counters, and the seconds of each part.
+struct RenderOutput {
+  LayeredImage image;
+  Json counters;
+  std::map<std::string, double> seconds;
+};
+
+RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress);
+
+}  // namespace sturm

@@ -1,0 +1,25 @@
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/configuration.h"
+#include "app/experiment/runner.h"
+
+namespace sturm {
+
+int run_command(const CommonOptions& options, const std::string& folder, bool resume) {
+  const ExperimentSpec spec = read_experiment(load_configuration(options), options.file);
+  RunOptions run;
+  run.folder = !folder.empty() ? folder : "reports/" + (options.file == "-" ? "run" : std::filesystem::path(options.file).stem().string());
+  run.threads = thread_count(options);
+  run.resume = resume;
+  run.quiet = options.quiet;
+  const RunOutcome outcome = run_experiment(spec, options.file, run);
+  std::cout << outcome.verdict << "\n";
+  if (!outcome.sin2_verdict.empty()) std::cout << outcome.sin2_verdict << "\n";
+  std::cout << "Report: " << outcome.report_html.string() << "\n";
+  return outcome.passed ? 0 : 1;
+}
+
+}  // namespace sturm

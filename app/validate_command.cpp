@@ -1,0 +1,37 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "io/ellipse_query.h"
+#include "io/experiment_spec.h"
+#include "io/gate_spec.h"
+#include "io/render_spec.h"
+#include "io/schema.h"
+
+namespace sturm {
+
+int validate_command(const std::string& file) {
+  const Json document = load_json(file);
+  const std::string name = format_of(document, file);
+  // The readers check more than the schema can say: files that must exist, values that depend on each other.
+  if (name == "ellipse") read_ellipse_query(document, file);
+  else if (name == "render") read_render_spec(document, file);
+  else if (name == "experiment") read_experiment(document, file);
+  else if (name == "gates") read_gates(document, file);
+  else if (name == "scene") read_scene(document, {file, ""});
+  else if (name == "eye") read_eye(document, {file, ""});
+  else validate(document, name, file);
+  std::cout << file << ": a valid " << document.at("format").get<std::string>() << "\n";
+  return 0;
+}
+
+int schema_command(const std::string& name) {
+  if (name.empty()) {
+    for (const std::string& known : schema_names()) std::cout << known << "\n";
+  } else {
+    std::cout << schema_text(name);
+  }
+  return 0;
+}
+
+}  // namespace sturm

@@ -1,0 +1,247 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/gates.h"
+#include "compare/healthy_report.h"
+
+namespace sturm {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::healthy_report;
+
+const std::vector<GateSpec>& validation_gates() {
+  static const std::string file = STURM_SOURCE_DIR "/configs/gates/validation.json";
+  static const std::vector<GateSpec> gates = read_gates(load_json(file), file);
+  return gates;
+}
+
+/// Ids of the validation gates that a report fails, against the healthy report as baseline.
+std::vector<std::string> failures_of(const Json& report) {
+  const Json baseline = healthy_report();
+  std::vector<std::string> failed;
+  for (const Json& gate : evaluate_gates(validation_gates(), report, &baseline))
+    if (!gate["passed"].get<bool>()) failed.push_back(gate["id"]);
+  return failed;
+}
+
+Json spoilt(const std::string& pointer, const Json& value) {
+  Json report = healthy_report();
+  report.at(Json::json_pointer(pointer)) = value;
+  return report;
+}
+
+TEST(GateStatistics, OfTheHealthyReportByHand) {
+  const auto s = statistics_of(healthy_report());
+  EXPECT_EQ(s.at("conoid_reference_max_relative_error").value, 5e-16);
+  EXPECT_EQ(s.at("conoid_reference_max_relative_error").worst_case, "conoid_covariance");
+  EXPECT_EQ(s.at("conoid_reference_max_relative_error").cases, 150u);
+  EXPECT_EQ(s.at("sin2_reference_max_relative_error").value, 4e-16);
+  EXPECT_EQ(s.at("matrix_vs_conoid_max_z").value, 1.5);
+  EXPECT_EQ(s.at("matrix_vs_conoid_max_z").cases, 3u);
+  EXPECT_EQ(s.at("thin_lens_vs_conoid_max_z").value, 0.9);  // the case without a cylinder alone
+  EXPECT_EQ(s.at("thin_lens_vs_conoid_max_z").cases, 1u);
+  EXPECT_EQ(s.at("sin2_vs_closed_form_max_z").value, 2.0);
+  EXPECT_EQ(s.at("sin2_vs_conoid_min_z").value, 90000.0);  // the cases with a cylinder alone
+  EXPECT_EQ(s.at("sin2_vs_conoid_min_z").cases, 2u);
+  EXPECT_NEAR(*s.at("sin2_vs_conoid_min_relative_difference_ratio").value, 0.26079 / (std::hypot(0.875, 0.625) / std::sqrt(17.0)), 1e-12);
+  EXPECT_EQ(s.at("image_ssim_display/chart").value, 0.98);
+  EXPECT_EQ(s.at("image_ssim_display_min").value, 0.97);
+  EXPECT_EQ(s.at("image_ssim_display_min").worst_case, "cornell");
+  EXPECT_EQ(s.at("image_ssim_display_min").uncertainty, 0.004);
+  EXPECT_NEAR(*s.at("image_ssim_below_noise_floor_max").value, 0.005, 1e-12);
+  EXPECT_NEAR(*s.at("image_ssim_gain_of_matrix_over_sin2_min").value, 0.04, 1e-12);
+  EXPECT_EQ(s.at("image_ssim_gain_of_matrix_over_sin2_min").cases, 1u);
+  EXPECT_EQ(s.at("must_fail_min_value_over_bound").value, 10.0);
+  EXPECT_EQ(s.at("must_fail_min_value_over_bound").worst_case, "double_pupil");
+}
+
+TEST(GateStatistics, RelativeDifferenceCountsXyTwice) {
+  Json report = healthy_report();
+  Json& c = report["ellipses"]["cases"][0];
+  c["conoid"]["covariance_rad2"] = {2.0, 1.0, 2.0};            // norm² 4 + 2 + 4
+  c["sin2_closed_form"]["covariance_rad2"] = {2.0, 0.5, 2.0};  // difference² 2·0.25
+  EXPECT_NEAR(*statistics_of(report).at("sin2_vs_conoid_max_relative_difference_ratio").value, 0.26079 / std::sqrt(0.05), 1e-12);
+}
+
+TEST(GateStatistics, PsfIsMeasuredAlongThePredictedAxes) {
+  // 12 × 6 arcmin turned by 90°: along the predicted major axis only 6 are left
+  const auto turned = statistics_of(spoilt("/psfs/0/measured/orientation_deg", 120.0 - 180.0));
+  EXPECT_NEAR(*turned.at("psf_matrix_axis_max_relative").value, (12.03 - 6.0) / 6.0, 1e-9);
+  // a circle may have any angle
+  Json round = healthy_report();
+  round["psfs"][0]["predicted"] = {{"semi_axes_arcmin", {8.0, 8.0}}, {"orientation_deg", nullptr}};
+  round["psfs"][0]["measured"] = {{"semi_axes_arcmin", {8.02, 7.98}}, {"orientation_deg", 77.0}, {"standard_error_arcmin", {0.02, 0.02}}};
+  EXPECT_LT(*statistics_of(round).at("psf_matrix_axis_max_z").value, 1.01);
+}
+
+TEST(GateStatistics, ShortAxisOfAPsfHasAZButNoRelativeError) {
+  Json line = healthy_report();
+  line["psfs"][0]["predicted"]["semi_axes_arcmin"] = {12.0, 0.0};
+  line["psfs"][0]["measured"]["semi_axes_arcmin"] = {12.0, 0.1};
+  line["psfs"][0]["measured"]["orientation_deg"] = 30.0;
+  EXPECT_NEAR(*statistics_of(line).at("psf_matrix_axis_max_relative").value, 0.0, 1e-12);
+  // the pixel grid alone makes up to √0.2 px = 0.22 arcmin of a line
+  EXPECT_NEAR(*statistics_of(line).at("psf_matrix_axis_max_z").value, 0.1 / std::hypot(0.01, std::sqrt(0.2) * 0.5), 1e-9);
+  line["psfs"][0]["measured"]["semi_axes_arcmin"] = {12.0, 2.0};
+  EXPECT_GT(*statistics_of(line).at("psf_matrix_axis_max_z").value, 5.0);
+  line["psfs"][0]["pixel_arcmin"] = 20.0;  // nothing is resolved: no evidence
+  EXPECT_FALSE(statistics_of(line).at("psf_matrix_axis_max_relative").value);
+}
+
+TEST(GateStatistics, OneMissingNumberSpoilsTheStatisticAndIsNamed) {
+  const auto s = statistics_of(spoilt("/ellipses/cases/1/rays/0/against_conoid/z_max", nullptr)).at("matrix_vs_conoid_max_z");
+  EXPECT_FALSE(s.value);
+  EXPECT_EQ(s.cases, 3u);
+  EXPECT_EQ(s.worst_case, "A|inf|4 mm");
+}
+
+TEST(GateStatistics, OfAnEmptyReportAreAllWithoutValue) {
+  for (const Json& report :
+       {Json::object(), Json(nullptr), Json::array(), Json{{"ellipses", 3}, {"images", "none"}}, Json{{"psfs", {1, nullptr}}}})
+    for (const auto& [name, statistic] : statistics_of(report)) EXPECT_FALSE(statistic.value) << name;
+}
+
+TEST(Gates, HealthyReportPassesAll) {
+  EXPECT_THAT(failures_of(healthy_report()), ::testing::IsEmpty());
+}
+
+struct Spoilt {
+  const char *pointer, *gate;
+  Json value;
+};
+
+class EachGate : public ::testing::TestWithParam<Spoilt> {};
+
+TEST_P(EachGate, RejectsTheReportThatItIsMadeFor) {
+  EXPECT_THAT(failures_of(spoilt(GetParam().pointer, GetParam().value)), ::testing::ElementsAre(GetParam().gate));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Validation, EachGate,
+    ::testing::Values(
+        Spoilt{"/reference/max_relative_error/conoid_semi_axes", "conoid_is_the_reference", 1e-9},
+        Spoilt{"/reference/max_relative_error/sin2_closed_form", "sin2_closed_form_is_the_reference", nullptr},
+        Spoilt{"/ellipses/cases/0/rays/0/against_conoid/z_max", "matrix_equals_conoid", 6.1},
+        Spoilt{"/ellipses/cases/2/rays/0/against_conoid/relative_frobenius", "matrix_equals_conoid_relative", 1.1e-4},
+        Spoilt{"/ellipses/cases/2/rays/2/against_conoid/z_max", "thin_lens_equals_conoid_without_cylinder", 7.0},
+        Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/z_max", "sin2_equals_its_closed_form", 8.0},
+        Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/relative_frobenius", "sin2_equals_its_closed_form_relative", 1e-3},
+        Spoilt{"/ellipses/cases/1/rays/1/against_conoid/z_max", "sin2_differs_from_conoid", 4.0},
+        Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_less_than_predicted", 0.25},
+        Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_more_than_predicted", 0.27},
+        Spoilt{"/psfs/0/measured/semi_axes_arcmin/1", "psf_equals_conoid", 5.89},
+        Spoilt{"/images/2/noise_floor/ssim_display", "image_equals_prediction", 0.9999999 + 0.01},
+        Spoilt{"/images/1/metrics/ssim_display/value", "image_prefers_wavefront_theory", 0.971},
+        Spoilt{"/images/2/metrics/ssim_display/value", "image_as_in_baseline", 0.974},
+        Spoilt{"/must_fail/1/value", "mutants_are_caught", 5.0}));
+
+TEST(Gates, RejectGrosslyWrongPsfsAndMirroredAxes) {
+  EXPECT_THAT(failures_of(spoilt("/psfs/0/measured/orientation_deg", -30.0)),
+              ::testing::ElementsAre("psf_equals_conoid", "psf_equals_conoid_relative"));
+  EXPECT_THAT(failures_of(spoilt("/must_fail/0/value", 1.0)), ::testing::ElementsAre("mutants_are_caught", "mirrored_axis_is_caught"));
+  EXPECT_THAT(failures_of(spoilt("/must_fail/0/failed_as_it_must", false)),
+              ::testing::ElementsAre("mutants_are_caught", "mirrored_axis_is_caught"));
+}
+
+TEST(Gates, AMissingSectionFailsAllItsGates) {
+  for (const char* section : {"reference", "ellipses", "psfs", "images", "must_fail"}) {
+    Json report = healthy_report();
+    report.erase(section);
+    EXPECT_THAT(failures_of(report), ::testing::Not(::testing::IsEmpty())) << section;
+  }
+  EXPECT_EQ(failures_of(Json::object()).size(), validation_gates().size());
+}
+
+TEST(Gates, ACaseWithoutTheRayModelFails) {
+  Json report = healthy_report();
+  report["ellipses"]["cases"][2]["rays"].erase(0);
+  EXPECT_THAT(failures_of(report), ::testing::ElementsAre("matrix_equals_conoid", "matrix_equals_conoid_relative"));
+}
+
+TEST(Gates, ResultsCarryWhatTheReportShows) {
+  const Json gates = evaluate_gates(validation_gates(), healthy_report(), nullptr);
+  const Json& matrix = gates[2];
+  EXPECT_EQ(matrix["id"], "matrix_equals_conoid");
+  EXPECT_EQ(matrix["kind"], "upper_bound");
+  EXPECT_EQ(matrix["value"], 1.5);
+  EXPECT_EQ(matrix["bound"], 6.0);
+  EXPECT_EQ(matrix["unit"], "σ");
+  EXPECT_EQ(matrix["cases"], 3);
+  EXPECT_EQ(matrix["uncertainty"], nullptr);
+  EXPECT_FALSE(matrix["reason"].get<std::string>().empty());
+}
+
+GateSpec gate(const std::string& statistic, Comparison comparison, double bound, const std::string& unit = "") {
+  return {"id", "title", statistic, comparison, bound, unit, "reason"};
+}
+
+Json evaluated(const GateSpec& spec, const Json& report, const Json* baseline = nullptr) {
+  return evaluate_gates(std::span(&spec, 1), report, baseline)[0];
+}
+
+TEST(Gates, UnknownStatisticFails) {
+  const Json result = evaluated(gate("no_such_thing", Comparison::AtMost, 1e9), healthy_report());
+  EXPECT_EQ(result["passed"], false);
+  EXPECT_EQ(result["value"], nullptr);
+  EXPECT_EQ(result["cases"], 0);
+  EXPECT_THAT(result["worst_case"].get<std::string>(), HasSubstr("no_such_thing"));
+  EXPECT_EQ(evaluated(gate("no_such_thing/*", Comparison::AtMost, 1e9), healthy_report())["passed"], false);
+}
+
+TEST(Gates, BoundsThemselvesPassExceptForMutants) {
+  const Json report = healthy_report();
+  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", Comparison::AtMost, 1.5), report)["passed"], true);
+  EXPECT_EQ(evaluated(gate("image_ssim_display_min", Comparison::AtLeast, 0.97), report)["passed"], true);
+  EXPECT_EQ(evaluated(gate("image_ssim_display_min", Comparison::AtLeast, 0.971), report)["passed"], false);
+  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", Comparison::MustFail, 60.0), report)["passed"], false);
+  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", Comparison::MustFail, 59.0), report)["kind"], "must_fail");
+}
+
+TEST(Gates, PatternTakesTheWorst) {
+  const Json lowest = evaluated(gate("image_ssim_display/*", Comparison::AtLeast, 0.975), healthy_report());
+  EXPECT_EQ(lowest["passed"], false);
+  EXPECT_EQ(lowest["worst_case"], "cornell");
+  EXPECT_EQ(lowest["cases"], 2);
+  EXPECT_EQ(lowest["kind"], "lower_bound");
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::AtMost, 0.975), healthy_report())["worst_case"], "chart");
+}
+
+TEST(Gates, BaselineInStandardErrors) {
+  const Json baseline = healthy_report(), now = spoilt("/images/0/metrics/ssim_display/value", 0.95);
+  const Json result = evaluated(gate("image_ssim_display/*", Comparison::Baseline, 3.0, "σ"), now, &baseline);
+  EXPECT_NEAR(result["value"].get<double>(), 0.02 / std::hypot(0.004, 0.004), 1e-9);
+  EXPECT_EQ(result["passed"], false);
+  EXPECT_EQ(result["kind"], "baseline");
+  EXPECT_EQ(result["worst_case"], "cornell: 0.95, baseline 0.97");
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::Baseline, 4.0, "σ"), now, &baseline)["passed"], true);
+  // without an uncertainty there is no σ
+  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", Comparison::Baseline, 1e9, "σ"), now, &baseline)["passed"], false);
+}
+
+TEST(Gates, BaselineThatIsMissingOrHasOtherImagesFails) {
+  const Json now = healthy_report();
+  const GateSpec spec = gate("image_ssim_display/*", Comparison::Baseline, 1.0);
+  const Json null;
+  EXPECT_EQ(evaluated(spec, now, &now)["passed"], true);
+  EXPECT_EQ(evaluated(spec, now, nullptr)["passed"], false);
+  EXPECT_EQ(evaluated(spec, now, &null)["passed"], false);
+  Json fewer = now;
+  fewer["images"].erase(2);
+  EXPECT_EQ(evaluated(spec, now, &fewer)["passed"], false);
+  EXPECT_EQ(evaluated(spec, fewer, &now)["passed"], false);
+}
+
+TEST(Verdict, CountsAndNames) {
+  EXPECT_EQ(verdict_of(Json{{{"id", "a"}, {"passed", true}}, {{"id", "b"}, {"passed", true}}}),
+            (Json{{"passed", true}, {"sentence", "2 of 2 gates passed."}}));
+  EXPECT_EQ(verdict_of(Json{{{"id", "a"}, {"passed", false}}, {{"id", "b"}, {"passed", true}}, {{"id", "c"}}}),
+            (Json{{"passed", false}, {"sentence", "1 of 3 gates passed; failed: a, c."}}));
+  EXPECT_EQ(verdict_of(Json::array())["passed"], false);
+}
+
+}  // namespace
+}  // namespace sturm

@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/experiment_spec.h"
+#include "io/gate_spec.h"
+#include "io/json_pointer_set.h"
+#include "io_testing.h"
+
+namespace sturm {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ExperimentSpecTest : public testing::Test {
+ protected:
+  ExperimentSpecTest() : file_((folder_ / "experiments/e.json").string()) {
+    write_text(folder_ / "gates/g.json", "{}");
+    write_text(folder_ / "scenes/s.json", R"({"format": "sturm.scene/1"})");
+    document_ = parse_json(R"({
+      "format": "sturm.experiment/1", "title": "Check", "seed": 3,
+      "ellipses": {
+        "prescriptions": [{"id": "P172-OS", "note": "oblique", "sphere_D": -6.75, "cylinder_D": -2.5, "axis_deg": 165, "vertex_distance_mm": 12}, {"id": "plano", "sphere_D": 0}],
+        "distances_m": [0.4, "inf"], "pupil_diameters_mm": [3, 6],
+        "accommodation": {"mode": "fixed", "focus_distance_m": 1.0},
+        "ray_models": ["pinhole", "power_matrix"],
+        "rays": {"count": 16384}
+      },
+      "psfs": [{"id": "p1", "prescription": "plano", "distance_m": 1.0, "pupil_diameter_mm": 4, "ray_models": ["power_matrix"], "resolution": 96, "samples_per_pixel": 2048}],
+      "images": [{"id": "i1", "scene": "../scenes/s.json", "prescription": "P172-OS", "pupil_diameter_mm": 5, "accommodation": {"mode": "fixed", "power_D": 1},
+                  "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 40, "resolution": [64, 32]},
+                  "ray_models": ["power_matrix", "sin2_radial"], "samples_per_pixel": 256}],
+      "gates": "../gates/g.json", "baseline": "../none.json"
+    })", "e.json");
+  }
+  std::string error_with(const std::string& assignment) const {
+    Json document = document_;
+    apply_set(document, assignment);
+    return input_error([&] { read_experiment(document, file_); });
+  }
+
+  TemporaryFolder folder_;
+  std::string file_;
+  Json document_;
+};
+
+TEST_F(ExperimentSpecTest, ReadsAllSections) {
+  const ExperimentSpec spec = read_experiment(document_, file_);
+  EXPECT_EQ(spec.title, "Check");
+  EXPECT_EQ(spec.seed, 3u);
+  ASSERT_TRUE(spec.ellipses);
+  EXPECT_EQ(spec.ellipses->prescriptions[0].id, "P172-OS");
+  EXPECT_EQ(spec.ellipses->prescriptions[0].note, "oblique");
+  EXPECT_EQ(spec.ellipses->prescriptions[0].prescription.axis_deg, 165);
+  EXPECT_TRUE(std::isinf(spec.ellipses->distances_m[1]));
+  EXPECT_DOUBLE_EQ(spec.ellipses->pupil_diameters_m[1], 6e-3);
+  EXPECT_EQ(spec.ellipses->rays.count, 16384u);
+  EXPECT_EQ(spec.ellipses->rays.replicates, 16);
+  ASSERT_EQ(spec.psfs.size(), 1u);
+  EXPECT_DOUBLE_EQ(spec.psfs[0].eye.pupil_radius_m, 2e-3);
+  EXPECT_EQ(spec.psfs[0].resolution, 96);
+  ASSERT_EQ(spec.images.size(), 1u);
+  EXPECT_EQ(spec.images[0].eye.prescription.sphere_D, -6.75);
+  EXPECT_EQ(spec.images[0].eye.accommodation_for(0.0), 1.0);
+  EXPECT_EQ(spec.images[0].sharp_samples_per_pixel, 256u);
+  EXPECT_EQ(spec.images[0].replicates, 2);
+  EXPECT_EQ(spec.images[0].camera.width, 64);
+  EXPECT_EQ(spec.gates, folder_ / "gates/g.json");
+  EXPECT_EQ(spec.baseline, folder_ / "none.json");
+  EXPECT_EQ(spec.reference, std::nullopt);
+  EXPECT_THAT(spec.input_files, ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "scenes/s.json").string()));
+  EXPECT_EQ((*spec.resolved)["ellipses"]["rays"]["replicates"], 16);
+  EXPECT_EQ((*spec.resolved)["images"][0]["sharp_samples_per_pixel"], 256);
+  EXPECT_EQ(*read_experiment(*spec.resolved, file_).resolved, *spec.resolved);
+}
+
+TEST_F(ExperimentSpecTest, IdsAreUniqueAndKnown) {
+  EXPECT_THAT(error_with("/ellipses/prescriptions/1/id=P172-OS"), HasSubstr("/ellipses/prescriptions/1/id: got \"P172-OS\", expected an id that no other"));
+  EXPECT_THAT(error_with("/psfs/0/prescription=plane"), AllOf(HasSubstr("/psfs/0/prescription: got \"plane\" (did you mean \"plano\"?)"), HasSubstr("P172-OS")));
+  EXPECT_THAT(error_with("/psfs/0/id=../p"), HasSubstr("/psfs/0/id: got \"../p\""));
+  Json document = document_;
+  document.erase("ellipses");
+  EXPECT_THAT(input_error([&] { read_experiment(document, file_); }), HasSubstr("/psfs/0/prescription: got \"plano\", expected nothing (ids of /ellipses/prescriptions)"));
+}
+
+TEST_F(ExperimentSpecTest, ErrorsNameTheirPlace) {
+  EXPECT_THAT(error_with("/gates=none.json"), HasSubstr("/gates: got \"none.json\""));
+  EXPECT_THAT(error_with("/images/0/accommodation={\"mode\": \"best\", \"amplitude_D\": 1}"), HasSubstr("/images/0/accommodation: got mode \"best\""));
+  EXPECT_THAT(error_with("/images/0/ray_models/0=metalstigmatism"), HasSubstr("/images/0/accommodation: got no \"focus_distance_m\""));
+  EXPECT_THAT(error_with("/ellipses/rays/replicates=1"), HasSubstr("/ellipses/rays/replicates: got 1"));
+  EXPECT_THAT(error_with("/images/0/replicates=1"), HasSubstr("/images/0/replicates: got 1"));
+  EXPECT_THAT(error_with("/ellipses/prescriptions/0={\"id\": \"a\", \"sphere_D\": 40, \"vertex_distance_mm\": 25}"), HasSubstr("/ellipses/prescriptions/0: got"));
+}
+
+TEST(GateSpec, ReadsAllComparisons) {
+  const Json document = parse_json(R"({"format": "sturm.gates/1", "gates": [
+    {"id": "a", "title": "t", "statistic": "s", "comparison": "at_most", "bound": 4, "unit": "σ", "reason": "r"},
+    {"id": "b", "title": "t", "statistic": "s", "comparison": "at_least", "bound": 0.5, "reason": "r"},
+    {"id": "c", "title": "t", "statistic": "s", "comparison": "differs", "bound": 4, "reason": "r"},
+    {"id": "d", "title": "t", "statistic": "s", "comparison": "baseline", "bound": 4, "reason": "r"},
+    {"id": "e", "title": "t", "statistic": "s", "comparison": "must_fail", "bound": 4, "reason": "r"}]})", "g.json");
+  const std::vector<GateSpec> gates = read_gates(document, "g.json");
+  ASSERT_EQ(gates.size(), 5u);
+  EXPECT_EQ(gates[0].unit, "σ");
+  EXPECT_EQ(gates[1].bound, 0.5);
+  EXPECT_EQ(gates[1].unit, "");
+  for (std::size_t i = 0; i < gates.size(); ++i) EXPECT_EQ(to_string(gates[i].comparison), document["gates"][i]["comparison"]);
+  Json twice = document;
+  twice["gates"][3]["id"] = "a";
+  EXPECT_THAT(input_error([&] { read_gates(twice, "g.json"); }), HasSubstr("g.json: /gates/3/id: got \"a\""));
+}
+
+}  // namespace
+}  // namespace sturm
