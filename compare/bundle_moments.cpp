@@ -158,8 +158,7 @@ BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind
   std::vector<Eigen::Vector3d> covariances;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const BundleMoments& m : replicates) {
-    if (m.count() < 2 || m.count() != replicates.front().count())
-      throw std::invalid_argument("summarise: replicates must have the same number of points, at least two");
+    if (m.count() < 2) throw std::invalid_argument("summarise: a replicate has fewer than two points");
     e.points += m.count();
     centroids.push_back(m.mean());
     covariances.push_back(entries(m.covariance(kind)));

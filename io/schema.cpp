@@ -153,7 +153,7 @@ void validate(const Json& document, std::string_view schema_name, const std::str
   }
   if (!violation->missing.empty()) {
     const Json* child = child_schema(*node, violation->missing, true);
-    throw InputError(where.file, where.pointer.empty() ? "/" : where.pointer, "no \"" + violation->missing + "\"",
+    throw InputError(where.file, where.pointer, "no \"" + violation->missing + "\"",
                      "\"" + violation->missing + "\": " + (child ? expectation(dereferenced(*child, schema)) : "a value"));
   }
   std::string hint;

@@ -66,7 +66,7 @@ int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int he
     std::vector<unsigned char> encoded;
     OIIO::Filesystem::IOVecOutput memory_file(encoded);
     OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
-    spec["oiio:ColorSpace"] = channels == 3 ? "sRGB" : "";
+    spec["oiio:ColorSpace"] = "sRGB";
     if (!output->set_ioproxy(&memory_file) || !output->open("memory.png", spec) || !output->write_image(OIIO::TypeDesc::UINT8, pixels) ||
         !output->close())
       throw std::runtime_error(output->geterror());

@@ -17,6 +17,7 @@
 #include "compare/test_report_fixture.h"
 #include "io/error.h"
 #include "io/exr.h"
+#include "io/schema.h"
 
 namespace sturm {
 namespace {
@@ -94,6 +95,10 @@ class ReportHtml : public testing::Test {
 fs::path ReportHtml::folder_;
 Json* ReportHtml::report_ = nullptr;
 std::string* ReportHtml::page_ = nullptr;
+
+TEST_F(ReportHtml, IsDrawnFromAReportThatFollowsTheSchema) {
+  for (const bool failing : {false, true}) EXPECT_NO_THROW(validate(test::synthetic_report(failing), "report", "synthetic"));
+}
 
 TEST_F(ReportHtml, IsWellFormed) {
   EXPECT_EQ(markup_defects(*page_), "");

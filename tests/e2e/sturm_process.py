@@ -18,8 +18,9 @@ PASSED, FAILED, WRONG_INPUT, RUNTIME_FAILURE = 0, 1, 2, 3
 
 
 def sturm(*arguments, stdin=None, cwd=None, timeout=120):
-    """Runs the program; returns the finished process with stdout and stderr as text."""
-    return subprocess.run([str(STURM), *map(str, arguments)], input=stdin, cwd=cwd, timeout=timeout, capture_output=True, text=True)
+    """Runs the program; returns the finished process with stdout and stderr as text (messages may quote bytes that are not UTF-8)."""
+    return subprocess.run([str(STURM), *map(str, arguments)], input=stdin, cwd=cwd, timeout=timeout, capture_output=True,
+                          encoding="utf-8", errors="replace")
 
 
 def strict_json(text):

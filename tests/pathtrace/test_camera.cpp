@@ -140,7 +140,7 @@ TEST(Camera, ThePictureOfAPointHasTheCovarianceOfItsEllipse) {
     const EyeCamera camera(pose, {c.model, eye, 0.25});
     std::vector<double> xx, xy, yy, cx, cy;
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-      const Moments m = Moments::of(directly_seen(scene, camera, 256, seed).radiance, pixel_slope(pose));
+      const Moments m = Moments::of(directly_seen(scene, camera, 128, seed).radiance, pixel_slope(pose));
       xx.push_back(m.covariance(0, 0) - boxes);
       xy.push_back(m.covariance(0, 1));
       yy.push_back(m.covariance(1, 1) - boxes);

@@ -24,7 +24,7 @@ struct Triangle {
   Vector3f normal() const { return (b - a).cross(c - a).normalized(); }
 };
 
-const Triangle tilted{{-0.4f, 0.9f, 0.1f}, {0.1f, 1.2f, 0.8f}, {0.7f, 1.0f, -0.3f}};   // its normal has y < 0: it faces the origin
+const Triangle tilted{{-0.4f, 0.9f, 0.1f}, {0.7f, 1.0f, -0.3f}, {0.1f, 1.2f, 0.8f}};   // its normal has y < 0: it faces the origin
 const Vector3f ball(0.5f, -1.0f, 1.5f);
 constexpr float ball_radius = 0.6f;
 

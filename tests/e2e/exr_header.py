@@ -1,0 +1,36 @@
+"""The header of an OpenEXR file: attributes before the pixels, by the published file layout (no library)."""
+import struct
+
+MAGIC = 20000630
+
+
+def read_header(data):
+    """{attribute: (type, bytes)} of a single-part file, and where the header ends."""
+    magic, _ = struct.unpack_from("<II", data)
+    if magic != MAGIC:
+        raise ValueError("not an OpenEXR file")
+    at, attributes = 8, {}
+    while data[at]:
+        end = data.index(b"\0", at)
+        name = data[at:end].decode()
+        type_end = data.index(b"\0", end + 1)
+        size = struct.unpack_from("<i", data, type_end + 1)[0]
+        first = type_end + 5
+        attributes[name] = (data[end + 1:type_end].decode(), data[first:first + size])
+        at = first + size
+    return attributes, at + 1
+
+
+def channel_names(attributes):
+    data, names = attributes["channels"][1], []
+    at = 0
+    while data[at]:
+        end = data.index(b"\0", at)
+        names.append(data[at:end].decode())
+        at = end + 1 + 16  # pixel type, linearity, sampling
+    return names
+
+
+def size(attributes):
+    left, bottom, right, top = struct.unpack("<4i", attributes["dataWindow"][1])
+    return right - left + 1, top - bottom + 1
