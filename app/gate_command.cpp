@@ -7,6 +7,7 @@
 #include "compare/gates.h"
 #include "compare/junit.h"
 #include "io/atomic_file.h"
+#include "io/error.h"
 #include "io/gate_spec.h"
 #include "io/schema.h"
 
@@ -15,17 +16,25 @@ namespace sturm {
 namespace {
 
 /// The gates that a report was judged by, read back from it.
-std::vector<GateSpec> gates_in(const Json& report) {
+std::vector<GateSpec> gates_in(const Json& report, const std::string& file) {
   static const std::map<std::string, Comparison> comparisons = {{"upper_bound", Comparison::AtMost}, {"lower_bound", Comparison::AtLeast},
                                                                 {"must_differ", Comparison::Differs}, {"baseline", Comparison::Baseline},
                                                                 {"must_fail", Comparison::MustFail}};
   std::vector<GateSpec> gates;
   for (const Json& g : report.at("gates")) {
     const auto comparison = comparisons.find(g.at("kind"));
-    if (comparison != comparisons.end() && g.at("bound").is_number())
-      gates.push_back({g.at("id"), g.at("title"), g.at("statistic"), comparison->second, g.at("bound"), g.at("unit"), g.at("reason")});
+    if (comparison == comparisons.end() || !g.at("bound").is_number())
+      throw InputError(file, "/gates/" + std::to_string(gates.size()), g.dump(), "a gate of known kind with a bound");
+    gates.push_back({g.at("id"), g.at("title"), g.at("statistic"), comparison->second, g.at("bound"), g.at("unit"), g.at("reason")});
   }
   return gates;
+}
+
+/// Without a baseline at hand, what a report says about its own baseline gates stands.
+void keep_stored_baseline_results(Json& results, const Json& report) {
+  for (Json& result : results)
+    for (const Json& stored : report.at("gates"))
+      if (result.at("kind") == "baseline" && stored.at("id") == result.at("id")) result = stored;
 }
 
 void print_results(const Json& results) {
@@ -48,9 +57,10 @@ Json baseline_of(const Json& report) {
 int gate_command(const GateOptions& options) {
   const Json report = load_json(options.report);
   validate(report, "report", options.report);
-  const std::vector<GateSpec> gates = options.gates.empty() ? gates_in(report) : read_gates(load_json(options.gates), options.gates);
+  const std::vector<GateSpec> gates = options.gates.empty() ? gates_in(report, options.report) : read_gates(load_json(options.gates), options.gates);
   const Json baseline = options.baseline.empty() ? Json(nullptr) : load_json(options.baseline);
-  const Json results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
+  Json results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
+  if (baseline.is_null()) keep_stored_baseline_results(results, report);
   const Json verdict = verdict_of(results);
   print_results(results);
   std::cout << verdict.at("sentence").get<std::string>() << "\n";

@@ -48,29 +48,17 @@ MeasuredBundle measure_replicates(const EyeRays<double>& rays, double vergence, 
 
 MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, double vergence, const QuadratureSpec& rule) {
   MeasuredBundle bundle;
-  double total = 0.0;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  std::vector<WeightedPoint> angles;
+  std::vector<Eigen::Vector2d> angles;
+  std::vector<double> weights;
   const double radius = rays.pupil_radius();
   for (const WeightedPoint& node : disk_quadrature(rule.radial, rule.azimuthal)) {
     const auto ray = rays.through(radius * node.point.x(), radius * node.point.y());
     count(bundle.counters, ray.status);
     if (ray.status == LaunchStatus::dropped) continue;
-    angles.push_back({{vergence * ray.px + ray.sx, vergence * ray.py + ray.sy}, node.weight});
-    mean += node.weight * angles.back().point;
-    total += node.weight;
+    angles.push_back({vergence * ray.px + ray.sx, vergence * ray.py + ray.sy});
+    weights.push_back(node.weight);
   }
-  if (!(total > 0.0)) return bundle;
-  BundleEllipse ellipse;
-  ellipse.points = angles.size();
-  ellipse.replicates = 1;
-  ellipse.centroid = mean / total;
-  for (const WeightedPoint& a : angles) {
-    const Eigen::Vector2d d = a.point - ellipse.centroid;
-    ellipse.covariance += (a.weight / total) * d * d.transpose();
-  }
-  ellipse.ellipse = Ellipse::of_second_moments(ellipse.covariance);
-  bundle.angular = ellipse;
+  if (!angles.empty()) bundle.angular = ellipse_of_quadrature(angles, weights);
   return bundle;
 }
 

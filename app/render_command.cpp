@@ -32,7 +32,7 @@ int render_command(const CommonOptions& options, const std::string& output) {
   facts.seed = spec.seed;
   facts.started_utc = utc_now();
   facts.input_files = spec.input_files;
-  facts.input_files.insert(facts.input_files.end(), spec.scene.input_files.begin(), spec.scene.input_files.end());
+  if (options.file != "-") facts.input_files.insert(facts.input_files.begin(), options.file);
   const double samples = static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
   Progress progress("rendering", samples, "samples", options.quiet);
   RenderOutput result = render_view(spec, [&](double fraction) { progress.update(fraction); });

@@ -6,6 +6,7 @@ if(NOT commit)
 elseif(dirty)
   set(commit "${commit}+changes")
 endif()
+string(REPLACE ";" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 set(body "// Generated; do not edit.
 #include \"io/build_info.h\"

@@ -82,9 +82,10 @@ struct BundleEllipse {
 /// Weights (for the entries xx, xy, yy) that give uᵀ Σ v of a symmetric Σ.
 Eigen::Vector3d entry_weights(const Eigen::Vector2d& u, const Eigen::Vector2d& v);
 
-/// Puts the replicates of one bundle together; all must have the same number of points ≥ 2. The standard errors are the scatter
-/// between the replicates divided by √R. A single replicate of independent points falls back to its own fourth moments; a single
-/// low-discrepancy replicate has no standard error. Throws std::invalid_argument for an empty list or unequal replicates.
+/// Puts the replicates of one bundle together, each counting alike; they have at least two points, and all the same number up to a few rays
+/// that a model could not launch. The standard errors are the scatter between the replicates divided by √R. A single replicate of
+/// independent points falls back to its own fourth moments; a single low-discrepancy replicate has no standard error.
+/// Throws std::invalid_argument for an empty list or a replicate of fewer than two points.
 BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind);
 
 /// The ellipse of a quadrature rule: point i has the weight `weights[i]` > 0 (normalised here). It has no standard error.

@@ -40,13 +40,13 @@ Statistic find(const std::string& name, const Statistics& statistics) {
   return found->second;
 }
 
-/// How far a statistic is from its baseline, as a statistic of its own.
+/// How far a statistic has fallen below its baseline, as a statistic of its own; negative where it has risen.
 Statistic deviation(const std::string& name, const Statistics& now, const Statistics& before, const std::string& unit) {
   const Statistic a = find(name, now), b = find(name, before);
   if (!a.value) return a;
   if (!b.value) return {std::nullopt, std::nullopt, a.cases, a.worst_case + ": not in the baseline"};
   const std::string where = a.worst_case + ": " + short_number(*a.value) + ", baseline " + short_number(*b.value);
-  const double difference = std::abs(*a.value - *b.value);
+  const double difference = *b.value - *a.value;
   if (unit != "σ") return {difference, a.uncertainty, a.cases, where};
   const double error = std::hypot(a.uncertainty.value_or(0.0), b.uncertainty.value_or(0.0));
   if (!a.uncertainty || !b.uncertainty || !(error > 0.0)) return {std::nullopt, std::nullopt, a.cases, where + ", no uncertainty"};

@@ -28,9 +28,11 @@ std::string ray_facts(const Json& conditions) {
 std::string time_facts(const Json& provenance) {
   std::string html = duration_html(number_at(provenance, "seconds/total"));
   std::string parts;
-  for (const char* part : {"ellipses", "psfs", "images"}) {
-    if (const auto seconds = number_at(provenance, std::string("seconds/") + part)) {
-      parts += (parts.empty() ? "" : ", ") + std::string(part) + " " + duration_html(seconds);
+  const Json& seconds = value_at(provenance, "seconds");
+  if (seconds.is_object()) {
+    for (const auto& [part, time] : seconds.items()) {
+      if (part == "total") continue;
+      parts.append(parts.empty() ? "" : ", ").append(escaped(part)).append(" ").append(duration_html(number_at(time, "")));
     }
   }
   return parts.empty() ? html : html + "<small>" + parts + "</small>";

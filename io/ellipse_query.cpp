@@ -20,7 +20,7 @@ EllipseQuery read_ellipse_query(const Json& document, const std::string& file) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
     Target target;
     if (const auto gaze = targets[i].find("gaze_deg"); gaze != targets[i].end()) {
-      target.azimuth = radians_per_degree * (*gaze)[1].get<double>();
+      target.azimuth = radians_per_degree * (*gaze)[0].get<double>();
       target.elevation = radians_per_degree * (*gaze)[1].get<double>();
     }
     target.distance_m = read_distance(targets[i]["distance_m"], root / "targets" / i / "distance_m");

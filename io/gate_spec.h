@@ -10,7 +10,7 @@ enum class Comparison {
   AtMost,    ///< passes when the statistic is ≤ bound
   AtLeast,   ///< passes when the statistic is ≥ bound
   Differs,   ///< passes when the statistic is ≥ bound: two things that must not agree
-  Baseline,  ///< passes when the statistic is within bound of the committed baseline
+  Baseline,  ///< passes when the statistic is not lower than in the committed baseline by more than bound
   MustFail,  ///< passes when the statistic, computed from a mutated input, exceeds bound
 };
 

@@ -75,7 +75,10 @@ void Scene::add_triangles(const SceneDescription& description) {
     validate(mesh, materials_.size());
     vertex_count += mesh.positions.size();
     triangle_count += mesh.triangles.size();
-    textured = textured || (!mesh.texture_coordinates.empty() && materials_[mesh.material].albedo_texture);
+    const bool wants_texture = materials_[mesh.material].albedo_texture != nullptr;
+    if (wants_texture && mesh.texture_coordinates.empty())
+      throw InputError("", "mesh '" + mesh.name + "'", "a textured material", "texture coordinates on the mesh");
+    textured = textured || wants_texture;
   }
   if (triangle_count == 0) return;
 

@@ -18,7 +18,8 @@ class RunFolder {
 
   const std::filesystem::path& path() const { return folder_; }
 
-  /// The finished part of this name, or the result of `make`, stored before it is returned. `reused` tells which.
+  /// The finished part of this name, if it and its pictures are there; else the result of `make`, stored before it is returned.
+  /// `reused` tells which.
   struct Part {
     Json value;
     bool reused;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/experiment/run_folder.h"
+#include "app/experiment/scene_fingerprint.h"
 #include "app/experiment/sections.h"
 #include "app/progress.h"
 #include "compare/gates.h"
@@ -12,10 +13,10 @@
 #include "compare/report_csv.h"
 #include "compare/report_html.h"
 #include "io/atomic_file.h"
-#include "io/build_info.h"
 #include "io/gate_spec.h"
 #include "io/manifest.h"
 #include "io/sha256.h"
+#include "pathtrace/scene_import.h"
 
 namespace sturm {
 
@@ -25,10 +26,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// What a finished part depends on: the resolved spec, the program, and the contents of every input.
-std::string run_key(const ExperimentSpec& spec, const std::vector<std::string>& inputs) {
-  std::string facts = spec_hash(*spec.resolved) + std::string(build_info().version) + std::string(build_info().commit);
-  for (const std::string& file : inputs) facts += sha256_of_file(file);
+/// What a finished part depends on: the resolved spec, the program itself, and the scenes as they were loaded.
+std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) {
+  std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
+  for (const SceneDescription& scene : scenes) facts += scene_fingerprint(scene);
   return sha256(facts);
 }
 
@@ -69,26 +70,33 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   const std::vector<GateSpec> gates = read_gates(load_json(spec.gates.string()), spec.gates.string());
   const Json baseline = spec.baseline && std::filesystem::exists(*spec.baseline) ? load_json(spec.baseline->string()) : Json(nullptr);
 
-  const RunFolder folder(options.folder, run_key(spec, inputs), options.resume);
+  // Everything that can be wrong with the input shows before the output folder is touched.
+  const Json reference = spec.reference ? reference_agreement(*spec.reference) : Json(nullptr);
+  for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
+  std::vector<SceneDescription> scenes;
+  for (const ImageExperiment& image : spec.images) scenes.push_back(build_scene(image.scene));
+
+  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume);
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title}, {"spec", *spec.resolved}, {"psfs", Json::array()}, {"images", Json::array()}, {"must_fail", Json::array()}};
   Json sin2 = nullptr;
-  if (spec.reference) {
-    report["reference"] = reference_section(*spec.reference);
-  }
+  if (spec.reference) report["reference"] = reference;
   if (spec.ellipses) {
-    report["ellipses"] = parts("ellipses", "ellipses", [&](const ProgressFunction& progress) { return ellipse_section(*spec.ellipses, spec.seed, progress); });
+    report["ellipses"] = parts("ellipses", "ellipses", [&](const ProgressFunction& progress) { return ellipse_results(*spec.ellipses, spec.seed, progress); });
     seconds["ellipses"] = parts.seconds();
-    report["sin2"] = sin2 = sin2_section(report["ellipses"]);
-    report["must_fail"] = must_fail_section(*spec.ellipses, report["ellipses"]);
+    report["sin2"] = sin2 = sin2_findings(report["ellipses"]);
+    report["must_fail"] = must_fail_checks(*spec.ellipses, report["ellipses"]);
   }
   for (const PsfExperiment& psf : spec.psfs) {
     append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
     seconds["psfs"] += parts.seconds();
   }
-  for (const ImageExperiment& image : spec.images) {
-    append(report["images"], parts("image_" + image.id, "image " + image.id, [&](const ProgressFunction& progress) { return image_entries(image, spec.seed, folder.path(), progress); }));
+  for (std::size_t i = 0; i < spec.images.size(); ++i) {
+    const ImageExperiment& image = spec.images[i];
+    append(report["images"], parts("image_" + image.id, "image " + image.id, [&](const ProgressFunction& progress) {
+             return image_entries(image, scenes[i], spec.seed, folder.path(), progress);
+           }));
     seconds["images"] += parts.seconds();
   }
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);

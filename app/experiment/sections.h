@@ -11,23 +11,26 @@ namespace sturm {
 /// Each section of a report is a function from the experiment to JSON (configs/schemas/report.schema.json); pictures go into `folder`.
 
 /// The conoid and the closed form of sin² against independent numbers in the experiment's reference file.
-Json reference_section(const std::filesystem::path& reference_file);
+Json reference_agreement(const std::filesystem::path& reference_file);
 
 /// Blur ellipses: every prescription × distance × pupil by the conoid and by every ray model.
-Json ellipse_section(const EllipseExperiment& spec, std::uint64_t seed, const ProgressFunction& progress);
+Json ellipse_results(const EllipseExperiment& spec, std::uint64_t seed, const ProgressFunction& progress);
 
 /// What sin² interpolation does, from the finished ellipse section.
-Json sin2_section(const Json& ellipses);
+Json sin2_findings(const Json& ellipses);
 
 /// Image of a point-like emitter for each ray model of one PSF experiment: a list of "psfs" entries.
 Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress);
 
+/// Throws InputError where a PSF asks for a ray model that its eye leaves undefined.
+void require_defined_models(const PsfExperiment& spec);
+
 /// One scene path traced with each ray model and predicted once: a list of "images" entries.
-Json image_entries(const ImageExperiment& spec, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress);
+Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress);
 
 /// The comparison of rays with the conoid again, with a conoid that is wrong on purpose: mirrored axis, vertex distance dropped, and
 /// sin² rays passed off as matrix rays. Each must be noticed.
-Json must_fail_section(const EllipseExperiment& spec, const Json& ellipses);
+Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses);
 
 /// The measured facts about sin² in one sentence; null without the section.
 Json sin2_sentence(const Json& sin2);

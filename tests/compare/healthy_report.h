@@ -53,7 +53,7 @@ inline nlohmann::json healthy_report() {
   report["ellipses"]["cases"] = {ellipse_case("A|1 m|4 mm", -1.0), ellipse_case("A|inf|4 mm", -1.0), ellipse_case("B|1 m|4 mm", 0.0)};
   report["psfs"] = {psf("spot")};
   report["images"] = {image("cornell", "power_matrix", 0.97), image("cornell", "sin2_radial", 0.93), image("chart", "power_matrix", 0.98)};
-  report["must_fail"] = {mutant("mirrored_axis", 4000.0, 6.0), mutant("double_pupil", 60.0, 6.0)};
+  report["must_fail"] = {mutant("mirrored_axis", 2.0, 0.005), mutant("double_pupil", 0.05, 0.005)};
   return report;
 }
 

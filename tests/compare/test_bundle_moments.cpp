@@ -165,11 +165,19 @@ TEST(Summarise, AnExactlyFlatBundleHasFiniteErrors) {
   EXPECT_GT((*e.semi_axis_standard_errors())[0], 0.0);
 }
 
-TEST(Summarise, RefusesNothingAndUnequalReplicates) {
+TEST(Summarise, RefusesNothingAndReplicatesWithoutWidth) {
   EXPECT_THROW(summarise({}, PointSet::Independent), std::invalid_argument);
-  EXPECT_THROW(summarise(std::vector{moments_of(random_disc(5, 1)), moments_of(random_disc(6, 1))}, PointSet::Independent),
-               std::invalid_argument);
   EXPECT_THROW(summarise(std::vector{moments_of(random_disc(1, 1))}, PointSet::Independent), std::invalid_argument);
+  EXPECT_THROW(summarise(std::vector{moments_of(random_disc(5, 1)), BundleMoments()}, PointSet::Independent), std::invalid_argument);
+}
+
+TEST(Summarise, ReplicatesOfDifferentSizeCountAlike) {  // a model may drop a ray here and there
+  std::vector<Eigen::Vector2d> doubled = exact_disc();
+  doubled.insert(doubled.end(), doubled.begin(), doubled.end());
+  const BundleEllipse e = summarise(std::vector{moments_of(exact_disc()), moments_of(mapped(3.0 * Eigen::Matrix2d::Identity(), doubled))},
+                                    PointSet::LowDiscrepancy);
+  EXPECT_EQ(e.points, 48u);
+  EXPECT_NEAR(e.covariance(0, 0), 0.5 * (0.25 + 2.25), 1e-14);
 }
 
 TEST(EllipseOfQuadrature, WeightsCount) {

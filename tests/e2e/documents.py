@@ -100,21 +100,24 @@ def gates():
     return copy.deepcopy(_GATES)
 
 
-def changed(document, pointer, value):
-    """The document with one member (JSON pointer) set; a missing last key is made."""
+def _parent_and_key(document, pointer):
     *path, last = pointer.strip("/").split("/")
-    place = document
     for token in path:
-        place = place[int(token) if isinstance(place, list) else token]
-    place[int(last) if isinstance(place, list) else last] = value
+        document = document[int(token) if isinstance(document, list) else token]
+    return document, int(last) if isinstance(document, list) else last
+
+
+def changed(document, pointer, value):
+    """A copy of the document with one member (JSON pointer) set; a missing last key is made."""
+    document = copy.deepcopy(document)
+    place, key = _parent_and_key(document, pointer)
+    place[key] = value
     return document
 
 
 def without(document, pointer):
-    """The document with one member (JSON pointer) removed."""
-    *path, last = pointer.strip("/").split("/")
-    place = document
-    for token in path:
-        place = place[int(token) if isinstance(place, list) else token]
-    del place[int(last) if isinstance(place, list) else last]
+    """A copy of the document with one member (JSON pointer) removed."""
+    document = copy.deepcopy(document)
+    place, key = _parent_and_key(document, pointer)
+    del place[key]
     return document

@@ -1,7 +1,8 @@
-"""The header of an OpenEXR file: attributes before the pixels, by the published file layout (no library)."""
+"""OpenEXR files by their published layout, without a library: the attributes of a single-part file, and its packed pixels."""
 import struct
 
 MAGIC = 20000630
+LINES_PER_BLOCK = {0: 1, 2: 1, 3: 16}  # by compression: none, ZIPS, ZIP
 
 
 def read_header(data):
@@ -34,3 +35,11 @@ def channel_names(attributes):
 def size(attributes):
     left, bottom, right, top = struct.unpack("<4i", attributes["dataWindow"][1])
     return right - left + 1, top - bottom + 1
+
+
+def packed_pixels(data):
+    """The bytes of all pixel blocks; the table of their file offsets, which moves with the header, is left out."""
+    attributes, at = read_header(data)
+    lines = LINES_PER_BLOCK[attributes["compression"][1][0]]
+    blocks = -(-size(attributes)[1] // lines)
+    return data[at + 8 * blocks:]

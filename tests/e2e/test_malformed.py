@@ -133,7 +133,7 @@ class Query(Malformed):
         for pointer in ("/eye", "/targets", "/methods", "/format", "/eye/pupil_diameter_mm", "/eye/prescription/sphere_D", "/targets/0/distance_m"):
             with self.subTest(pointer=pointer):
                 parent, key = pointer.rsplit("/", 1)
-                self.reject_query(without(documents.query(), pointer), parent or "/", f'"{key}"')
+                self.reject_query(without(documents.query(), pointer), parent, f'no "{key}"')
 
     def test_unknown_keys_with_a_suggestion(self):
         for pointer, suggestion in [("/eye/prescription/sphere_d", "sphere_D"), ("/eye/pupil_diameter", "pupil_diameter_mm"), ("/target", "targets")]:

@@ -71,7 +71,7 @@ Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye
 
 }  // namespace
 
-Json ellipse_section(const EllipseExperiment& spec, std::uint64_t seed, const ProgressFunction& progress) {
+Json ellipse_results(const EllipseExperiment& spec, std::uint64_t seed, const ProgressFunction& progress) {
   Json cases = Json::array();
   const double total = static_cast<double>(spec.prescriptions.size() * spec.distances_m.size() * spec.pupil_diameters_m.size());
   for (const NamedPrescription& named : spec.prescriptions)

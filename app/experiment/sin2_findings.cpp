@@ -50,15 +50,15 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-Json sin2_section(const Json& ellipses) {
+Json sin2_findings(const Json& ellipses) {
   Json table = Json::array();
   std::vector<double> ratios;
   double worst_ratio = 0.0, worst_loss = 0.0;
   for (const Json& entry : ellipses.at("cases")) {
     const Json* sin2 = rays_of(entry, "sin2_radial");
     const PrincipalValues v = vergence_of(entry);
-    if (!sin2 || v.high - v.low < least_cylinder_D) continue;
     const double a = 0.5e-3 * entry.at("pupil_mm").get<double>(), c = v.high - v.low;
+    if (!sin2 || !(a > 0.0) || c < least_cylinder_D) continue;
     const AxisVariances truth(symmetric_from(entry.at("conoid").at("covariance_rad2")), v.high_direction);
     const AxisVariances measured(symmetric_from(sin2->at("covariance_rad2")), v.high_direction);
     // At a circle of least confusion the principal variances of both models are equal: nothing to compare.

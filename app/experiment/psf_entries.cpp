@@ -6,8 +6,10 @@
 #include "app/experiment/sections.h"
 #include "app/json_values.h"
 #include "app/ray_bundle.h"
+#include "compare/ellipse_comparison.h"
 #include "compare/image_ellipse.h"
 #include "conoid/footprint.h"
+#include "io/error.h"
 #include "io/exr.h"
 #include "lensmodel/units.h"
 
@@ -47,22 +49,25 @@ CameraPose square_view(int resolution, double pixel) {
 
 Json arcminutes(const Eigen::Vector2d& v) { return json_of(Eigen::Vector2d(arcminutes_per_radian * v)); }
 
+/// A measured ellipse that is nearly a circle has an angle made of noise: none is given.
+Json ellipse_json(const Ellipse& e) {
+  const bool circle = e.semi_minor > circle_axis_ratio * e.semi_major;
+  return {{"semi_axes_arcmin", semi_axes_json(e, arcminutes_per_radian)}, {"orientation_deg", circle ? Json(nullptr) : number_or_null(e.orientation_deg)}};
+}
+
 Json measured_json(const ImageEllipse& e, double hits) {
-  Json entry = {{"semi_axes_arcmin", semi_axes_json(e.ellipse, arcminutes_per_radian)}, {"orientation_deg", number_or_null(e.ellipse.orientation_deg)}, {"hits", hits}};
+  Json entry = ellipse_json(e.ellipse);
+  entry["hits"] = hits;
   entry["standard_error_arcmin"] = e.semi_axis_standard_errors ? arcminutes(*e.semi_axis_standard_errors) : Json(nullptr);
   return entry;
 }
 
-Json ellipse_json(const Ellipse& e) { return {{"semi_axes_arcmin", semi_axes_json(e, arcminutes_per_radian)}, {"orientation_deg", number_or_null(e.orientation_deg)}}; }
-
-/// The bundles of all models that are defined for this eye; their spots set the field of view.
+/// The bundles of all models; their spots set the field of view.
 std::vector<Spot> bundles_of(const PsfExperiment& spec, const Footprint& footprint, std::uint64_t seed) {
   std::vector<Spot> spots;
   for (const std::string& name : spec.ray_models) {
     const RayModel model = *ray_model_named(name);
-    const auto rays = eye_rays_for(model, spec.eye, footprint.accommodation_D);
-    if (!rays) continue;
-    const MeasuredBundle bundle = measure_bundle(*rays, 1.0 / footprint.distance_m, bundle_of_reference, seed);
+    const MeasuredBundle bundle = measure_bundle(eye_rays_for(model, spec.eye, footprint.accommodation_D).value(), 1.0 / footprint.distance_m, bundle_of_reference, seed);
     if (bundle.angular) spots.push_back({model, *bundle.angular});
   }
   return spots;
@@ -70,8 +75,18 @@ std::vector<Spot> bundles_of(const PsfExperiment& spec, const Footprint& footpri
 
 }  // namespace
 
+void require_defined_models(const PsfExperiment& spec) {
+  for (const std::string& name : spec.ray_models)
+    if (!eye_rays_for(*ray_model_named(name), spec.eye, 0.0))
+      throw InputError("", "PSF '" + spec.id + "'", "ray model " + name + " without a focus distance",
+                       "{\"mode\": \"fixed\", \"focus_distance_m\": …} as accommodation");
+}
+
 Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress) {
   const Footprint footprint = naked_eye_footprint(spec.eye, spec.distance_m);
+  // One target, one accommodation: the picture is taken with the one that the eye chose for it.
+  Eye eye = spec.eye;
+  eye.accommodation = FixedAccommodation{footprint.accommodation_D, spec.eye.stated_focus_distance_m().value_or(0.0)};
   const Ellipse predicted = Ellipse::image_of_disc(footprint.angular, spec.eye.pupil_radius_m);
   const std::vector<Spot> spots = bundles_of(spec, footprint, seed);
   double reach = predicted.semi_major;
@@ -92,7 +107,7 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
     RenderSettings settings;
     settings.samples_per_pixel = std::max(1, static_cast<int>(spec.samples_per_pixel) / replicate_count);
     settings.max_bounces = 0;
-    const Replicates pictures = render_replicates(scene, pose, spec.eye, spots[k].model, settings, seed, replicate_count, [&](double fraction) {
+    const Replicates pictures = render_replicates(scene, pose, eye, spots[k].model, settings, seed, replicate_count, [&](double fraction) {
       progress((static_cast<double>(k) + fraction) / static_cast<double>(spots.size()));
     });
     const Image variance = pictures.variance_of_mean();

@@ -60,7 +60,7 @@ void compare_case(const Json& entry, WorstErrors& worst) {
 
 }  // namespace
 
-Json reference_section(const std::filesystem::path& reference_file) {
+Json reference_agreement(const std::filesystem::path& reference_file) {
   const Json document = load_json(reference_file.string());
   WorstErrors worst;
   std::size_t cases = 0;

@@ -10,7 +10,6 @@
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
 #include "io/tone_map.h"
-#include "pathtrace/scene_import.h"
 
 namespace sturm {
 
@@ -62,8 +61,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-Json image_entries(const ImageExperiment& spec, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress) {
-  const Scene scene(build_scene(spec.scene));
+Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress) {
+  const Scene scene(description);
   const CameraPose pose = camera_pose(spec.camera);
   const double parts = static_cast<double>(spec.ray_models.size()) + 1.0;
   const auto part = [&](std::size_t k) { return [&progress, k, parts](double fraction) { progress((static_cast<double>(k) + fraction) / parts); }; };

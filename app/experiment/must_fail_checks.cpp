@@ -44,7 +44,7 @@ Json entry(const char* id, const char* what, const Json& value) {
 
 }  // namespace
 
-Json must_fail_section(const EllipseExperiment& spec, const Json& ellipses) {
+Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses) {
   const auto mirrored = [](Prescription rx) {
     rx.axis_deg = folded_axis_deg(180.0 - rx.axis_deg);
     return rx;
