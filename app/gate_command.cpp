@@ -60,7 +60,7 @@ int gate_command(const GateOptions& options) {
   const std::vector<GateSpec> gates = options.gates.empty() ? gates_in(report, options.report) : read_gates(load_json(options.gates), options.gates);
   const Json baseline = options.baseline.empty() ? Json(nullptr) : load_json(options.baseline);
   Json results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
-  if (baseline.is_null()) keep_stored_baseline_results(results, report);
+  if (baseline.is_null() && options.gates.empty()) keep_stored_baseline_results(results, report);
   const Json verdict = verdict_of(results);
   print_results(results);
   std::cout << verdict.at("sentence").get<std::string>() << "\n";

@@ -80,7 +80,7 @@ class EyeRays {
   /// The same with the model known at compile time, for loops over many rays of one eye.
   template <RayModel model>
   PupilRay<T> through_as(T px, T py) const {
-    if constexpr (model == RayModel::pinhole) return {px, py, T(0), T(0), LaunchStatus::ok};
+    if constexpr (model == RayModel::pinhole) return {T(0), T(0), T(0), T(0), LaunchStatus::ok};  // the chief ray, whatever p
     if constexpr (model == RayModel::thin_lens) return {px, py, scalar_slope_ * px, scalar_slope_ * py, LaunchStatus::ok};
     if constexpr (model == RayModel::power_matrix) return {px, py, sxx_ * px + xy_ * py, xy_ * px + syy_ * py, LaunchStatus::ok};
     if constexpr (model == RayModel::sin2_radial) {

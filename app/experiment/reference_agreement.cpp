@@ -69,8 +69,8 @@ Json reference_agreement(const std::filesystem::path& reference_file) {
       compare_case(entry, worst);
       ++cases;
     }
-  } catch (const Json::exception& error) {
-    throw InputError(reference_file.string(), "/cases/" + std::to_string(cases), error.what(), "inputs and outputs of a naked-eye blur case");
+  } catch (const Json::exception&) {
+    throw InputError(reference_file.string(), "/cases/" + std::to_string(cases), "", "inputs and outputs of a naked-eye blur case, all numbers present");
   }
   return {{"file", reference_file.filename().string()}, {"cases", cases},
           {"max_relative_error", {{"conoid_semi_axes", worst.semi_axes}, {"conoid_covariance", worst.covariance},
