@@ -17,7 +17,7 @@ constexpr std::string_view ray_prefix = "rays:";
 struct View {
   double distance_m, vergence_D, accommodation_D;
   Eigen::Vector3d direction, pupil_center;
-  Eigen::Matrix3d turn;   // takes primary axes to the turned pupil frame; Listing
+  Eigen::Matrix3d turn;  // takes primary axes to the turned pupil frame; Listing
 };
 
 View view_of(const Target& target, const Eye& eye) {
@@ -40,11 +40,14 @@ struct AtTarget {
     if (!finite()) return nullptr;
     return write(std::pow(view.distance_m, power) * angular);
   }
-  Json metres(const Eigen::Vector2d& angular) const { return finite() ? json_of(Eigen::Vector2d(view.distance_m * angular)) : Json(nullptr); }
+  Json metres(const Eigen::Vector2d& angular) const {
+    return finite() ? json_of(Eigen::Vector2d(view.distance_m * angular)) : Json(nullptr);
+  }
   Json semi_axes(const Ellipse& angular) const { return finite() ? semi_axes_json(angular, view.distance_m) : Json(nullptr); }
 };
 
-void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, const Eigen::Matrix2d& covariance, const Eigen::Vector2d& centroid) {
+void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, const Eigen::Matrix2d& covariance,
+                   const Eigen::Vector2d& centroid) {
   result["semi_axes_m"] = at.semi_axes(ellipse);
   result["semi_axes_rad"] = semi_axes_json(ellipse);
   result["orientation_deg"] = number_or_null(ellipse.orientation_deg);
@@ -102,12 +105,16 @@ void write_rays(Json& result, const View& view, const EllipseQuery& query, RayMo
   const AtTarget at{view};
   const auto rays = eye_rays_for(model, query.eye, view.accommodation_D);
   const MeasuredBundle bundle = rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed) : MeasuredBundle{};
-  result["rays"] = {{"launched", bundle.counters.launched}, {"lost_rim", 0}, {"lost_tir", 0}, {"undefined", bundle.counters.dropped},
+  result["rays"] = {{"launched", bundle.counters.launched},
+                    {"lost_rim", 0},
+                    {"lost_tir", 0},
+                    {"undefined", bundle.counters.dropped},
                     {"negative_focus", bundle.counters.negative_focus}};
   if (rays && !query.rays.pupil_points_m.empty()) result["exit_rays"] = exit_rays(view, *rays, query.rays.pupil_points_m);
   if (!bundle.angular) {
     result["status"] = rays && bundle.counters.dropped == 0 ? "ok" : "undefined";
-    for (const char* key : {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2", "centroid_m", "centroid_rad", "standard_error"})
+    for (const char* key : {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2", "centroid_m",
+                            "centroid_rad", "standard_error"})
       result[key] = nullptr;
     return;
   }

@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint64_t chunk_size = 4096;
 
 /// Angles of the rays through `pupil` (unit disc); those that cannot be launched are left out and counted.
-void trace_angles(const EyeRays<double>& rays, double vergence, const std::vector<Eigen::Vector2d>& pupil, std::vector<Eigen::Vector2d>& angles,
-                  RayCounters& counters) {
+void trace_angles(const EyeRays<double>& rays, double vergence, const std::vector<Eigen::Vector2d>& pupil,
+                  std::vector<Eigen::Vector2d>& angles, RayCounters& counters) {
   angles.clear();
   const double radius = rays.pupil_radius();
   for_model(rays.model(), [&](auto model) {
@@ -73,7 +73,7 @@ MeasuredBundle measure_points(const EyeRays<double>& rays, double vergence, cons
   BundleMoments moments;
   moments.add(angles);
   if (moments.count() >= 2) {
-    bundle.angular = summarise(std::span(&moments, 1), PointSet::LowDiscrepancy);   // given points: no standard error
+    bundle.angular = summarise(std::span(&moments, 1), PointSet::LowDiscrepancy);  // given points: no standard error
   }
   return bundle;
 }

@@ -9,7 +9,7 @@ namespace sturm {
 
 /// The pattern that a bundle of rays from the whole pupil makes at one target, as angles [rad] from the chief ray.
 struct MeasuredBundle {
-  std::optional<BundleEllipse> angular;   ///< none where fewer than two rays of a replicate could be launched
+  std::optional<BundleEllipse> angular;  ///< none where fewer than two rays of a replicate could be launched
   RayCounters counters;
 };
 

@@ -10,8 +10,8 @@ namespace sturm {
 /// through X p at the target's distance. At infinity only the angular map exists.
 struct Footprint {
   double accommodation_D = 0.0;
-  double distance_m = 0.0;         ///< may be ∞
-  Eigen::Matrix2d angular;         ///< X/d = I/d + F − A·I [rad/m]
+  double distance_m = 0.0;              ///< may be ∞
+  Eigen::Matrix2d angular;              ///< X/d = I/d + F − A·I [rad/m]
   Eigen::Matrix2d wavefront_curvature;  ///< of the wave leaving the pupil [D], positive = converging towards the scene: −(F − A·I)
 
   /// X = I + d S [m/m]; only for finite distances.
