@@ -30,7 +30,7 @@ EyeCamera::EyeCamera(const CameraPose& pose, const EyeRays<float>& rays)
 void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
   constexpr int size = CameraRayBlock::size;
   alignas(64) std::uint32_t film_x[size], film_y[size], lens_x[size], lens_y[size];
-  const std::uint32_t film_key = sequence.key(dimension::film), lens_key = sequence.key(dimension::lens);
+  const owen_sobol::Keys film_key = sequence.keys(dimension::film), lens_key = sequence.keys(dimension::lens);
   const bool pinhole = rays_.pupil_radius() == 0.0f;
   if (sequence.kind() == Sequence::Sobol) {
     for (int i = 0; i < size; ++i) {
@@ -47,8 +47,8 @@ void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSe
     }
   } else {
     for (int i = 0; i < size; ++i) {
-      const auto film = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), film_key);
-      const auto lens = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), lens_key);
+      const auto film = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), film_key.order);
+      const auto lens = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), lens_key.order);
       film_x[i] = film.x;
       film_y[i] = film.y;
       lens_x[i] = lens.x;

@@ -20,20 +20,23 @@ float one_minus_cosine(float sine_squared) {
 
 int LightSet::add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, const Eigen::Vector3f& radiance) {
   const Eigen::Vector3f edge1 = b - a, edge2 = c - a;
-  const float area = 0.5f * edge1.cross(edge2).norm();
-  lights_.push_back({Kind::triangle, a, edge1, edge2, radiance, area, 0.0f});
+  const Eigen::Vector3f scaled_normal = edge1.cross(edge2);
+  const float area = 0.5f * scaled_normal.norm();
+  lights_.push_back({Kind::triangle, a, edge1, edge2, scaled_normal, radiance, area, 0.0f});
   power_.push_back(pi * area * luminance(radiance));
   return size() - 1;
 }
 
 int LightSet::add_sphere(const Eigen::Vector3f& center, float radius, const Eigen::Vector3f& radiance) {
-  lights_.push_back({Kind::sphere, center, {radius, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, radiance, 0.0f, 0.0f});
+  const Eigen::Vector3f none = Eigen::Vector3f::Zero();
+  lights_.push_back({Kind::sphere, center, {radius, 0.0f, 0.0f}, none, none, radiance, 0.0f, 0.0f});
   power_.push_back(4.0f * pi * pi * radius * radius * luminance(radiance));
   return size() - 1;
 }
 
 int LightSet::add_point(const Eigen::Vector3f& position, const Eigen::Vector3f& intensity) {
-  lights_.push_back({Kind::point, position, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, intensity, 0.0f, 0.0f});
+  const Eigen::Vector3f none = Eigen::Vector3f::Zero();
+  lights_.push_back({Kind::point, position, none, none, none, intensity, 0.0f, 0.0f});
   power_.push_back(4.0f * pi * luminance(intensity));
   return size() - 1;
 }
@@ -93,8 +96,7 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, float u, float v) con
 LightSample LightSet::sample_triangle(const Light& light, const Eigen::Vector3f& point, float u, float v) const {
   const float root = std::sqrt(u);
   const Eigen::Vector3f direction = light.a + (root * (1.0f - v)) * light.edge1 + (root * v) * light.edge2 - point;
-  const Eigen::Vector3f scaled_normal = light.edge1.cross(light.edge2);  // length = 2·area
-  const float facing = -scaled_normal.dot(direction);
+  const float facing = -light.scaled_normal.dot(direction);
   if (!(facing > 0.0f)) return {direction, light.emission, 0.0f, false};
   const float square = direction.squaredNorm();
   // pdf = probability / area · distance² / cos, with cos = facing / (2·area·distance)

@@ -37,6 +37,7 @@ class LightSet {
   struct Light {
     Kind kind;
     Eigen::Vector3f a, edge1, edge2;  // triangle; sphere: a = centre, edge1.x = radius; point: a = position
+    Eigen::Vector3f scaled_normal;    // triangle only: edge1 × edge2, of length 2·area
     Eigen::Vector3f emission;
     float area;         // triangle only
     float probability;  // of being chosen

@@ -52,18 +52,32 @@ struct Pair {
   std::uint32_t x, y;  ///< uniform in [0, 2³²)
 };
 
-/// Sample `index` of the pair of dimensions whose scrambling is `key`.
+/// Seeds of the three scramblings of a pair of dimensions: of the order of the samples, and of either coordinate.
+struct Keys {
+  std::uint32_t order, x, y;
+
+  Keys() = default;
+  explicit Keys(std::uint32_t key) : order(key), x(mixed(key ^ 0x68bc21ebu)), y(mixed(key ^ 0x02e5be93u)) {}
+};
+
+/// Sample `index` of the pair of dimensions with these keys.
+inline Pair pair(std::uint32_t index, const Keys& keys) {
+  const std::uint32_t shuffled = reversed_bits(scrambled(reversed_bits(index), keys.order));
+  return {reversed_bits(scrambled(shuffled, keys.x)), reversed_bits(scrambled(second_dimension(shuffled), keys.y))};
+}
+
 inline Pair pair(std::uint32_t index, std::uint32_t key) {
-  const std::uint32_t shuffled = reversed_bits(scrambled(reversed_bits(index), key));
-  const std::uint32_t x = scrambled(shuffled, mixed(key ^ 0x68bc21ebu));
-  const std::uint32_t y = scrambled(second_dimension(shuffled), mixed(key ^ 0x02e5be93u));
-  return {reversed_bits(x), reversed_bits(y)};
+  return pair(index, Keys(key));
 }
 
 /// Sample `index` of a single dimension.
+inline std::uint32_t single(std::uint32_t index, const Keys& keys) {
+  const std::uint32_t shuffled = reversed_bits(scrambled(reversed_bits(index), keys.order));
+  return reversed_bits(scrambled(shuffled, keys.x));
+}
+
 inline std::uint32_t single(std::uint32_t index, std::uint32_t key) {
-  const std::uint32_t shuffled = reversed_bits(scrambled(reversed_bits(index), key));
-  return reversed_bits(scrambled(shuffled, mixed(key ^ 0x68bc21ebu)));
+  return single(index, Keys(key));
 }
 
 }  // namespace owen_sobol

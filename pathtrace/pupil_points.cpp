@@ -41,18 +41,18 @@ std::vector<Node> gauss_legendre(int n) {
 void fill_unit_disk(Sequence sequence, std::uint64_t seed, std::uint32_t replicate, std::uint32_t first,
                     std::vector<Eigen::Vector2d>& points) {
   const PixelSequence numbers(sequence, seed, replicate);
-  const std::uint32_t key = numbers.key(dimension::lens);
+  const owen_sobol::Keys keys = numbers.keys(dimension::lens);
   const auto map = [&](auto&& draw) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const owen_sobol::Pair u = draw(first + static_cast<std::uint32_t>(i), key);
+      const owen_sobol::Pair u = draw(first + static_cast<std::uint32_t>(i));
       const auto d = concentric_disk(unit_double(u.x), unit_double(u.y));
       points[i] = {d.x, d.y};
     }
   };
   if (sequence == Sequence::Sobol)
-    map(owen_sobol::pair);
+    map([&](std::uint32_t i) { return owen_sobol::pair(i, keys); });
   else
-    map(PixelSequence::independent);
+    map([&](std::uint32_t i) { return PixelSequence::independent(i, keys.order); });
 }
 
 std::vector<WeightedPoint> disk_quadrature(int radial, int azimuthal) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 
 #include "io/ray_bundle_spec.h"
@@ -21,16 +22,21 @@ class PixelSequence {
 
   Sequence kind() const { return kind_; }
 
-  std::uint32_t key(std::uint32_t dimension) const { return owen_sobol::combined(key_, dimension); }
+  /// Seeds of the scramblings of a dimension (of the pair that starts there).
+  owen_sobol::Keys keys(std::uint32_t dimension) const {
+    if (dimension >= cached_dimensions) return owen_sobol::Keys(owen_sobol::combined(key_, dimension));
+    for (; known_ <= dimension; ++known_) cache_[known_] = owen_sobol::Keys(owen_sobol::combined(key_, known_));
+    return cache_[dimension];
+  }
 
   owen_sobol::Pair pair(std::uint32_t sample, std::uint32_t dimension) const {
-    const std::uint32_t k = key(dimension);
-    return kind_ == Sequence::Sobol ? owen_sobol::pair(sample, k) : independent(sample, k);
+    const owen_sobol::Keys k = keys(dimension);
+    return kind_ == Sequence::Sobol ? owen_sobol::pair(sample, k) : independent(sample, k.order);
   }
 
   std::uint32_t single(std::uint32_t sample, std::uint32_t dimension) const {
-    const std::uint32_t k = key(dimension);
-    return kind_ == Sequence::Sobol ? owen_sobol::single(sample, k) : independent(sample, k).x;
+    const owen_sobol::Keys k = keys(dimension);
+    return kind_ == Sequence::Sobol ? owen_sobol::single(sample, k) : independent(sample, k.order).x;
   }
 
   /// Two independent 32-bit words for (sample, key).
@@ -40,8 +46,13 @@ class PixelSequence {
   }
 
  private:
+  static constexpr std::uint32_t cached_dimensions = 32;
+
   Sequence kind_;
   std::uint32_t key_;
+  // All samples of a pixel use the same keys, so the first one to need a dimension leaves them here. One thread works on a pixel.
+  mutable std::uint32_t known_ = 0;
+  mutable std::array<owen_sobol::Keys, cached_dimensions> cache_;
 };
 
 }  // namespace sturm

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -75,7 +76,7 @@ std::string visible_text(const std::string& page) {
 class ReportHtml : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = fs::path(testing::TempDir()) / "sturm_report_html";
+    folder_ = fs::path(testing::TempDir()) / ("sturm_report_html_" + std::to_string(::getpid()));
     fs::create_directories(folder_);
     report_ = new Json(test::synthetic_report(true));
     test::write_synthetic_pictures(*report_, folder_);

@@ -310,7 +310,7 @@ class OtherCommands(Malformed):
             ("format of another type", {"format": 3}, "/format", "3"),
             ("eye", {"format": "sturm.eye/1", "pupil_diameter_mm": 4}, "prescription"),
             ("eye's value", {"format": "sturm.eye/1", "prescription": {"sphere_D": "x"}, "pupil_diameter_mm": 4}, "/prescription/sphere_D", '"x"'),
-            ("scene", {"format": "sturm.scene/1", "meshes": [{}]}, "/meshes/0", "material"),
+            ("scene", {"format": "sturm.scene/1", "meshes": [{}]}, "/meshes/0", 'no "'),
             ("scene's key", {"format": "sturm.scene/1", "mesh": []}, "/mesh", "meshes"),
             ("report", {"format": "sturm.report/1"}, 'no "'),
             ("result", {"format": "sturm.ellipse_result/1", "results": [{}]}, "/results/0", 'no "'),

@@ -170,7 +170,7 @@ class Gates(RunTest):
         namesake = self.write("namesake.json", changed(gates, "/gates/0/id", "matrix_equals_conoid"))
         self.assertEqual(sturm("gate", report, "--gates", namesake).returncode, FAILED, "no baseline must not pass")
         moved = strict_json(baseline.read_text())
-        moved["images"][0]["metrics"]["ssim_display"]["value"] -= 0.5
+        moved["images"][0]["metrics"]["ssim_display"]["value"] += 0.5  # the run is worse than this
         self.assertEqual(sturm("gate", report, "--gates", path, "--baseline", self.write("moved.json", moved)).returncode, FAILED)
 
 
