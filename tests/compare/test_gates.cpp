@@ -145,7 +145,8 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"/images/1/metrics/rmse_linear", "image_tells_ray_models_apart", 0.019},
         Spoilt{"/images/1/metrics/ssim_display/value", "image_prefers_wavefront_theory", 0.971},
         Spoilt{"/images/2/metrics/ssim_display/value", "image_as_in_baseline", 0.956},
-        Spoilt{"/must_fail/1/value", "mutants_are_caught", 0.004}));
+        Spoilt{"/must_fail/1/value", "mutants_are_caught", 0.004}),
+    [](const auto& info) { return std::string(info.param.gate) + "_" + std::to_string(info.index); });
 
 TEST(Gates, RejectGrosslyWrongPsfsAndMirroredAxes) {
   EXPECT_THAT(failures_of(spoilt("/psfs/0/measured/orientation_deg", -30.0)),
