@@ -32,6 +32,9 @@ std::vector<Metric> measure(const CompareOptions& options) {
   const RelativeMse relative = relative_mse(test, reference);
   return {{"ssim_display", "SSIM, display space", ssim(shown, shown_reference).mean, options.min_ssim, true},
           {"psnr_display_dB", "PSNR, display space [dB]", psnr_dB(shown, shown_reference), options.min_psnr_dB, true},
+          {"rmse_display", "RMSE, display space", rmse(shown, shown_reference), std::nullopt, false},
+          {"ssim_linear", "SSIM, linear clamped to 0 … 1", ssim(clamped(test), clamped(reference)).mean, std::nullopt, true},
+          {"psnr_linear_dB", "PSNR, linear clamped to 0 … 1 [dB]", psnr_dB(clamped(test), clamped(reference)), std::nullopt, true},
           {"rmse_linear", "RMSE, linear", rmse(test, reference), options.max_rmse, false},
           {"relative_mse", "relative MSE, linear", relative.plain, options.max_relative_mse, false},
           {"relative_mse_trimmed", "relative MSE without the worst 0.1 %", relative.trimmed, std::nullopt, false}};

@@ -6,7 +6,6 @@ find_package(OpenEXR 3 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(valijson REQUIRED)
 find_package(CLI11 2 REQUIRED)
-find_package(spdlog 1.10 REQUIRED)
 find_package(assimp 5.2 REQUIRED)
 
 # Debian's OpenImageIO package file insists on the command-line tools; the library itself is all that is needed.

@@ -27,4 +27,9 @@ Image to_display(const Image& linear, double exposure) {
   return display;
 }
 
+Image clamped(Image image) {
+  for (float& value : image.pixels) value = std::clamp(value, 0.0f, 1.0f);
+  return image;
+}
+
 }  // namespace sturm

@@ -13,4 +13,7 @@ Image srgb_to_linear(const Image& encoded);
 /// The display space of the metrics and of PNG files: clamp(exposure · x, 0, 1), then the sRGB transfer function. A NaN stays NaN.
 Image to_display(const Image& linear, double exposure);
 
+/// Every value clamped to [0, 1]: what metrics with a peak of 1 need of linear light. A NaN stays NaN.
+Image clamped(Image image);
+
 }  // namespace sturm

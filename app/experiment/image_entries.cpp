@@ -18,11 +18,6 @@ namespace {
 constexpr double exposure = 1.0;                              // of the display space of metrics and PNG files
 constexpr std::uint64_t sharp_view_stream = 0x5348415250ull;  // the prediction's noise is independent of the path tracer's
 
-Image clamped(Image image) {
-  for (float& v : image.pixels) v = std::clamp(v, 0.0f, 1.0f);
-  return image;
-}
-
 double ssim_display(const Image& a, const Image& b) {
   return ssim(to_display(a, exposure), to_display(b, exposure)).mean;
 }
