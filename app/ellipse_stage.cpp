@@ -61,7 +61,7 @@ void write_conoid(Json& result, const View& view, const Eye& eye) {
   result["footprint"] = rows_json(at.finite() ? f.transverse() : f.angular);
   write_ellipse(result, at, Ellipse::image_of_disc(f.angular, eye.pupil_radius_m), covariance_of_disc_image(f.angular, eye.pupil_radius_m),
                 Eigen::Vector2d::Zero());
-  result["wavefront_curvature_D"] = symmetric_json(f.wavefront_curvature);
+  result["wavefront_curvature_D"] = f.wavefront_curvature ? symmetric_json(*f.wavefront_curvature) : Json(nullptr);
 }
 
 void write_standard_errors(Json& result, const AtTarget& at, const BundleEllipse& e) {
