@@ -57,7 +57,7 @@ void each_subschema(const Json& node, const std::string& place, Visit visit) {
 }
 
 TEST(Schema, AllAreEmbeddedAndSelfContained) {
-  EXPECT_THAT(schema_names(), ElementsAre("ellipse", "ellipse_result", "experiment", "eye", "gates", "manifest", "render", "report", "scene"));
+  EXPECT_THAT(schema_names(), ElementsAre("ellipse", "ellipse_result", "experiment", "eye", "gates", "manifest", "render", "report", "scene", "spectacles"));
   for (const std::string& name : schema_names()) {
     const Json schema = Json::parse(schema_text(name));
     EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#") << name;
@@ -119,7 +119,7 @@ TEST(Schema, ViolationsNamePlaceValueAndExpectation) {
   EXPECT_EQ(error_with("/eye/pupil_diameter_mm", -4), "q.json: /eye/pupil_diameter_mm: got -4, expected a number from 0 to 100 (diameter of the pupil [mm]; 0 is a pinhole)");
   EXPECT_EQ(error_with("/eye/pupil_diameter_mm", "4"), "q.json: /eye/pupil_diameter_mm: got \"4\", expected a number from 0 to 100 (diameter of the pupil [mm]; 0 is a pinhole)");
   EXPECT_EQ(error_with("/targets/1/distance_m", "infinity"),
-            "q.json: /targets/1/distance_m: got \"infinity\", expected a number from 1e-06 to 1000000000000.0 or \"inf\" (distance from the pupil's centre along the line of sight [m])");
+            "q.json: /targets/1/distance_m: got \"infinity\", expected a number from 1e-06 to 1000000000000.0 or \"inf\" (distance from the pupil's centre along the line of sight [m]; with spectacles from the front surface along the outgoing chief ray)");
   EXPECT_THAT(error_with("/targets/0/distance_m", 0), HasSubstr("/targets/0/distance_m: got 0, expected a number"));
   EXPECT_THAT(error_with("/targets/0/gaze_deg", {0, 0, 0}), HasSubstr("/targets/0/gaze_deg: got [0,0,0], expected an array of 2 items"));
   EXPECT_THAT(error_with("/targets/0/gaze_deg/1", 89.5), HasSubstr("/targets/0/gaze_deg/1: got 89.5, expected a number from -89 to 89"));
@@ -127,7 +127,7 @@ TEST(Schema, ViolationsNamePlaceValueAndExpectation) {
   EXPECT_THAT(error_with("/methods/1", "rays:powermatrix"),
               HasSubstr("/methods/1: got \"rays:powermatrix\" (did you mean \"rays:power_matrix\"?), expected one of \"conoid\""));
   EXPECT_THAT(error_with("/methods", {"conoid", "conoid"}), HasSubstr("no two alike"));
-  EXPECT_THAT(error_with("/spectacles", "lens.json"), HasSubstr("/spectacles: got \"lens.json\", expected null (naked eye"));
+  EXPECT_THAT(error_with("/spectacles", 3), HasSubstr("/spectacles: got 3, expected an object or a string that is not empty or null (one thick spectacle lens"));
   EXPECT_THAT(error_with("/seed", 1.5), HasSubstr("/seed: got 1.5, expected an integer from 0 to 9007199254740991"));
   EXPECT_THAT(error_with("/seed", -1), HasSubstr("/seed: got -1"));
   EXPECT_THAT(error_with("/eye", 3), HasSubstr("/eye: got 3, expected an object or a string"));

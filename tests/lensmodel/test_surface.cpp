@@ -151,6 +151,14 @@ TEST_P(Misses, ARayPastTheSurfaceWithinTheRim) {
   EXPECT_EQ(intersect(shape(1.0 / (30 * mm)), {{31 * mm, 0.0, 40 * mm}, outward}, 35 * mm).status, LensStatus::missed_lens);
 }
 
+TEST_P(Misses, ACrossingJustBeforeTheSurfacesEdgeIsFound) {
+  // Aimed at the height 29.5 of a surface that ends at 30, within a rim of 35 mm: z = 30 − √(30² − 29.5²) = 24.545644
+  const Eigen::Vector3d target(29.5 * mm, 0.0, 24.545643942682144 * mm), eye(0.0, 0.0, 30 * mm);
+  const SurfaceHit hit = intersect(shape(1.0 / (30 * mm)), {eye, (target - eye).normalized()}, 35 * mm);
+  ASSERT_EQ(hit.status, LensStatus::ok);
+  EXPECT_LT((hit.position - target).norm(), 1e-15);
+}
+
 TEST_P(Misses, TheOtherSheetIsNotTheSurface) {
   // From z = 70 mm, beyond the centre at 30 mm, a ray sideways crosses the far hemisphere only.
   const Eigen::Vector3d sideways = Eigen::Vector3d(1.0, 0.0, -0.1).normalized();
