@@ -27,7 +27,8 @@ std::string version_text() {
 
 void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
   command.add_option("file", options.file, std::string(what) + " (- is standard input)")->required();
-  command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")->allow_extra_args(false);
+  command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")
+      ->allow_extra_args(false);
   command.add_option("--seed", options.seed, "seed of all random numbers");
   command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
@@ -117,7 +118,8 @@ int run_command_line(int argc, char** argv) {
   try {
     std::unique_ptr<tbb::global_control> limit;
     if (line.common.threads > 0)
-      limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(line.common.threads));
+      limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                    static_cast<std::size_t>(line.common.threads));
     return line.action();
   } catch (const InputError& error) {
     std::fprintf(stderr, "error: %s\n", error.what());

@@ -7,23 +7,23 @@ namespace sturm {
 
 /// What several commands take.
 struct CommonOptions {
-  std::string file;                        ///< the configuration; "-" is standard input
-  std::vector<std::string> assignments;    ///< --set /pointer=value
+  std::string file;                      ///< the configuration; "-" is standard input
+  std::vector<std::string> assignments;  ///< --set /pointer=value
   std::optional<std::uint64_t> seed;
-  int threads = 0;                         ///< 0: one per processor
+  int threads = 0;  ///< 0: one per processor
   bool quiet = false;
 };
 
 /// Bounds that turn `sturm compare` into a gate; none of them set: it only reports.
 struct CompareOptions {
   std::string test, reference;
-  std::string json_file;                   ///< "" = none, "-" = standard output instead of the table
+  std::string json_file;  ///< "" = none, "-" = standard output instead of the table
   double exposure = 1.0;
   std::optional<double> min_ssim, min_psnr_dB, max_rmse, max_relative_mse;
 };
 
 struct GateOptions {
-  std::string report, gates, baseline, junit, new_baseline;   ///< "" = not given
+  std::string report, gates, baseline, junit, new_baseline;  ///< "" = not given
 };
 
 // Each command returns the exit status; errors are thrown as InputError (2) or RuntimeFailure (3).

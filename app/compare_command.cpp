@@ -21,7 +21,7 @@ struct Metric {
   const char* title;
   double value;
   std::optional<double> bound;
-  bool at_least;   // the bound is a lower one
+  bool at_least;  // the bound is a lower one
 
   bool passed() const { return !bound || (at_least ? value >= *bound : value <= *bound); }
 };
@@ -40,7 +40,7 @@ std::vector<Metric> measure(const CompareOptions& options) {
 Json json_of(const std::vector<Metric>& metrics, bool passed) {
   Json values, bounds = Json::object();
   for (const Metric& m : metrics) {
-    values[m.key] = number_or_null(m.value);   // PSNR of equal images is infinite
+    values[m.key] = number_or_null(m.value);  // PSNR of equal images is infinite
     if (m.bound) bounds[m.key] = *m.bound;
   }
   return {{"metrics", std::move(values)}, {"bounds", std::move(bounds)}, {"passed", passed}};

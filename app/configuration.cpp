@@ -15,6 +15,8 @@ Json load_configuration(const CommonOptions& options) {
   return document;
 }
 
-int thread_count(const CommonOptions& options) { return options.threads > 0 ? options.threads : tbb::info::default_concurrency(); }
+int thread_count(const CommonOptions& options) {
+  return options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+}
 
 }  // namespace sturm

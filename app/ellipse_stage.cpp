@@ -18,13 +18,13 @@ constexpr std::string_view ray_prefix = "rays:";
 /// One target as the turned eye sees it, through its spectacles if it has some.
 struct View {
   double distance_m, vergence_D;
-  LensStatus status = LensStatus::ok;         ///< of the chief ray; unless ok there is neither footprint nor chief ray
+  LensStatus status = LensStatus::ok;  ///< of the chief ray; unless ok there is neither footprint nor chief ray
   std::optional<double> accommodation_D;
-  LightRay chief;                             ///< from the pupil's centre or the exit point
+  LightRay chief;  ///< from the pupil's centre or the exit point
   Eigen::Vector3d pupil_center;
-  Eigen::Matrix3d turn;                       ///< takes primary axes to the turned pupil frame; Listing
-  std::optional<SpectacleConoid> conoid;      ///< only with spectacles
-  std::optional<LensView> lens;               ///< only with spectacles that the chief ray comes through
+  Eigen::Matrix3d turn;                   ///< takes primary axes to the turned pupil frame; Listing
+  std::optional<SpectacleConoid> conoid;  ///< only with spectacles
+  std::optional<LensView> lens;           ///< only with spectacles that the chief ray comes through
 };
 
 View view_of(const Target& target, const EllipseQuery& query) {
@@ -55,17 +55,23 @@ View view_of(const Target& target, const EllipseQuery& query) {
 
 const char* word_for(LensStatus status) {
   switch (status) {
-    case LensStatus::ok: return "ok";
-    case LensStatus::missed_lens: return "missed_lens";
-    case LensStatus::total_internal_reflection: return "total_internal_reflection";
-    default: return "no_convergence";
+    case LensStatus::ok:
+      return "ok";
+    case LensStatus::missed_lens:
+      return "missed_lens";
+    case LensStatus::total_internal_reflection:
+      return "total_internal_reflection";
+    default:
+      return "no_convergence";
   }
 }
 
 /// Nothing could be computed: all numbers are null.
 void write_failure(Json& result, const std::string& status) {
   result["status"] = status;
-  for (const char* key : {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2", "centroid_m", "centroid_rad"}) result[key] = nullptr;
+  for (const char* key :
+       {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2", "centroid_m", "centroid_rad"})
+    result[key] = nullptr;
 }
 
 /// Quantities at the target: in metres only where it is at a finite distance.
@@ -77,11 +83,14 @@ struct AtTarget {
     if (!finite()) return nullptr;
     return write(std::pow(view.distance_m, power) * angular);
   }
-  Json metres(const Eigen::Vector2d& angular) const { return finite() ? json_of(Eigen::Vector2d(view.distance_m * angular)) : Json(nullptr); }
+  Json metres(const Eigen::Vector2d& angular) const {
+    return finite() ? json_of(Eigen::Vector2d(view.distance_m * angular)) : Json(nullptr);
+  }
   Json semi_axes(const Ellipse& angular) const { return finite() ? semi_axes_json(angular, view.distance_m) : Json(nullptr); }
 };
 
-void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, const Eigen::Matrix2d& covariance, const Eigen::Vector2d& centroid) {
+void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, const Eigen::Matrix2d& covariance,
+                   const Eigen::Vector2d& centroid) {
   result["semi_axes_m"] = at.semi_axes(ellipse);
   result["semi_axes_rad"] = semi_axes_json(ellipse);
   result["orientation_deg"] = number_or_null(ellipse.orientation_deg);
@@ -127,7 +136,8 @@ std::optional<LightRay> exit_ray(const View& view, const PupilRay<double>& ray) 
     const LensPath path = view.lens->worn.path_of(ray);
     return path.status == LensStatus::ok ? std::optional(path.exit) : std::nullopt;
   }
-  return LightRay{view.pupil_center + view.turn * Eigen::Vector3d(ray.px, ray.py, 0.0), (view.turn * Eigen::Vector3d(ray.sx, ray.sy, -1.0)).normalized()};
+  return LightRay{view.pupil_center + view.turn * Eigen::Vector3d(ray.px, ray.py, 0.0),
+                  (view.turn * Eigen::Vector3d(ray.sx, ray.sy, -1.0)).normalized()};
 }
 
 Json exit_rays(const View& view, const EyeRays<double>& rays, const std::vector<Eigen::Vector2d>& pupil_points) {
@@ -153,9 +163,9 @@ void write_rays(Json& result, const View& view, const EllipseQuery& query, RayMo
   const auto rays = eye_rays_for(model, query.eye, *view.accommodation_D);
   const MeasuredBundle bundle =
       rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed, view.lens ? &*view.lens : nullptr) : MeasuredBundle{};
-  result["rays"] = {{"launched", bundle.counters.launched}, {"lost_rim", bundle.losses.rim}, {"lost_tir", bundle.losses.total_reflection},
-                    {"lost_no_convergence", bundle.losses.no_convergence}, {"undefined", bundle.counters.dropped},
-                    {"negative_focus", bundle.counters.negative_focus}};
+  result["rays"] = {{"launched", bundle.counters.launched},       {"lost_rim", bundle.losses.rim},
+                    {"lost_tir", bundle.losses.total_reflection}, {"lost_no_convergence", bundle.losses.no_convergence},
+                    {"undefined", bundle.counters.dropped},       {"negative_focus", bundle.counters.negative_focus}};
   if (rays && !query.rays.pupil_points_m.empty()) result["exit_rays"] = exit_rays(view, *rays, query.rays.pupil_points_m);
   if (!bundle.angular) {
     write_failure(result, rays ? status_without_ellipse(bundle) : "undefined");
@@ -177,8 +187,10 @@ Json result_of(const View& view, const std::string& method, const EllipseQuery& 
     return result;
   }
   result["chief_ray"] = {{"origin_m", json_of(view.chief.origin)}, {"direction", json_of(view.chief.direction)}};
-  if (method.starts_with(ray_prefix)) write_rays(result, view, query, *ray_model_named(std::string_view(method).substr(ray_prefix.size())));
-  else write_conoid(result, view, query.eye);
+  if (method.starts_with(ray_prefix))
+    write_rays(result, view, query, *ray_model_named(std::string_view(method).substr(ray_prefix.size())));
+  else
+    write_conoid(result, view, query.eye);
   return result;
 }
 

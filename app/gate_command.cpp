@@ -17,8 +17,10 @@ namespace {
 
 /// The gates that a report was judged by, read back from it.
 std::vector<GateSpec> gates_in(const Json& report, const std::string& file) {
-  static const std::map<std::string, Comparison> comparisons = {{"upper_bound", Comparison::AtMost}, {"lower_bound", Comparison::AtLeast},
-                                                                {"must_differ", Comparison::Differs}, {"baseline", Comparison::Baseline},
+  static const std::map<std::string, Comparison> comparisons = {{"upper_bound", Comparison::AtMost},
+                                                                {"lower_bound", Comparison::AtLeast},
+                                                                {"must_differ", Comparison::Differs},
+                                                                {"baseline", Comparison::Baseline},
                                                                 {"must_fail", Comparison::MustFail}};
   std::vector<GateSpec> gates;
   for (const Json& g : report.at("gates")) {
@@ -40,8 +42,8 @@ void keep_stored_baseline_results(Json& results, const Json& report) {
 void print_results(const Json& results) {
   for (const Json& r : results) {
     const std::string value = r.at("value").is_number() ? r.at("value").dump() : "no value";
-    std::printf("%s  %-36s %s %s (bound %s)\n", r.at("passed").get<bool>() ? "pass" : "FAIL", r.at("id").get<std::string>().c_str(), value.c_str(),
-                r.at("unit").get<std::string>().c_str(), r.at("bound").dump().c_str());
+    std::printf("%s  %-36s %s %s (bound %s)\n", r.at("passed").get<bool>() ? "pass" : "FAIL", r.at("id").get<std::string>().c_str(),
+                value.c_str(), r.at("unit").get<std::string>().c_str(), r.at("bound").dump().c_str());
   }
 }
 
@@ -57,10 +59,11 @@ Json baseline_of(const Json& report) {
 int gate_command(const GateOptions& options) {
   const Json report = load_json(options.report);
   validate(report, "report", options.report);
-  const std::vector<GateSpec> gates = options.gates.empty() ? gates_in(report, options.report) : read_gates(load_json(options.gates), options.gates);
+  const std::vector<GateSpec> gates =
+      options.gates.empty() ? gates_in(report, options.report) : read_gates(load_json(options.gates), options.gates);
   const Json baseline = options.baseline.empty() ? Json(nullptr) : load_json(options.baseline);
   Json results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
-  if (baseline.is_null()) keep_stored_baseline_results(results, report);
+  if (baseline.is_null() && options.gates.empty()) keep_stored_baseline_results(results, report);
   const Json verdict = verdict_of(results);
   print_results(results);
   std::cout << verdict.at("sentence").get<std::string>() << "\n";

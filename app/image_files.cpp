@@ -23,7 +23,8 @@ void write_picture(const std::filesystem::path& path_without_suffix, const Image
 Image read_main_layer(const std::filesystem::path& path) {
   LayeredImage image = read_exr(path);
   const auto layer = image.layers.find("");
-  if (layer == image.layers.end() || layer->second.channels != 3) throw InputError(path.string(), "", "no channels R, G, B", "an RGB image");
+  if (layer == image.layers.end() || layer->second.channels != 3)
+    throw InputError(path.string(), "", "no channels R, G, B", "an RGB image");
   return std::move(layer->second);
 }
 

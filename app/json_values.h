@@ -10,17 +10,29 @@
 namespace sturm {
 
 /// Numbers as the formats want them: what cannot be computed is null, never NaN or infinity.
-inline Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-inline Json number_or_null(const std::optional<double>& value) { return value ? number_or_null(*value) : Json(nullptr); }
+inline Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+inline Json number_or_null(const std::optional<double>& value) {
+  return value ? number_or_null(*value) : Json(nullptr);
+}
 
 /// Distances may be infinite: "inf".
-inline Json distance_json(double distance_m) { return std::isinf(distance_m) ? Json("inf") : Json(distance_m); }
+inline Json distance_json(double distance_m) {
+  return std::isinf(distance_m) ? Json("inf") : Json(distance_m);
+}
 
-inline Json json_of(const Eigen::Vector2d& v) { return {number_or_null(v.x()), number_or_null(v.y())}; }
-inline Json json_of(const Eigen::Vector3d& v) { return {number_or_null(v.x()), number_or_null(v.y()), number_or_null(v.z())}; }
+inline Json json_of(const Eigen::Vector2d& v) {
+  return {number_or_null(v.x()), number_or_null(v.y())};
+}
+inline Json json_of(const Eigen::Vector3d& v) {
+  return {number_or_null(v.x()), number_or_null(v.y()), number_or_null(v.z())};
+}
 
 /// Symmetric matrix as [xx, xy, yy].
-inline Json symmetric_json(const Eigen::Matrix2d& m) { return {number_or_null(m(0, 0)), number_or_null(m(0, 1)), number_or_null(m(1, 1))}; }
+inline Json symmetric_json(const Eigen::Matrix2d& m) {
+  return {number_or_null(m(0, 0)), number_or_null(m(0, 1)), number_or_null(m(1, 1))};
+}
 
 /// The same read back.
 inline Eigen::Matrix2d symmetric_from(const Json& xx_xy_yy) {
@@ -30,8 +42,12 @@ inline Eigen::Matrix2d symmetric_from(const Json& xx_xy_yy) {
 }
 
 /// Full matrix as rows.
-inline Json rows_json(const Eigen::Matrix2d& m) { return {{m(0, 0), m(0, 1)}, {m(1, 0), m(1, 1)}}; }
+inline Json rows_json(const Eigen::Matrix2d& m) {
+  return {{m(0, 0), m(0, 1)}, {m(1, 0), m(1, 1)}};
+}
 
-inline Json semi_axes_json(const Ellipse& e, double scale = 1.0) { return {number_or_null(scale * e.semi_major), number_or_null(scale * e.semi_minor)}; }
+inline Json semi_axes_json(const Ellipse& e, double scale = 1.0) {
+  return {number_or_null(scale * e.semi_major), number_or_null(scale * e.semi_minor)};
+}
 
 }  // namespace sturm

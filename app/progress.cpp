@@ -11,17 +11,22 @@ namespace {
 
 std::string duration_text(double seconds) {
   char text[32];
-  if (seconds < 60.0) std::snprintf(text, sizeof text, "%.1f s", seconds);
-  else std::snprintf(text, sizeof text, "%d:%02d min", static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
+  if (seconds < 60.0)
+    std::snprintf(text, sizeof text, "%.1f s", seconds);
+  else
+    std::snprintf(text, sizeof text, "%d:%02d min", static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
   return text;
 }
 
 /// "3.9 M", "12 k", "250"
 std::string count_text(double value) {
   char text[32];
-  if (value >= 1e6) std::snprintf(text, sizeof text, "%.1f M", value / 1e6);
-  else if (value >= 1e3) std::snprintf(text, sizeof text, "%.1f k", value / 1e3);
-  else std::snprintf(text, sizeof text, "%.0f ", value);
+  if (value >= 1e6)
+    std::snprintf(text, sizeof text, "%.1f M", value / 1e6);
+  else if (value >= 1e3)
+    std::snprintf(text, sizeof text, "%.1f k", value / 1e3);
+  else
+    std::snprintf(text, sizeof text, "%.0f ", value);
   return text;
 }
 
@@ -40,13 +45,17 @@ Progress::~Progress() {
   if (bar_open_) std::fputc('\n', stderr);
 }
 
-double Progress::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+double Progress::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
 
 void Progress::update(double fraction) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
-  if (terminal_) show_bar(fraction);
-  else show_line(fraction);
+  if (terminal_)
+    show_bar(fraction);
+  else
+    show_line(fraction);
 }
 
 std::string Progress::pace(double fraction) const {

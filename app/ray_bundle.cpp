@@ -32,7 +32,8 @@ struct Arrivals {
 };
 
 /// Angles of the rays through `pupil` (unit disc); those that do not arrive are left out and counted.
-void trace_angles(const EyeRays<double>& rays, const std::vector<Eigen::Vector2d>& pupil, std::vector<Eigen::Vector2d>& angles, Arrivals& arrivals) {
+void trace_angles(const EyeRays<double>& rays, const std::vector<Eigen::Vector2d>& pupil, std::vector<Eigen::Vector2d>& angles,
+                  Arrivals& arrivals) {
   angles.clear();
   const double radius = rays.pupil_radius();
   for_model(rays.model(), [&](auto model) {
@@ -91,7 +92,7 @@ MeasuredBundle measure_points(const EyeRays<double>& rays, Arrivals arrivals, co
   BundleMoments moments;
   moments.add(angles);
   if (moments.count() >= 2) {
-    bundle.angular = summarise(std::span(&moments, 1), PointSet::LowDiscrepancy);   // given points: no standard error
+    bundle.angular = summarise(std::span(&moments, 1), PointSet::LowDiscrepancy);  // given points: no standard error
   }
   return bundle;
 }
@@ -126,7 +127,8 @@ Eigen::Vector2d LensView::angle(const LightRay& ray, double vergence_D) const {
   return {offset.dot(e1), offset.dot(e2)};
 }
 
-MeasuredBundle measure_bundle(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec, std::uint64_t seed, const LensView* lens) {
+MeasuredBundle measure_bundle(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec, std::uint64_t seed,
+                              const LensView* lens) {
   const Arrivals target{vergence, lens, {}, {}};
   if (!spec.pupil_points_m.empty()) return measure_points(rays, target, spec.pupil_points_m);
   if (spec.quadrature) return measure_by_quadrature(rays, target, *spec.quadrature);

@@ -19,7 +19,7 @@ struct LensLosses {
 
 /// The pattern that a bundle of rays from the whole pupil makes at one target, as angles [rad] from the chief ray.
 struct MeasuredBundle {
-  std::optional<BundleEllipse> angular;   ///< none where fewer than two rays of a replicate arrived
+  std::optional<BundleEllipse> angular;  ///< none where fewer than two rays of a replicate arrived
   RayCounters counters;
   LensLosses losses;
 };
@@ -27,10 +27,11 @@ struct MeasuredBundle {
 /// The lens that the rays go through, and the chief ray that leaves it: origin of distances, and axis of the plane where they are measured.
 struct LensView {
   WornLens worn;
-  LightRay chief;            ///< from the exit point
-  Eigen::Vector3d e1, e2;    ///< across the chief ray
+  LightRay chief;          ///< from the exit point
+  Eigen::Vector3d e1, e2;  ///< across the chief ray
 
-  /// Where a ray behind the lens meets the plane at vergence 1/d, as an angle: offset/d on (e1, e2); at infinity the difference of direction.
+  /// Where a ray behind the lens meets the plane at vergence 1/d, as an angle: offset/d on (e1, e2); at infinity the difference of
+  /// direction.
   Eigen::Vector2d angle(const LightRay& ray, double vergence_D) const;
 };
 

@@ -17,7 +17,9 @@ namespace sturm {
 namespace {
 
 /// The folder must be there and writable before the work starts, not after it.
-void require_writable(const std::filesystem::path& file) { AtomicFile probe(file); }
+void require_writable(const std::filesystem::path& file) {
+  AtomicFile probe(file);
+}
 
 }  // namespace
 
@@ -42,7 +44,8 @@ int render_command(const CommonOptions& options, const std::string& output) {
   std::filesystem::path beside = exr;
   write_exr(exr, result.image);
   write_png(beside.replace_extension(".png"), result.image.layers.at(""), 1.0);
-  write_file_atomically(beside.replace_extension(".manifest.json"), manifest(facts, *spec.resolved, result.counters, spec.notes).dump(1) + "\n");
+  write_file_atomically(beside.replace_extension(".manifest.json"),
+                        manifest(facts, *spec.resolved, result.counters, spec.notes).dump(1) + "\n");
   return 0;
 }
 

@@ -42,12 +42,19 @@ std::pair<double, double> depth_range(const Scene& scene, const CameraPose& pose
   return {nearest, std::max(farthest, nearest)};
 }
 
-double fixed_accommodation(const Eye& eye) { return eye.accommodation_for(0.0); }
+double fixed_accommodation(const Eye& eye) {
+  return eye.accommodation_for(0.0);
+}
 
 Json prediction_counters_json(const PredictedImage& p) {
   const PredictionCounters& c = p.prediction.counters;
-  return {{"sharp_view", counters_json(p.sharp_counters)}, {"spread_pixels", c.splatted_pixels}, {"copied_pixels", c.sharp_pixels},
-          {"hidden_pixels", c.hidden_pixels}, {"depth_layers", c.layers}, {"margin_px", p.margin_px}, {"clipped_radius_px", c.clipped_radius_px}};
+  return {{"sharp_view", counters_json(p.sharp_counters)},
+          {"spread_pixels", c.splatted_pixels},
+          {"copied_pixels", c.sharp_pixels},
+          {"hidden_pixels", c.hidden_pixels},
+          {"depth_layers", c.layers},
+          {"margin_px", p.margin_px},
+          {"clipped_radius_px", c.clipped_radius_px}};
 }
 
 RenderSettings settings_of(const RenderSpec& spec, const ProgressFunction& progress) {
@@ -62,12 +69,15 @@ RenderSettings settings_of(const RenderSpec& spec, const ProgressFunction& progr
 
 }  // namespace
 
-CameraPose camera_pose(const CameraSpec& spec) { return {spec.position, spec.look_at, spec.up, spec.vfov, spec.width, spec.height}; }
+CameraPose camera_pose(const CameraSpec& spec) {
+  return {spec.position, spec.look_at, spec.up, spec.vfov, spec.width, spec.height};
+}
 
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings) {
   const auto focus = eye.stated_focus_distance_m();
   if (model == RayModel::metalstigmatism && !focus)
-    throw InputError("", "/eye/accommodation", "no focus distance", "{\"mode\": \"fixed\", \"focus_distance_m\": …}, which the ray model metalstigmatism needs");
+    throw InputError("", "/eye/accommodation", "no focus distance",
+                     "{\"mode\": \"fixed\", \"focus_distance_m\": …}, which the ray model metalstigmatism needs");
   const EyeRays<float> rays(model, eye, fixed_accommodation(eye), focus.value_or(std::numeric_limits<double>::infinity()));
   return render(scene, EyeCamera(pose, rays), settings);
 }
@@ -92,8 +102,11 @@ PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& ey
 }
 
 Json counters_json(const RenderCounters& c) {
-  return {{"camera_rays", c.camera.launched}, {"dropped_rays", c.camera.dropped}, {"negative_focus_rays", c.camera.negative_focus},
-          {"bounce_rays", c.bounce_rays}, {"shadow_rays", c.shadow_rays}};
+  return {{"camera_rays", c.camera.launched},
+          {"dropped_rays", c.camera.dropped},
+          {"negative_focus_rays", c.camera.negative_focus},
+          {"bounce_rays", c.bounce_rays},
+          {"shadow_rays", c.shadow_rays}};
 }
 
 RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress) {
@@ -107,8 +120,11 @@ RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progres
     RenderResult result = path_trace(scene, pose, spec.eye, *ray_model_named(spec.ray_model), settings);
     output.seconds["path_tracing"] = watch.lap();
     output.counters = counters_json(result.counters);
-    output.image.layers = {{"", std::move(result.radiance)}, {"variance", std::move(result.variance)}, {"albedo", std::move(result.albedo)},
-                           {"normal", std::move(result.normal)}, {"depth", std::move(result.depth)}};
+    output.image.layers = {{"", std::move(result.radiance)},
+                           {"variance", std::move(result.variance)},
+                           {"albedo", std::move(result.albedo)},
+                           {"normal", std::move(result.normal)},
+                           {"depth", std::move(result.depth)}};
   } else {
     PredictedImage result = predict(scene, pose, spec.eye, spec.oversampling, settings);
     output.seconds["sharp_view"] = result.times.sharp_view_seconds;

@@ -14,15 +14,22 @@ namespace sturm {
 int validate_command(const std::string& file) {
   const Json document = load_json(file);
   const std::string name = format_of(document, file);
+  validate(document, name, file);
   // The readers check more than the schema can say: files that must exist, values that depend on each other.
-  if (name == "ellipse") read_ellipse_query(document, file);
-  else if (name == "render") read_render_spec(document, file);
-  else if (name == "experiment") read_experiment(document, file);
-  else if (name == "gates") read_gates(document, file);
-  else if (name == "scene") read_scene(document, {file, ""});
-  else if (name == "eye") read_eye(document, {file, ""});
-  else validate(document, name, file);
-  if (name == "spectacles") read_spectacles(document, {file, ""}, Eye{});
+  if (name == "ellipse")
+    read_ellipse_query(document, file);
+  else if (name == "render")
+    read_render_spec(document, file);
+  else if (name == "experiment")
+    read_experiment(document, file);
+  else if (name == "gates")
+    read_gates(document, file);
+  else if (name == "scene")
+    read_scene(document, {file, ""});
+  else if (name == "eye")
+    read_eye(document, {file, ""});
+  else if (name == "spectacles")
+    read_spectacles(document, {file, ""}, Eye{});
   std::cout << file << ": a valid " << document.at("format").get<std::string>() << "\n";
   return 0;
 }

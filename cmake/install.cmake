@@ -8,6 +8,8 @@ foreach(module lensmodel io pathtrace conoid compare)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sturm/${module} FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm)
+# The validation experiment names its independent numbers by a path relative to itself.
+install(FILES ${PROJECT_SOURCE_DIR}/tests/reference/naked_eye_blur.json DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm/tests/reference)
 install(EXPORT sturm_targets NAMESPACE sturm:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturm)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sturm-config.cmake.in ${PROJECT_BINARY_DIR}/sturm-config.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturm)

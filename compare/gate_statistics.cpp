@@ -171,14 +171,17 @@ void add_psfs(const Json& report, Statistics& out) {
 }
 
 void add_images(const Json& report, Statistics& out) {
-  Extreme lowest(Extreme::Of::Smallest), gain(Extreme::Of::Smallest), below_floor;
+  Extreme lowest(Extreme::Of::Smallest), gain(Extreme::Of::Smallest), sin2_over_floor(Extreme::Of::Smallest), below_floor, over_floor;
   for (const Json& image : array_at(report, "images")) {
-    if (text_at(image, "ray_model") != "power_matrix") continue;
-    const std::string id = text_at(image, "id");
+    const std::string id = text_at(image, "id"), model = text_at(image, "ray_model");
+    const Number rmse_over_floor = quotient(number_at(image, "metrics/rmse_linear"), number_at(image, "noise_floor/rmse_linear"));
+    if (model == "sin2_radial") sin2_over_floor.add(rmse_over_floor, id);
+    if (model != "power_matrix") continue;
     const Number ssim = number_at(image, "metrics/ssim_display/value"), uncertainty = number_at(image, "metrics/ssim_display/uncertainty");
     const Number floor = number_at(image, "noise_floor/ssim_display");
     out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id};
     lowest.add(ssim, id, uncertainty);
+    over_floor.add(rmse_over_floor, id);
     below_floor.add(ssim && floor ? Number(*floor - *ssim) : std::nullopt, id, uncertainty);
     for (const Json& other : array_at(report, "images")) {
       if (text_at(other, "id") != id || text_at(other, "ray_model") != "sin2_radial") continue;
@@ -189,6 +192,8 @@ void add_images(const Json& report, Statistics& out) {
   out["image_ssim_display_min"] = lowest.result();
   out["image_ssim_below_noise_floor_max"] = below_floor.result();
   out["image_ssim_gain_of_matrix_over_sin2_min"] = gain.result();
+  out["image_matrix_rmse_over_noise_floor_max"] = over_floor.result();
+  out["image_sin2_rmse_over_noise_floor_min"] = sin2_over_floor.result();
 }
 
 void add_mutants(const Json& report, Statistics& out) {

@@ -18,22 +18,27 @@ struct Statistic {
 
 /// All statistics, computed from report.json alone (missing or mistyped parts count as absent).
 ///
+// clang-format off: a table
 /// | name | what |
 /// |---|---|
 /// | conoid_reference_max_relative_error | conoid (semi-axes and covariance) against the independent reference |
 /// | sin2_reference_max_relative_error | closed form of sin² against the independent reference |
-/// | matrix_vs_conoid_max_z, …_max_relative | `power_matrix` rays against the conoid: largest abs(z), largest relative Frobenius error |
-/// | thin_lens_vs_conoid_max_z, …_max_relative | `thin_lens` rays against the conoid, cases with CYL = 0 only |
-/// | sin2_vs_closed_form_max_z, …_max_relative | `sin2_radial` rays against their closed form |
-/// | sin2_vs_conoid_min_z | `sin2_radial` rays against the conoid, smallest abs(z) over the cases with abs(CYL) ≥ 0.5 D |
-/// | sin2_vs_conoid_min_relative_difference_ratio, …_max_… | there: measured relative difference ÷ the one that the closed form predicts |
-/// | psf_matrix_axis_max_z | rendered PSFs of `power_matrix` along the predicted axes; the error includes what the pixel grid does to a
-/// short axis | | psf_matrix_axis_max_relative | there: relative error of axes of at least 4 px | | image_ssim_display/ID | predicted
-/// against `power_matrix` path traced, SSIM in display space, image ID | | image_ssim_display_min | the smallest of them | |
-/// image_ssim_below_noise_floor_max | largest SSIM of two seeds minus SSIM of prediction and path tracing | |
-/// image_ssim_gain_of_matrix_over_sin2_min | SSIM with `power_matrix` minus SSIM with `sin2_radial`, images that have both | | must_fail/ID
-/// | the statistic that mutant ID was to spoil | | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one of
-/// them says that it did not fail |
+/// | matrix_vs_conoid_max_z, …_max_relative | `power_matrix` rays and conoid: largest abs(z), relative Frobenius error |
+/// | thin_lens_vs_conoid_max_z, …_max_relative | `thin_lens` rays and conoid, cases with CYL = 0 only |
+/// | sin2_vs_closed_form_max_z, …_max_relative | `sin2_radial` rays and their closed form |
+/// | sin2_vs_conoid_min_z | `sin2_radial` rays and conoid, smallest abs(z) over the cases with abs(CYL) ≥ 0.5 D |
+/// | sin2_vs_conoid_min_relative_difference_ratio, …_max_… | there: measured relative difference ÷ that of the closed form |
+/// | psf_matrix_axis_max_z | PSFs of `power_matrix` along the predicted axes; the error includes the pixel grid's |
+/// | psf_matrix_axis_max_relative | there: relative error of axes of at least 4 px |
+/// | image_ssim_display/ID | prediction and `power_matrix` image ID, SSIM in display space |
+/// | image_ssim_display_min | the smallest of them |
+/// | image_ssim_below_noise_floor_max | largest SSIM of two halves of the samples minus SSIM of the prediction |
+/// | image_ssim_gain_of_matrix_over_sin2_min | SSIM with `power_matrix` minus SSIM with `sin2_radial` |
+/// | image_matrix_rmse_over_noise_floor_max | RMSE of prediction and `power_matrix` image ÷ RMSE of two halves of the samples |
+/// | image_sin2_rmse_over_noise_floor_min | the same of prediction and `sin2_radial` image |
+/// | must_fail/ID | the statistic that mutant ID was to spoil |
+/// | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one says that it did not fail |
+// clang-format on
 std::map<std::string, Statistic> statistics_of(const Json& report);
 
 }  // namespace sturm

@@ -156,10 +156,10 @@ std::string image_section(const Json& report, const std::filesystem::path& run_f
   const std::string end = plain_number(limit), half = plain_number(0.5 * limit);
   std::string html =
       element("h2", "", "Images") +
-      element(
-          "p", "",
-          "The same view, path traced through the eye and predicted from one sharp view. <i>Floor</i> is the same metric between the "
-          "two halves of the path-traced replicates, each with half of the samples: the path tracer against its own noise. Display means sRGB, clamped to 0 … 1.") +
+      element("p", "",
+              "The same view, path traced through the eye and predicted from one sharp view. <i>Floor</i> is the same metric between the "
+              "two halves of the path-traced replicates, each with half of the samples: the path tracer against its own noise. Display "
+              "means sRGB, clamped to 0 … 1.") +
       metrics_table(images) +
       colour_bar_svg(ColourMap::Diverging, {{0.0, "−" + end}, {0.25, "−" + half}, {0.5, "0"}, {0.75, half}, {1.0, end}},
                      "Predicted − path traced, luma in display space (one scale for all)");

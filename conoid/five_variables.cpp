@@ -30,7 +30,8 @@ double transferred(double kappa, double d) {
   return kappa / (1.0 - d * kappa);
 }
 
-FiveVariables behind(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface, double mu, double cos_in, double cos_out) {
+FiveVariables behind(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface, double mu, double cos_in,
+                     double cos_out) {
   const double gamma = cos_out - mu * cos_in;
   const Eigen::Vector3d direction = (mu * wave.direction + gamma * normal).normalized(), across = wave.direction.cross(normal);
   const Eigen::Vector3d u = across.norm() < 1e-9 ? wave.e1 : Eigen::Vector3d(across.normalized());
@@ -50,8 +51,8 @@ FiveVariables transferred(const FiveVariables& wave, double distance) {
   return moved;
 }
 
-std::optional<FiveVariables> refracted(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface, double index_before,
-                                       double index_behind) {
+std::optional<FiveVariables> refracted(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface,
+                                       double index_before, double index_behind) {
   const double mu = index_before / index_behind, cos_in = wave.direction.dot(normal);
   const double square = 1.0 - mu * mu * (1.0 - cos_in * cos_in);
   if (!(square > 0.0)) return std::nullopt;

@@ -22,8 +22,8 @@ struct PrincipalCurvatures {
 FiveVariables transferred(const FiveVariables& wave, double distance);
 
 /// Eqs. 2–6: refraction from index n₁ into n₂ at a surface of unit normal n, n · N > 0. None at total internal reflection.
-std::optional<FiveVariables> refracted(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface, double index_before,
-                                       double index_behind);
+std::optional<FiveVariables> refracted(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface,
+                                       double index_before, double index_behind);
 
 /// Reflection: μ = 1, cos φ' = −cos φ.
 FiveVariables reflected(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface);

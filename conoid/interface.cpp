@@ -27,7 +27,8 @@ Interface with_frames(const Eigen::Vector3d& direction, const Eigen::Vector3d& n
 
 }  // namespace
 
-std::optional<Interface> Interface::refracting(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal, double index_before, double index_behind) {
+std::optional<Interface> Interface::refracting(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal, double index_before,
+                                               double index_behind) {
   const double mu = index_before / index_behind, cos_in = direction.dot(normal);
   const double square = 1.0 - mu * mu * (1.0 - cos_in * cos_in);
   if (!(square > 0.0)) return std::nullopt;
@@ -38,7 +39,8 @@ Interface Interface::reflecting(const Eigen::Vector3d& direction, const Eigen::V
   return with_frames(direction, normal, 1.0, -direction.dot(normal));
 }
 
-Eigen::Matrix2d change_of_frame(const Eigen::Vector3d& from1, const Eigen::Vector3d& from2, const Eigen::Vector3d& to1, const Eigen::Vector3d& to2) {
+Eigen::Matrix2d change_of_frame(const Eigen::Vector3d& from1, const Eigen::Vector3d& from2, const Eigen::Vector3d& to1,
+                                const Eigen::Vector3d& to2) {
   Eigen::Matrix2d change;
   change << to1.dot(from1), to1.dot(from2), to2.dot(from1), to2.dot(from2);
   return change;

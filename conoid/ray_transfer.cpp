@@ -11,7 +11,12 @@ RayTransfer transferred(const RayTransfer& rays, double distance) {
 
 RayTransfer on_frame(const RayTransfer& rays, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2) {
   const Eigen::Matrix2d change = change_of_frame(rays.e1, rays.e2, f1, f2);
-  return {rays.direction, f1, f2, change * rays.offset_from_offset, change * rays.offset_from_slope, change * rays.slope_from_offset,
+  return {rays.direction,
+          f1,
+          f2,
+          change * rays.offset_from_offset,
+          change * rays.offset_from_slope,
+          change * rays.slope_from_offset,
           change * rays.slope_from_slope};
 }
 
@@ -25,8 +30,13 @@ RayTransfer through(const RayTransfer& rays, const Interface& at, const Sag& sur
     const Eigen::Matrix2d bent = at.mu * (c.asDiagonal() * b) - bend * on_surface;
     return out_inverse.asDiagonal() * bent;
   };
-  return {at.direction_out, at.u, at.v_out, offset(in.offset_from_offset), offset(in.offset_from_slope),
-          slope(in.offset_from_offset, in.slope_from_offset), slope(in.offset_from_slope, in.slope_from_slope)};
+  return {at.direction_out,
+          at.u,
+          at.v_out,
+          offset(in.offset_from_offset),
+          offset(in.offset_from_slope),
+          slope(in.offset_from_offset, in.slope_from_offset),
+          slope(in.offset_from_slope, in.slope_from_slope)};
 }
 
 }  // namespace sturm

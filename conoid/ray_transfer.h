@@ -19,7 +19,9 @@ struct RayTransfer {
   Eigen::Matrix2d slope_from_offset = Eigen::Matrix2d::Zero(), slope_from_slope = Eigen::Matrix2d::Identity();
 
   /// At the start: the identity on the frame (e1, e2) across `direction`.
-  static RayTransfer start(const Eigen::Vector3d& direction, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2) { return {direction, e1, e2}; }
+  static RayTransfer start(const Eigen::Vector3d& direction, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2) {
+    return {direction, e1, e2};
+  }
 
   /// A and B of a bundle that starts with the slopes s = S p: here its rays have the offsets A p and the slopes B p.
   Eigen::Matrix2d offsets(const Eigen::Matrix2d& s) const { return offset_from_offset + offset_from_slope * s; }

@@ -12,7 +12,7 @@ std::optional<Eigen::Matrix2d> SpectacleConoid::exit_curvature(const Eigen::Matr
   const Eigen::Matrix2d a = exit.offsets(slopes);
   if (!(std::abs(a.determinant()) > relative_singularity * a.squaredNorm())) return std::nullopt;
   const Eigen::Matrix2d k = -exit.slopes(slopes) * a.inverse();
-  return Eigen::Matrix2d(0.5 * (k + k.transpose()));   // symmetric but for rounding
+  return Eigen::Matrix2d(0.5 * (k + k.transpose()));  // symmetric but for rounding
 }
 
 SpectacleConoid trace_conoid(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m) {
@@ -30,7 +30,7 @@ SpectacleConoid trace_conoid(const Spectacles& lens, const Eigen::Vector3d& gaze
   const auto back = Interface::refracting(gaze, outward_normal(path.back_sag), 1.0, lens.refractive_index);
   rays = transferred(through(rays, back.value(), path.back_sag), (path.exit.origin - path.back_point).norm());
   const auto front = Interface::refracting(rays.direction, outward_normal(path.front_sag), lens.refractive_index, 1.0);
-  if (!front) {   // within rounding of the critical angle, where the chief ray just passed
+  if (!front) {  // within rounding of the critical angle, where the chief ray just passed
     conoid.status = LensStatus::total_internal_reflection;
     return conoid;
   }
@@ -50,7 +50,8 @@ double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& corr
   if (grows_at(0.0)) return 0.0;
   double low = 0.0, high = amplitude_D;
   if (!grows_at(high)) return high;
-  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) (grows_at(middle) ? high : low) = middle;
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+    (grows_at(middle) ? high : low) = middle;
   return high;
 }
 

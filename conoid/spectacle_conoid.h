@@ -13,9 +13,9 @@ namespace sturm {
 /// The conoid of an eye behind a spectacle lens for one direction of gaze, traced once for all distances and all states of accommodation:
 /// at the distance d from the exit point a ray that left the pupil at p with the slope S p stands at X p, X(d) = P(d) + Q(d) S.
 struct SpectacleConoid {
-  LensStatus status = LensStatus::missed_lens;   ///< unless ok, the rest means nothing
-  LightRay chief_ray;                            ///< from the exit point on the front surface, wearer frame
-  RayTransfer exit;                              ///< from the pupil (turned pupil frame) to the exit point, on (e1, e2)
+  LensStatus status = LensStatus::missed_lens;  ///< unless ok, the rest means nothing
+  LightRay chief_ray;                           ///< from the exit point on the front surface, wearer frame
+  RayTransfer exit;                             ///< from the pupil (turned pupil frame) to the exit point, on (e1, e2)
 
   /// P and Q divided by d: finite at d = ∞, where they map to angles. `vergence_D` = 1/d.
   Eigen::Matrix2d angular_p(double vergence_D) const { return vergence_D * exit.offset_from_offset + exit.slope_from_offset; }

@@ -18,13 +18,15 @@ std::optional<Wavefront> transferred(const Wavefront& wave, double distance) {
 }
 
 Wavefront through(const Wavefront& wave, const Interface& at, const Eigen::Matrix2d& surface_curvature) {
-  const Eigen::Vector2d in(1.0, at.cos_in), out(1.0, 1.0 / at.cos_out);   // diagonals of C and C'⁻¹
+  const Eigen::Vector2d in(1.0, at.cos_in), out(1.0, 1.0 / at.cos_out);  // diagonals of C and C'⁻¹
   const Eigen::Matrix2d k = wave.on(at.u, at.v).curvature;
   const Eigen::Matrix2d on_surface = at.mu * (in.asDiagonal() * k * in.asDiagonal()) + at.gamma * surface_curvature;
   return {at.direction_out, at.u, at.v_out, out.asDiagonal() * on_surface * out.asDiagonal()};
 }
 
-Wavefront through(const Wavefront& wave, const Interface& at, const Sag& surface) { return through(wave, at, tangent_curvature(surface, at.u, at.tangent)); }
+Wavefront through(const Wavefront& wave, const Interface& at, const Sag& surface) {
+  return through(wave, at, tangent_curvature(surface, at.u, at.tangent));
+}
 
 Wavefront through_thin_lens(const Wavefront& wave, const Eigen::Matrix2d& power, double index_before, double index_behind) {
   Wavefront behind = wave;

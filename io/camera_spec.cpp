@@ -18,7 +18,8 @@ CameraSpec read_camera(const Json& value, const Source& where) {
   camera.height = value.at("resolution")[1].get<int>();
 
   const Eigen::Vector3d look = camera.look_at - camera.position;
-  if (!(look.norm() > 1e-9 * (1.0 + camera.position.norm()))) (where / "look_at_m").fail(value["look_at_m"], "a point away from position_m");
+  if (!(look.norm() > 1e-9 * (1.0 + camera.position.norm())))
+    (where / "look_at_m").fail(value["look_at_m"], "a point away from position_m");
   // sin of the angle between them; 1e-6 leaves ten digits to the picture's horizontal.
   if (!(camera.up.norm() > 0.0 && camera.up.normalized().cross(look.normalized()).norm() > 1e-6))
     (where / "up").fail(value.value("up", Json::array({0, 1, 0})), "a direction that is not parallel to the line of sight");

@@ -13,7 +13,8 @@ namespace sturm {
 struct Target {
   double azimuth = 0.0;     ///< to the wearer's right [rad], |.| ≤ 89°
   double elevation = 0.0;   ///< up [rad], |.| ≤ 89°
-  double distance_m = 0.0;  ///< along the line of sight from the pupil's centre, with spectacles along the outgoing chief ray from the exit point [m]; > 0, ∞ allowed
+  double distance_m = 0.0;  ///< along the line of sight from the pupil's centre, with spectacles along the outgoing chief ray from the exit
+                            ///< point [m]; > 0, ∞ allowed
 };
 
 /// A validated document of format sturm.ellipse/1.

@@ -22,7 +22,8 @@ Accommodation accommodation_of(const Json& value, const Source& where) {
 void require_unique_ids(const Json& list, const Source& where) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (!ids.insert(list[i]["id"].get<std::string>()).second) (where / i / "id").fail(list[i]["id"], "an id that no other entry of this list has");
+    if (!ids.insert(list[i]["id"].get<std::string>()).second)
+      (where / i / "id").fail(list[i]["id"], "an id that no other entry of this list has");
 }
 
 EllipseExperiment read_ellipses(const Json& value, const Source& where) {
@@ -34,7 +35,8 @@ EllipseExperiment read_ellipses(const Json& value, const Source& where) {
         {list[i]["id"].get<std::string>(), list[i].value("note", ""), read_prescription(list[i], where / "prescriptions" / i)});
   for (std::size_t i = 0; i < value["distances_m"].size(); ++i)
     ellipses.distances_m.push_back(read_distance(value["distances_m"][i], where / "distances_m" / i));
-  for (const Json& diameter_mm : value["pupil_diameters_mm"]) ellipses.pupil_diameters_m.push_back(metres_per_millimetre * diameter_mm.get<double>());
+  for (const Json& diameter_mm : value["pupil_diameters_mm"])
+    ellipses.pupil_diameters_m.push_back(metres_per_millimetre * diameter_mm.get<double>());
   ellipses.accommodation = accommodation_of(value, where);
   ellipses.ray_models = value["ray_models"].get<std::vector<std::string>>();
   ellipses.rays = read_ray_bundle(value.value("rays", Json()), where / "rays", 0.0);
@@ -48,7 +50,8 @@ const Prescription& prescription_named(const Json& id, const Source& where, cons
       if (candidate.id == id) return candidate.prescription;
       ids.push_back(candidate.id);
     }
-  throw InputError(where.file, where.pointer, compact(id) + did_you_mean(id.get<std::string>(), ids), one_of(ids) + " (ids of /ellipses/prescriptions)");
+  throw InputError(where.file, where.pointer, compact(id) + did_you_mean(id.get<std::string>(), ids),
+                   one_of(ids) + " (ids of /ellipses/prescriptions)");
 }
 
 PsfExperiment read_psf(const Json& value, const Source& where, const std::optional<EllipseExperiment>& ellipses) {
@@ -74,7 +77,8 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
   image.eye = make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
                        metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
   image.ray_models = value["ray_models"].get<std::vector<std::string>>();
-  for (const std::string& ray_model : image.ray_models) require_camera_accommodation(image.eye.accommodation, ray_model, where / "accommodation");
+  for (const std::string& ray_model : image.ray_models)
+    require_camera_accommodation(image.eye.accommodation, ray_model, where / "accommodation");
   image.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   image.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", image.samples_per_pixel);
   image.replicates = value.value("replicates", 2);

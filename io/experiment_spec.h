@@ -25,7 +25,7 @@ struct EllipseExperiment {
   std::vector<double> pupil_diameters_m;
   Accommodation accommodation;
   std::vector<std::string> ray_models;
-  RayBundleSpec rays;                            ///< count × replicates
+  RayBundleSpec rays;  ///< count × replicates
 };
 
 /// The image of one point-like emitter on the line of sight.
@@ -33,16 +33,16 @@ struct PsfExperiment {
   std::string id;
   std::string prescription;  ///< id
   Eye eye;
-  double distance_m = 0.0;   ///< > 0, ∞ allowed
+  double distance_m = 0.0;  ///< > 0, ∞ allowed
   std::vector<std::string> ray_models;
-  int resolution = 0;        ///< [px], square
+  int resolution = 0;  ///< [px], square
   std::uint64_t samples_per_pixel = 0;
 };
 
 /// One scene, path traced and predicted.
 struct ImageExperiment {
   std::string id;
-  std::string scene_name;    ///< as given
+  std::string scene_name;  ///< as given
   SceneSpec scene;
   CameraSpec camera;
   std::string prescription;  ///< id
@@ -50,7 +50,7 @@ struct ImageExperiment {
   std::vector<std::string> ray_models;
   std::uint64_t samples_per_pixel = 0;
   std::uint64_t sharp_samples_per_pixel = 0;  ///< of the prediction's sharp view
-  int replicates = 0;        ///< independently seeded path-traced images, ≥ 2
+  int replicates = 0;                         ///< independently seeded path-traced images, ≥ 2
 };
 
 /// A validated document of format sturm.experiment/1.
@@ -59,12 +59,12 @@ struct ExperimentSpec {
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> reference;  ///< absolute
   std::optional<EllipseExperiment> ellipses;
-  std::vector<PsfExperiment> psfs;                 ///< ids are unique
-  std::vector<ImageExperiment> images;             ///< ids are unique
-  std::filesystem::path gates;                     ///< absolute
-  std::optional<std::filesystem::path> baseline;   ///< absolute; need not exist yet
-  std::vector<std::string> input_files;            ///< absolute paths of all further files that are named and exist
-  std::shared_ptr<const Json> resolved;            ///< the document with every default spelt out, paths as given
+  std::vector<PsfExperiment> psfs;                ///< ids are unique
+  std::vector<ImageExperiment> images;            ///< ids are unique
+  std::filesystem::path gates;                    ///< absolute
+  std::optional<std::filesystem::path> baseline;  ///< absolute; need not exist yet
+  std::vector<std::string> input_files;           ///< absolute paths of all further files that are named and exist
+  std::shared_ptr<const Json> resolved;           ///< the document with every default spelt out, paths as given
 };
 
 /// Validates and reads an experiment; `file` names it in errors and is where relative paths start. Throws InputError.

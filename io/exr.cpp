@@ -26,7 +26,8 @@ namespace {
 Imf::Slice slice_of(float* pixels, int width, int channels, int channel, int left = 0, int top = 0) {
   const std::ptrdiff_t x_stride = std::ptrdiff_t{channels} * static_cast<std::ptrdiff_t>(sizeof(float)), y_stride = x_stride * width;
   char* first = reinterpret_cast<char*>(pixels + channel);
-  return Imf::Slice(Imf::FLOAT, first - left * x_stride - top * y_stride, static_cast<std::size_t>(x_stride), static_cast<std::size_t>(y_stride));
+  return Imf::Slice(Imf::FLOAT, first - left * x_stride - top * y_stride, static_cast<std::size_t>(x_stride),
+                    static_cast<std::size_t>(y_stride));
 }
 
 void insert_metadata(Imf::Header& header, const std::map<std::string, std::string>& metadata) {
@@ -38,11 +39,14 @@ void insert_metadata(Imf::Header& header, const std::map<std::string, std::strin
   }
 }
 
-std::int64_t extent(int low, int high) { return std::int64_t{high} - low + 1; }
+std::int64_t extent(int low, int high) {
+  return std::int64_t{high} - low + 1;
+}
 
 /// The part of `stored` (first pixel at `data`'s corner) that lies in the window `display`; 0 elsewhere.
 Image in_window(const Image& stored, const Imath::Box2i& data, const Imath::Box2i& display) {
-  Image image(static_cast<int>(extent(display.min.x, display.max.x)), static_cast<int>(extent(display.min.y, display.max.y)), stored.channels);
+  Image image(static_cast<int>(extent(display.min.x, display.max.x)), static_cast<int>(extent(display.min.y, display.max.y)),
+              stored.channels);
   const int left = std::max(data.min.x, display.min.x), right = std::min(data.max.x, display.max.x);
   for (int y = std::max(data.min.y, display.min.y); y <= std::min(data.max.y, display.max.y) && left <= right; ++y) {
     const float* from = stored.at(left - data.min.x, y - data.min.y);
@@ -62,7 +66,9 @@ LayeredImage read_pixels(Imf::InputFile& file, std::size_t max_bytes) {
   }
   // In double: the product of the extents that a broken header claims can overflow 64 bits.
   const double pixels = static_cast<double>(extent(data.min.x, data.max.x)) * static_cast<double>(extent(data.min.y, data.max.y)) +
-                        (data == display ? 0.0 : static_cast<double>(extent(display.min.x, display.max.x)) * static_cast<double>(extent(display.min.y, display.max.y)));
+                        (data == display ? 0.0
+                                         : static_cast<double>(extent(display.min.x, display.max.x)) *
+                                               static_cast<double>(extent(display.min.y, display.max.y)));
   const double bytes = pixels * static_cast<double>(channels.size() * sizeof(float));
   if (bytes > static_cast<double>(max_bytes)) throw std::runtime_error("an image of " + std::to_string(bytes / (1 << 20)) + " MiB");
 
@@ -72,7 +78,8 @@ LayeredImage read_pixels(Imf::InputFile& file, std::size_t max_bytes) {
     Image& pixels_of_layer = image.layers[layer] = Image(static_cast<int>(extent(data.min.x, data.max.x)),
                                                          static_cast<int>(extent(data.min.y, data.max.y)), static_cast<int>(names.size()));
     for (std::size_t c = 0; c < names.size(); ++c)
-      frame.insert(names[c], slice_of(pixels_of_layer.pixels.data(), pixels_of_layer.width, pixels_of_layer.channels, static_cast<int>(c), data.min.x, data.min.y));
+      frame.insert(names[c], slice_of(pixels_of_layer.pixels.data(), pixels_of_layer.width, pixels_of_layer.channels, static_cast<int>(c),
+                                      data.min.x, data.min.y));
   }
   file.setFrameBuffer(frame);
   file.readPixels(data.min.y, data.max.y);

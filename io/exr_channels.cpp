@@ -6,7 +6,9 @@ namespace sturm {
 
 namespace {
 
-std::string full_name(const std::string& layer, const std::string& channel) { return layer.empty() ? channel : layer + "." + channel; }
+std::string full_name(const std::string& layer, const std::string& channel) {
+  return layer.empty() ? channel : layer + "." + channel;
+}
 
 std::vector<std::string> full_names(const std::string& layer, const std::vector<std::string>& channels) {
   std::vector<std::string> names;
@@ -16,7 +18,8 @@ std::vector<std::string> full_names(const std::string& layer, const std::vector<
 
 /// Groups that make up a layer, the larger ones first.
 const std::vector<std::vector<std::string>>& known_groups() {
-  static const std::vector<std::vector<std::string>> groups = {{"R", "G", "B", "A"}, {"R", "G", "B"}, {"X", "Y", "Z"}, {"X", "Y"}, {"Y"}, {"Z"}};
+  static const std::vector<std::vector<std::string>> groups = {{"R", "G", "B", "A"}, {"R", "G", "B"}, {"X", "Y", "Z"},
+                                                               {"X", "Y"},           {"Y"},           {"Z"}};
   return groups;
 }
 
@@ -30,11 +33,16 @@ bool contains_all(const std::set<std::string>& set, const std::vector<std::strin
 
 std::vector<std::string> exr_channel_names(const std::string& layer, int channels) {
   switch (channels) {
-    case 1: return full_names(layer, {layer == "depth" ? "Z" : "Y"});
-    case 2: return full_names(layer, {"X", "Y"});
-    case 3: return full_names(layer, layer == "normal" ? std::vector<std::string>{"X", "Y", "Z"} : std::vector<std::string>{"R", "G", "B"});
-    case 4: return full_names(layer, {"R", "G", "B", "A"});
-    default: return {};
+    case 1:
+      return full_names(layer, {layer == "depth" ? "Z" : "Y"});
+    case 2:
+      return full_names(layer, {"X", "Y"});
+    case 3:
+      return full_names(layer, layer == "normal" ? std::vector<std::string>{"X", "Y", "Z"} : std::vector<std::string>{"R", "G", "B"});
+    case 4:
+      return full_names(layer, {"R", "G", "B", "A"});
+    default:
+      return {};
   }
 }
 

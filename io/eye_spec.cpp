@@ -19,13 +19,15 @@ constexpr double largest_human_pupil_mm = 10.0;
 
 /// Throws unless exactly one of two members is there.
 void require_one_of(const Json& value, const char* a, const char* b, const Source& where) {
-  const std::string expected = "exactly one of \"" + std::string(a) + "\" and \"" + b + "\" for mode \"" + value["mode"].get<std::string>() + "\"";
+  const std::string expected =
+      "exactly one of \"" + std::string(a) + "\" and \"" + b + "\" for mode \"" + value["mode"].get<std::string>() + "\"";
   if (value.contains(a) == value.contains(b)) where.fail(value, expected);
 }
 
 void require_absent(const Json& value, std::initializer_list<const char*> keys, const Source& where) {
   for (const char* key : keys)
-    if (value.contains(key)) (where / key).fail(value[key], "no \"" + std::string(key) + "\" for mode \"" + value["mode"].get<std::string>() + "\"");
+    if (value.contains(key))
+      (where / key).fail(value[key], "no \"" + std::string(key) + "\" for mode \"" + value["mode"].get<std::string>() + "\"");
 }
 
 }  // namespace
@@ -84,13 +86,17 @@ Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodatio
 
 void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model, const Source& where) {
   if (std::holds_alternative<BestAccommodation>(accommodation))
-    throw InputError(where.file, where.pointer, "mode \"best\"", "\"relaxed\" or \"fixed\": in camera gaze one accommodation holds for all distances");
+    throw InputError(where.file, where.pointer, "mode \"best\"",
+                     "\"relaxed\" or \"fixed\": in camera gaze one accommodation holds for all distances");
   const auto* fixed = std::get_if<FixedAccommodation>(&accommodation);
   if (ray_model == "metalstigmatism" && !(fixed && fixed->focus_distance_m > 0.0))
-    throw InputError(where.file, where.pointer, "no \"focus_distance_m\"", "mode \"fixed\" with a \"focus_distance_m\", which ray model metalstigmatism needs");
+    throw InputError(where.file, where.pointer, "no \"focus_distance_m\"",
+                     "mode \"fixed\" with a \"focus_distance_m\", which ray model metalstigmatism needs");
 }
 
-Json eye_object(const Json& value, const Source& where) { return value.is_string() ? load_named_document(value, where, "eye") : value; }
+Json eye_object(const Json& value, const Source& where) {
+  return value.is_string() ? load_named_document(value, where, "eye") : value;
+}
 
 EyeSpec read_eye_spec(const Json& value, const Source& where) {
   EyeSpec spec;
@@ -112,6 +118,8 @@ EyeSpec read_eye_spec(const Json& value, const Source& where) {
   return spec;
 }
 
-Eye read_eye(const Json& value, const Source& where) { return read_eye_spec(value, where).eye; }
+Eye read_eye(const Json& value, const Source& where) {
+  return read_eye_spec(value, where).eye;
+}
 
 }  // namespace sturm

@@ -11,10 +11,10 @@ namespace sturm {
 
 namespace {
 constexpr std::array<std::pair<Comparison, const char*>, 5> comparison_names = {{{Comparison::AtMost, "at_most"},
-                                                                                  {Comparison::AtLeast, "at_least"},
-                                                                                  {Comparison::Differs, "differs"},
-                                                                                  {Comparison::Baseline, "baseline"},
-                                                                                  {Comparison::MustFail, "must_fail"}}};
+                                                                                 {Comparison::AtLeast, "at_least"},
+                                                                                 {Comparison::Differs, "differs"},
+                                                                                 {Comparison::Baseline, "baseline"},
+                                                                                 {Comparison::MustFail, "must_fail"}}};
 
 Comparison comparison_of(const Json& name) {
   for (const auto& [comparison, word] : comparison_names)

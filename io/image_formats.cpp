@@ -40,7 +40,8 @@ Module open_module() {
     const Module module{reinterpret_cast<decltype(Module::read)>(dlsym(library, "sturm_imageformats_read")),
                         reinterpret_cast<decltype(Module::encode_png)>(dlsym(library, "sturm_imageformats_encode_png")),
                         reinterpret_cast<decltype(Module::free)>(dlsym(library, "sturm_imageformats_free"))};
-    if (!module.read || !module.encode_png || !module.free) throw RuntimeFailure(file.string() + " is not the image format module of this program");
+    if (!module.read || !module.encode_png || !module.free)
+      throw RuntimeFailure(file.string() + " is not the image format module of this program");
     return module;
   }
   throw RuntimeFailure("the image format module (PNG, JPEG, textures) could not be loaded:" + reasons);

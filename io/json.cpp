@@ -92,7 +92,8 @@ class StrictCheck : public nlohmann::json_sax<Json> {
     return true;
   }
   bool open() {
-    if (levels_.size() >= max_depth) throw InputError(file_, pointer(), "", "at most " + std::to_string(max_depth) + " nested objects and arrays");
+    if (levels_.size() >= max_depth)
+      throw InputError(file_, pointer(), "", "at most " + std::to_string(max_depth) + " nested objects and arrays");
     levels_.emplace_back();
     return true;
   }
@@ -123,11 +124,17 @@ std::string read_all(std::istream& stream, const std::string& file) {
 
 }  // namespace
 
-Source Source::operator/(std::string_view key) const { return {file, pointer + "/" + escaped(key)}; }
+Source Source::operator/(std::string_view key) const {
+  return {file, pointer + "/" + escaped(key)};
+}
 
-Source Source::operator/(std::size_t index) const { return {file, pointer + "/" + std::to_string(index)}; }
+Source Source::operator/(std::size_t index) const {
+  return {file, pointer + "/" + std::to_string(index)};
+}
 
-void Source::fail(const Json& value, const std::string& expected) const { throw InputError(file, pointer, compact(value), expected); }
+void Source::fail(const Json& value, const std::string& expected) const {
+  throw InputError(file, pointer, compact(value), expected);
+}
 
 Json parse_json(std::string_view text, const std::string& file) {
   StrictCheck check(text, file);
@@ -158,7 +165,8 @@ std::string compact(const Json& value, std::size_t limit) {
 }
 
 std::filesystem::path path_beside(const std::string& path, const std::string& naming_file) {
-  const std::filesystem::path folder = naming_file == "<stdin>" ? std::filesystem::path() : std::filesystem::path(naming_file).parent_path();
+  const std::filesystem::path folder =
+      naming_file == "<stdin>" ? std::filesystem::path() : std::filesystem::path(naming_file).parent_path();
   return std::filesystem::absolute(folder / path).lexically_normal();
 }
 

@@ -23,7 +23,8 @@ std::vector<std::string> tokens_of(std::string_view pointer) {
         continue;
       }
       const char code = i + 1 < end ? pointer[++i] : '?';
-      if (code != '0' && code != '1') throw InputError("--set", std::string(pointer), "~" + std::string(1, code), "~0 (for ~) or ~1 (for /)");
+      if (code != '0' && code != '1')
+        throw InputError("--set", std::string(pointer), "~" + std::string(1, code), "~0 (for ~) or ~1 (for /)");
       token += code == '0' ? '~' : '/';
     }
     tokens.push_back(token);
@@ -40,8 +41,9 @@ Json& element_of(Json& array, const std::string& token, const Source& where) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
   if (token.empty() || error != std::errc() || end != token.data() + token.size() || index >= array.size())
-    throw InputError(where.file, where.pointer, "index \"" + token + "\"",
-                     array.empty() ? "- (append) in an empty array" : "an index from 0 to " + std::to_string(array.size() - 1) + ", or - to append");
+    throw InputError(
+        where.file, where.pointer, "index \"" + token + "\"",
+        array.empty() ? "- (append) in an empty array" : "an index from 0 to " + std::to_string(array.size() - 1) + ", or - to append");
   return array[index];
 }
 

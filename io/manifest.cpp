@@ -43,7 +43,9 @@ std::string utc_now() {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-std::string spec_hash(const Json& resolved_spec) { return sha256(resolved_spec.dump()); }
+std::string spec_hash(const Json& resolved_spec) {
+  return sha256(resolved_spec.dump());
+}
 
 Json provenance(const RunFacts& run, const Json& resolved_spec) {
   Json inputs = Json::array();
@@ -65,7 +67,11 @@ Json provenance(const RunFacts& run, const Json& resolved_spec) {
 }
 
 Json manifest(const RunFacts& run, const Json& resolved_spec, const Json& counters, const std::vector<std::string>& notes) {
-  return {{"format", "sturm.manifest/1"}, {"provenance", provenance(run, resolved_spec)}, {"spec", resolved_spec}, {"counters", counters}, {"notes", notes}};
+  return {{"format", "sturm.manifest/1"},
+          {"provenance", provenance(run, resolved_spec)},
+          {"spec", resolved_spec},
+          {"counters", counters},
+          {"notes", notes}};
 }
 
 }  // namespace sturm

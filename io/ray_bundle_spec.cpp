@@ -19,7 +19,8 @@ std::vector<Eigen::Vector2d> read_points(const Json& points, const Source& where
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d point = metres_per_millimetre * Eigen::Vector2d(points[i][0].get<double>(), points[i][1].get<double>());
     if (!(point.norm() <= pupil_radius_m * (1.0 + rim_tolerance)))
-      (where / i).fail(points[i], "a point in the pupil, at most " + Json(pupil_radius_m / metres_per_millimetre).dump() + " mm from its centre");
+      (where / i).fail(points[i],
+                       "a point in the pupil, at most " + Json(pupil_radius_m / metres_per_millimetre).dump() + " mm from its centre");
     result.push_back(point);
   }
   return result;
@@ -27,7 +28,9 @@ std::vector<Eigen::Vector2d> read_points(const Json& points, const Source& where
 
 }  // namespace
 
-Sequence read_sequence(std::string_view name) { return name == "independent" ? Sequence::Independent : Sequence::Sobol; }
+Sequence read_sequence(std::string_view name) {
+  return name == "independent" ? Sequence::Independent : Sequence::Sobol;
+}
 
 RayBundleSpec read_ray_bundle(const Json& value, const Source& where, double pupil_radius_m) {
   RayBundleSpec spec;
@@ -37,7 +40,8 @@ RayBundleSpec read_ray_bundle(const Json& value, const Source& where, double pup
   if (quadrature || points)
     for (const char* key : {"count", "replicates", "sequence"})
       if (value.contains(key))
-        (where / key).fail(value[key], std::string("no \"") + key + "\" beside \"" + (quadrature ? "quadrature" : "pupil_points_mm") + "\"");
+        (where / key)
+            .fail(value[key], std::string("no \"") + key + "\" beside \"" + (quadrature ? "quadrature" : "pupil_points_mm") + "\"");
   spec.count = value.value("count", spec.count);
   spec.replicates = value.value("replicates", spec.replicates);
   spec.sequence = read_sequence(value.value("sequence", "sobol"));

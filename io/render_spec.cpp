@@ -19,7 +19,8 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
     spec.oversampling = value.value("oversampling", spec.oversampling);
   } else {
     refuse("oversampling", "path_trace");
-    if (!value.contains("ray_model")) throw InputError(where.file, where.pointer, "no \"ray_model\"", "a ray model for type \"path_trace\"");
+    if (!value.contains("ray_model"))
+      throw InputError(where.file, where.pointer, "no \"ray_model\"", "a ray model for type \"path_trace\"");
     spec.ray_model = value["ray_model"].get<std::string>();
   }
   spec.samples_per_pixel = value.value("samples_per_pixel", spec.samples_per_pixel);

@@ -17,17 +17,18 @@ enum class RenderMethod { PathTrace, Predict };
 struct RenderSpec {
   SceneSpec scene;
   CameraSpec camera;
-  Eye eye;                                 ///< accommodation relaxed or fixed: a camera has one accommodation for all distances
+  Eye eye;  ///< accommodation relaxed or fixed: a camera has one accommodation for all distances
   RenderMethod method = RenderMethod::PathTrace;
-  std::string ray_model;                   ///< of the path tracer; "" for a prediction
-  std::uint64_t samples_per_pixel = 64;    ///< of the path tracer, or of the prediction's sharp view (per output pixel)
+  std::string ray_model;                 ///< of the path tracer; "" for a prediction
+  std::uint64_t samples_per_pixel = 64;  ///< of the path tracer, or of the prediction's sharp view (per output pixel)
   int max_bounces = 16;
   Sequence sampler = Sequence::Sobol;
-  int oversampling = 1;                    ///< sharp pixels per output pixel along each side (prediction only)
+  int oversampling = 1;  ///< sharp pixels per output pixel along each side (prediction only)
   std::uint64_t seed = 1;
-  std::vector<std::string> notes;          ///< for the manifest
-  std::vector<std::string> input_files;    ///< absolute paths of further files that were named
-  std::shared_ptr<const Json> resolved;    ///< the document with every default spelt out; an eye file is put in place, scene and model paths stay as given
+  std::vector<std::string> notes;        ///< for the manifest
+  std::vector<std::string> input_files;  ///< absolute paths of further files that were named
+  std::shared_ptr<const Json>
+      resolved;  ///< the document with every default spelt out; an eye file is put in place, scene and model paths stay as given
 };
 
 /// Validates and reads a render document; `file` names it in errors and is where relative paths start. Throws InputError.

@@ -44,7 +44,8 @@ int read_material_name(const Json& value, const Source& where, const std::vector
     if (material.name == value) return static_cast<int>(names.size());
     names.push_back(material.name);
   }
-  throw InputError(where.file, where.pointer, compact(value) + did_you_mean(value.get<std::string>(), names), one_of(names) + " (materials of this scene)");
+  throw InputError(where.file, where.pointer, compact(value) + did_you_mean(value.get<std::string>(), names),
+                   one_of(names) + " (materials of this scene)");
 }
 
 MeshSpec read_mesh(const Json& value, const Source& where, const std::vector<MaterialSpec>& materials) {
@@ -94,7 +95,8 @@ SceneSpec read_scene(const Json& value, const Source& where) {
   for (std::size_t i = 0; i < spheres.size(); ++i)
     scene.spheres.push_back({read_vector3(spheres[i]["center_m"]), spheres[i]["radius_m"].get<double>(),
                              read_material_name(spheres[i]["material"], where / "spheres" / i / "material", scene.materials)});
-  for (const Json& light : member(value, "lights")) scene.lights.push_back({read_vector3(light["position_m"]), read_vector3(light["intensity"])});
+  for (const Json& light : member(value, "lights"))
+    scene.lights.push_back({read_vector3(light["position_m"]), read_vector3(light["intensity"])});
   return scene;
 }
 

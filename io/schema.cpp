@@ -116,9 +116,13 @@ std::vector<std::string> schema_names() {
   return names;
 }
 
-Json schema_document(std::string_view name) { return Hoister(std::string(name)).run(); }
+Json schema_document(std::string_view name) {
+  return Hoister(std::string(name)).run();
+}
 
-std::string schema_text(std::string_view name) { return schema_document(name).dump(2) + "\n"; }
+std::string schema_text(std::string_view name) {
+  return schema_document(name).dump(2) + "\n";
+}
 
 std::string format_of(const Json& document, const std::string& file) {
   const Source root{file, ""};
@@ -131,7 +135,8 @@ std::string format_of(const Json& document, const std::string& file) {
   if (format->is_string())
     if (const auto at = std::find(known.begin(), known.end(), format->get<std::string>()); at != known.end())
       return names[static_cast<std::size_t>(at - known.begin())];
-  throw InputError(file, "/format", compact(*format) + (format->is_string() ? did_you_mean(format->get<std::string>(), known) : ""), one_of(known));
+  throw InputError(file, "/format", compact(*format) + (format->is_string() ? did_you_mean(format->get<std::string>(), known) : ""),
+                   one_of(known));
 }
 
 void validate(const Json& document, std::string_view schema_name, const std::string& file) {

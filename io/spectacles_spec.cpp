@@ -28,7 +28,9 @@ double required(const Json& value, const char* key, const Source& where, const c
 
 /// 1/R [1/m] of a radius [mm]; null is flat.
 double read_curvature(const Json& surface, const char* key, const Source& where) {
-  if (!surface.contains(key)) missing(key, where, "\"" + std::string(key) + "\" for a " + surface["type"].get<std::string>() + ": a radius [mm], or null where it is flat");
+  if (!surface.contains(key))
+    missing(key, where,
+            "\"" + std::string(key) + "\" for a " + surface["type"].get<std::string>() + ": a radius [mm], or null where it is flat");
   const Json& radius = surface[key];
   if (radius.is_null()) return 0.0;
   if (!(std::abs(radius.get<double>()) >= smallest_radius_mm))
@@ -44,8 +46,9 @@ Surface read_surface(const Json& value, const Source& where) {
   };
   if (type == "torus") {
     refuse({"radius_mm", "conic_constant"});
-    return TorusSurface(read_curvature(value, "sweep_radius_mm", where), read_curvature(value, "generator_radius_mm", where),
-                        required(value, "sweep_meridian_deg", where, "\"sweep_meridian_deg\" for a torus: the meridian of the sweep in TABO degrees"));
+    return TorusSurface(
+        read_curvature(value, "sweep_radius_mm", where), read_curvature(value, "generator_radius_mm", where),
+        required(value, "sweep_meridian_deg", where, "\"sweep_meridian_deg\" for a torus: the meridian of the sweep in TABO degrees"));
   }
   refuse({"sweep_radius_mm", "generator_radius_mm", "sweep_meridian_deg"});
   const double curvature = read_curvature(value, "radius_mm", where);
@@ -54,8 +57,12 @@ Surface read_surface(const Json& value, const Source& where) {
   return SphereSurface{curvature};
 }
 
-double vertex_distance(const Json& value) { return metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm); }
-double diameter(const Json& value) { return metres_per_millimetre * value.value("diameter_mm", default_diameter_mm); }
+double vertex_distance(const Json& value) {
+  return metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm);
+}
+double diameter(const Json& value) {
+  return metres_per_millimetre * value.value("diameter_mm", default_diameter_mm);
+}
 
 Spectacles read_two_surfaces(const Json& value, const Source& where) {
   for (const char* side : {"front", "back"})
@@ -63,7 +70,8 @@ Spectacles read_two_surfaces(const Json& value, const Source& where) {
   Spectacles lens;
   lens.front = read_surface(value["front"], where / "front");
   lens.back = read_surface(value["back"], where / "back");
-  lens.center_thickness_m = metres_per_millimetre * required(value, "center_thickness_mm", where, "\"center_thickness_mm\": the lens's thickness at its centre [mm]");
+  lens.center_thickness_m = metres_per_millimetre * required(value, "center_thickness_mm", where,
+                                                             "\"center_thickness_mm\": the lens's thickness at its centre [mm]");
   lens.refractive_index = required(value, "refractive_index", where, "\"refractive_index\": a number from 1 to 4");
   lens.vertex_distance_m = vertex_distance(value);
   lens.diameter_m = diameter(value);
@@ -91,7 +99,7 @@ Spectacles read_single_vision(const Json& value, const Source& where, const Eye&
   design.diameter_m = diameter(value);
   try {
     return single_vision(lens_power(value, where, eye, design.vertex_distance_m), design);
-  } catch (const std::logic_error& error) {   // std::invalid_argument, std::domain_error
+  } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
     throw InputError(where.file, where.pointer, error.what(), "a lens that can be made");
   }
 }
@@ -112,7 +120,8 @@ SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye
     return spec;
   }
   for (const auto& [key, member] : value.items())
-    if (key != "single_vision" && key != "format" && key != "$schema") (where / key).fail(member, "no \"" + key + "\" beside \"single_vision\": it belongs inside");
+    if (key != "single_vision" && key != "format" && key != "$schema")
+      (where / key).fail(member, "no \"" + key + "\" beside \"single_vision\": it belongs inside");
   spec.lens = read_single_vision(value["single_vision"], where / "single_vision", eye);
   return spec;
 }

@@ -14,12 +14,16 @@ bool has_unit(std::string_view name) {
   return std::any_of(units.begin(), units.end(), [&](std::string_view unit) { return name.ends_with(unit); });
 }
 
-std::string_view without_unit(std::string_view name) { return has_unit(name) ? name.substr(0, name.rfind('_')) : name; }
+std::string_view without_unit(std::string_view name) {
+  return has_unit(name) ? name.substr(0, name.rfind('_')) : name;
+}
 
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
-  const auto same = [](char x, char y) { return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y)); };
+  const auto same = [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  };
   // Rows i − 2, i − 1 and i of the table of distances between prefixes (optimal string alignment).
   std::vector<int> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) above[j] = static_cast<int>(j);

@@ -9,7 +9,8 @@ std::optional<Sag> ConicSurface::sag(double x, double y) const {
   if (!(p2 > 0.0)) return std::nullopt;
   const double p = std::sqrt(p2);
   const Eigen::Vector2d gradient(c * x / p, c * y / p);
-  return Sag{c * square / (1.0 + p), gradient, c / p * (Eigen::Matrix2d::Identity() + (1.0 + conic_constant) * gradient * gradient.transpose())};
+  return Sag{c * square / (1.0 + p), gradient,
+             c / p * (Eigen::Matrix2d::Identity() + (1.0 + conic_constant) * gradient * gradient.transpose())};
 }
 
 }  // namespace sturm

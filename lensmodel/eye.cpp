@@ -6,7 +6,9 @@
 
 namespace sturm {
 
-double hofstetter_amplitude(double age_years) { return std::max(0.0, 18.5 - 0.3 * age_years); }
+double hofstetter_amplitude(double age_years) {
+  return std::max(0.0, 18.5 - 0.3 * age_years);
+}
 
 Eye Eye::with(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation) {
   validate(rx);

@@ -9,10 +9,10 @@ namespace sturm {
 
 /// Thin-lens eye (physics.md §3). Pupil, cornea and principal plane coincide. Both predictors read this one object.
 struct Eye {
-  Prescription prescription;                 ///< as written; `correction` is the same at the cornea
-  PowerMatrix correction;                    ///< F, the correcting power at the cornea [D], wearer frame; a myope's is negative
-  double pupil_radius_m = 2e-3;              ///< a ≥ 0; 0 is a pinhole
-  double rotation_center_m = 13.5e-3;        ///< distance of the centre of rotation behind the pupil
+  Prescription prescription;           ///< as written; `correction` is the same at the cornea
+  PowerMatrix correction;              ///< F, the correcting power at the cornea [D], wearer frame; a myope's is negative
+  double pupil_radius_m = 2e-3;        ///< a ≥ 0; 0 is a pinhole
+  double rotation_center_m = 13.5e-3;  ///< distance of the centre of rotation behind the pupil
   Accommodation accommodation = RelaxedAccommodation{};
 
   /// Checks ranges and applies the vertex distance. Throws std::invalid_argument or std::domain_error.

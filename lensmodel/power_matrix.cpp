@@ -44,6 +44,8 @@ Prescription PowerMatrix::as_prescription() const {
   return {p.high, p.low - p.high, folded_axis_deg(180.0 - meridian_deg), 0.0};
 }
 
-PowerMatrix power_at_cornea(const Prescription& rx) { return PowerMatrix::from(rx).moved_towards_eye(rx.vertex_distance_m); }
+PowerMatrix power_at_cornea(const Prescription& rx) {
+  return PowerMatrix::from(rx).moved_towards_eye(rx.vertex_distance_m);
+}
 
 }  // namespace sturm

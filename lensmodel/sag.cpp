@@ -4,7 +4,9 @@
 
 namespace sturm {
 
-Eigen::Vector3d outward_normal(const Sag& sag) { return Eigen::Vector3d(sag.gradient.x(), sag.gradient.y(), -1.0) / std::sqrt(1.0 + sag.gradient.squaredNorm()); }
+Eigen::Vector3d outward_normal(const Sag& sag) {
+  return Eigen::Vector3d(sag.gradient.x(), sag.gradient.y(), -1.0) / std::sqrt(1.0 + sag.gradient.squaredNorm());
+}
 
 Eigen::Matrix2d tangent_curvature(const Sag& sag, const Eigen::Vector3d& u, const Eigen::Vector3d& w) {
   Eigen::Matrix2d across;

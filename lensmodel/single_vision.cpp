@@ -29,8 +29,10 @@ Spectacles single_vision(const Prescription& rx, const SingleVisionDesign& desig
   const auto back_curvature = [&](double power_D) { return (carried - power_D) / excess; };
   Spectacles lens;
   lens.front = SphereSurface{design.base_curve_D / excess};
-  if (minus.cylinder_D == 0.0) lens.back = SphereSurface{back_curvature(minus.sphere_D)};
-  else lens.back = TorusSurface(back_curvature(minus.sphere_D), back_curvature(minus.sphere_D + minus.cylinder_D), minus.axis_deg);
+  if (minus.cylinder_D == 0.0)
+    lens.back = SphereSurface{back_curvature(minus.sphere_D)};
+  else
+    lens.back = TorusSurface(back_curvature(minus.sphere_D), back_curvature(minus.sphere_D + minus.cylinder_D), minus.axis_deg);
   lens.center_thickness_m = design.center_thickness_m;
   lens.refractive_index = design.refractive_index;
   lens.vertex_distance_m = design.vertex_distance_m;

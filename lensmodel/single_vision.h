@@ -6,7 +6,7 @@ namespace sturm {
 
 /// What a single-vision lens is made from.
 struct SingleVisionDesign {
-  double base_curve_D = 4.0;          ///< power of the front surface, a sphere, in the lens's own index [D]; 0 = plane
+  double base_curve_D = 4.0;  ///< power of the front surface, a sphere, in the lens's own index [D]; 0 = plane
   double center_thickness_m = 2e-3;
   double refractive_index = 1.5;
   double vertex_distance_m = 12e-3;

@@ -7,7 +7,9 @@ namespace sturm {
 namespace {
 
 /// The ray in the frame of the surface whose vertex lies at (0, 0, vertex_z).
-LightRay in_surface_frame(const LightRay& ray, double vertex_z) { return {ray.origin - Eigen::Vector3d(0.0, 0.0, vertex_z), ray.direction}; }
+LightRay in_surface_frame(const LightRay& ray, double vertex_z) {
+  return {ray.origin - Eigen::Vector3d(0.0, 0.0, vertex_z), ray.direction};
+}
 
 }  // namespace
 
@@ -21,13 +23,14 @@ LensPath trace(const Spectacles& lens, const LightRay& ray) {
   path.back_sag = back.sag;
   path.back_point = back.position + Eigen::Vector3d(0.0, 0.0, lens.back_vertex_z());
   const auto inside = refracted(ray.direction, outward_normal(back.sag), 1.0, lens.refractive_index);
-  if (!inside) {   // into the denser medium only light that grazes the surface is lost
+  if (!inside) {  // into the denser medium only light that grazes the surface is lost
     path.status = LensStatus::missed_lens;
     return path;
   }
   path.inside_direction = *inside;
 
-  const SurfaceHit front = intersect(lens.front, in_surface_frame({path.back_point, path.inside_direction}, lens.front_vertex_z()), rim_radius);
+  const SurfaceHit front =
+      intersect(lens.front, in_surface_frame({path.back_point, path.inside_direction}, lens.front_vertex_z()), rim_radius);
   path.status = front.status;
   if (path.status != LensStatus::ok) return path;
   path.front_sag = front.sag;

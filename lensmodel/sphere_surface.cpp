@@ -21,10 +21,13 @@ std::optional<double> SphereSurface::crossing(const LightRay& ray) const {
   if (!(discriminant > 0.0)) return std::nullopt;
   const double root = std::sqrt(discriminant);
   double t;
-  if (b > 0.0) t = -e / (b + root);
-  else if (c != 0.0) t = (root - b) / c;
-  else return std::nullopt;
-  return c * ray.at(t).z() < 1.0 ? std::optional(t) : std::nullopt;   // c z > 1 is the far hemisphere
+  if (b > 0.0)
+    t = -e / (b + root);
+  else if (c != 0.0)
+    t = (root - b) / c;
+  else
+    return std::nullopt;
+  return c * ray.at(t).z() < 1.0 ? std::optional(t) : std::nullopt;  // c z > 1 is the far hemisphere
 }
 
 }  // namespace sturm

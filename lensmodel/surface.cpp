@@ -62,7 +62,7 @@ std::optional<Interval> bracket(const Shape& shape, const LightRay& ray, const I
     auto above = at(high);
     const double next_low = high;
     const auto next_below = above;
-    if (below && !above) {   // the surface's edge lies in this piece: take the last point before it
+    if (below && !above) {  // the surface's edge lies in this piece: take the last point before it
       double valid = low, invalid = high;
       for (int k = 0; k < 60; ++k) {
         const double middle = 0.5 * (valid + invalid);
@@ -92,12 +92,16 @@ SurfaceHit intersect_shape(const SphereSurface& sphere, const LightRay& ray, dou
 }
 
 /// No point of the surface within the rim is higher than this: |z| ≤ |c| r² for a conic, less for the rest.
-double height_bound(const ConicSurface& conic, double r) { return std::abs(conic.curvature) * r * r; }
-double height_bound(const TorusSurface&, double r) { return 2.0 * r; }   // each of the two arcs rises by at most its half chord
+double height_bound(const ConicSurface& conic, double r) {
+  return std::abs(conic.curvature) * r * r;
+}
+double height_bound(const TorusSurface&, double r) {
+  return 2.0 * r;
+}  // each of the two arcs rises by at most its half chord
 
 template <class Shape>
 SurfaceHit intersect_shape(const Shape& shape, const LightRay& ray, double rim_radius) {
-  constexpr double slack = 1.0 + 1e-9;   // bounds only; the rim itself is tested in hit_at
+  constexpr double slack = 1.0 + 1e-9;  // bounds only; the rim itself is tested in hit_at
   const auto way = inside(ray, rim_radius * slack, height_bound(shape, rim_radius) * slack + 1e-6 * rim_radius);
   if (!way) return {};
   const auto piece = bracket(shape, ray, *way);

@@ -17,7 +17,7 @@ class TorusSurface {
 
   double sweep_curvature() const { return sweep_curvature_; }
   double generator_curvature() const { return generator_curvature_; }
-  const Eigen::Vector2d& sweep_direction() const { return sweep_direction_; }   ///< unit vector, wearer frame
+  const Eigen::Vector2d& sweep_direction() const { return sweep_direction_; }  ///< unit vector, wearer frame
 
  private:
   double sweep_curvature_, generator_curvature_;

@@ -21,10 +21,14 @@ inline SineCosine sine_cosine_of_degrees(double degrees) {
   double s = std::sin(rest), c = std::cos(rest);
   if (std::abs(folded - 90.0 * quarter) == 45.0) s = std::copysign(c = std::numbers::sqrt2 / 2.0, rest);
   switch ((static_cast<int>(quarter) + 4) % 4) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 

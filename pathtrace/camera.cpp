@@ -5,7 +5,9 @@
 
 namespace sturm {
 
-double pixel_slope(const CameraPose& pose) { return 2.0 * std::tan(0.5 * pose.vertical_field) / pose.height; }
+double pixel_slope(const CameraPose& pose) {
+  return 2.0 * std::tan(0.5 * pose.vertical_field) / pose.height;
+}
 
 CameraPose widened(const CameraPose& pose, int margin_px, int oversampling) {
   CameraPose wide = pose;

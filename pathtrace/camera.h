@@ -11,11 +11,11 @@ namespace sturm {
 
 /// Where the eye is and where it looks; perspective, `camera` gaze (physics.md §3).
 struct CameraPose {
-  Eigen::Vector3d position{0.0, 0.0, 0.0};    ///< centre of the pupil [m], world
-  Eigen::Vector3d look_at{0.0, 0.0, -1.0};    ///< [m], world
+  Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< centre of the pupil [m], world
+  Eigen::Vector3d look_at{0.0, 0.0, -1.0};  ///< [m], world
   Eigen::Vector3d up{0.0, 1.0, 0.0};
-  double vertical_field = 0.6860;             ///< [rad]
-  int width = 256, height = 256;              ///< [px]
+  double vertical_field = 0.6860;  ///< [rad]
+  int width = 256, height = 256;   ///< [px]
 };
 
 /// Pixel pitch in tangent image coordinates [rad].
@@ -28,7 +28,7 @@ CameraPose widened(const CameraPose& pose, int margin_px, int oversampling);
 struct CameraRayBlock {
   static constexpr int size = 16;
   alignas(64) float origin[3][size];
-  alignas(64) float direction[3][size];   ///< not normalised: one unit of t is one metre of planar distance
+  alignas(64) float direction[3][size];  ///< not normalised: one unit of t is one metre of planar distance
   LaunchStatus status[size];
 };
 

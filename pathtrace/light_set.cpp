@@ -13,7 +13,9 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 
 /// 1 − cos of the half angle under which a sphere is seen, without cancellation for small ones.
-float one_minus_cosine(float sine_squared) { return sine_squared / (1.0f + std::sqrt(std::max(0.0f, 1.0f - sine_squared))); }
+float one_minus_cosine(float sine_squared) {
+  return sine_squared / (1.0f + std::sqrt(std::max(0.0f, 1.0f - sine_squared)));
+}
 }  // namespace
 
 int LightSet::add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, const Eigen::Vector3f& radiance) {
@@ -77,8 +79,10 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, float u, float v) con
   }
   const Light& light = lights_[static_cast<std::size_t>(index)];
   switch (light.kind) {
-    case Kind::triangle: return sample_triangle(light, point, rest, v);
-    case Kind::sphere: return sample_sphere(light, point, rest, v);
+    case Kind::triangle:
+      return sample_triangle(light, point, rest, v);
+    case Kind::sphere:
+      return sample_sphere(light, point, rest, v);
     default: {
       const Eigen::Vector3f direction = light.a - point;
       return {direction, light.emission / direction.squaredNorm(), light.probability, true};
@@ -89,7 +93,7 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, float u, float v) con
 LightSample LightSet::sample_triangle(const Light& light, const Eigen::Vector3f& point, float u, float v) const {
   const float root = std::sqrt(u);
   const Eigen::Vector3f direction = light.a + (root * (1.0f - v)) * light.edge1 + (root * v) * light.edge2 - point;
-  const Eigen::Vector3f scaled_normal = light.edge1.cross(light.edge2);   // length = 2·area
+  const Eigen::Vector3f scaled_normal = light.edge1.cross(light.edge2);  // length = 2·area
   const float facing = -scaled_normal.dot(direction);
   if (!(facing > 0.0f)) return {direction, light.emission, 0.0f, false};
   const float square = direction.squaredNorm();
@@ -102,7 +106,7 @@ LightSample LightSet::sample_sphere(const Light& light, const Eigen::Vector3f& p
   const float radius = light.edge1.x(), square = to_center.squaredNorm();
   if (square <= radius * radius) return {to_center, light.emission, 0.0f, false};
   const float distance = std::sqrt(square), cap = one_minus_cosine(radius * radius / square);
-  const float drop = u * cap, cosine = 1.0f - drop;   // uniform in the cone
+  const float drop = u * cap, cosine = 1.0f - drop;  // uniform in the cone
   const float sine_squared = drop * (2.0f - drop), sine = std::sqrt(sine_squared);
   const float angle = 2.0f * pi * v;
   const Eigen::Vector3f axis = to_center / distance;

@@ -7,10 +7,10 @@ namespace sturm {
 
 /// A direction towards a light, sampled at a point that it may illuminate.
 struct LightSample {
-  Eigen::Vector3f direction;   ///< from the point to the light, not normalised: t = 1 is the sampled point
-  Eigen::Vector3f radiance;    ///< emitted towards the point; for a point light: intensity / distance²
-  float pdf;                   ///< per solid angle, choice of the light included; for a point light: probability of the choice
-  bool delta;                  ///< cannot be hit by chance
+  Eigen::Vector3f direction;  ///< from the point to the light, not normalised: t = 1 is the sampled point
+  Eigen::Vector3f radiance;   ///< emitted towards the point; for a point light: intensity / distance²
+  float pdf;                  ///< per solid angle, choice of the light included; for a point light: probability of the choice
+  bool delta;                 ///< cannot be hit by chance
 };
 
 /// All lights of a scene; one is chosen with a probability in proportion to its power (alias method of Walker 1977 and Vose 1991).
@@ -36,13 +36,13 @@ class LightSet {
   enum class Kind : std::uint8_t { triangle, sphere, point };
   struct Light {
     Kind kind;
-    Eigen::Vector3f a, edge1, edge2;   // triangle; sphere: a = centre, edge1.x = radius; point: a = position
+    Eigen::Vector3f a, edge1, edge2;  // triangle; sphere: a = centre, edge1.x = radius; point: a = position
     Eigen::Vector3f emission;
-    float area;                        // triangle only
-    float probability;                 // of being chosen
+    float area;         // triangle only
+    float probability;  // of being chosen
   };
   struct Slot {
-    float keep;                        // probability of staying in this slot
+    float keep;  // probability of staying in this slot
     int alias;
   };
 

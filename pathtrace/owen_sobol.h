@@ -35,7 +35,9 @@ inline std::uint32_t mixed(std::uint32_t x) {
   return x ^ (x >> 16);
 }
 
-inline std::uint32_t combined(std::uint32_t a, std::uint32_t b) { return mixed(a ^ (b * 0x9e3779b9u + 0x85ebca6bu)); }
+inline std::uint32_t combined(std::uint32_t a, std::uint32_t b) {
+  return mixed(a ^ (b * 0x9e3779b9u + 0x85ebca6bu));
+}
 
 /// The second Sobol dimension in bit-reversed space: multiplication by Pascal's triangle modulo 2.
 inline std::uint32_t second_dimension(std::uint32_t x) {
@@ -67,9 +69,13 @@ inline std::uint32_t single(std::uint32_t index, std::uint32_t key) {
 }  // namespace owen_sobol
 
 /// Uniform in [0, 1): the largest result is 1 − 2⁻²⁴, so that 1 never appears.
-inline float unit_float(std::uint32_t x) { return static_cast<float>(static_cast<std::int32_t>(x >> 8)) * 0x1p-24f; }
+inline float unit_float(std::uint32_t x) {
+  return static_cast<float>(static_cast<std::int32_t>(x >> 8)) * 0x1p-24f;
+}
 
 /// Uniform in (0, 1), centred in its cell of 2⁻³².
-inline double unit_double(std::uint32_t x) { return (static_cast<double>(x) + 0.5) * 0x1p-32; }
+inline double unit_double(std::uint32_t x) {
+  return (static_cast<double>(x) + 0.5) * 0x1p-32;
+}
 
 }  // namespace sturm

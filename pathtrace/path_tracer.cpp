@@ -38,7 +38,8 @@ Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vec
   for (int bounce = 0;; ++bounce) {
     const bool seen_from_front = at.normal.dot(direction) < 0.0f;
     if (at.emitter >= 0 && seen_from_front) {
-      const float weight = bounce == 0 ? 1.0f : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin, at.position, at.normal));
+      const float weight =
+          bounce == 0 ? 1.0f : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
     if (bounce == settings_.max_bounces || !(at.albedo.maxCoeff() > 0.0f)) return sum;

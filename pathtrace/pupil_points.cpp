@@ -38,7 +38,8 @@ std::vector<Node> gauss_legendre(int n) {
 
 }  // namespace
 
-void fill_unit_disk(Sequence sequence, std::uint64_t seed, std::uint32_t replicate, std::uint32_t first, std::vector<Eigen::Vector2d>& points) {
+void fill_unit_disk(Sequence sequence, std::uint64_t seed, std::uint32_t replicate, std::uint32_t first,
+                    std::vector<Eigen::Vector2d>& points) {
   const PixelSequence numbers(sequence, seed, replicate);
   const std::uint32_t key = numbers.key(dimension::lens);
   const auto map = [&](auto&& draw) {
@@ -48,8 +49,10 @@ void fill_unit_disk(Sequence sequence, std::uint64_t seed, std::uint32_t replica
       points[i] = {d.x, d.y};
     }
   };
-  if (sequence == Sequence::Sobol) map(owen_sobol::pair);
-  else map(PixelSequence::independent);
+  if (sequence == Sequence::Sobol)
+    map(owen_sobol::pair);
+  else
+    map(PixelSequence::independent);
 }
 
 std::vector<WeightedPoint> disk_quadrature(int radial, int azimuthal) {

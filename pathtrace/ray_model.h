@@ -20,8 +20,8 @@ std::string name_of(RayModel model);
 /// Rays that a model could not launch, or launched oddly; physics.md §4 (metalstigmatism).
 struct RayCounters {
   std::uint64_t launched = 0;
-  std::uint64_t dropped = 0;          ///< at the pole |1 + d_f P| < 1e-6
-  std::uint64_t negative_focus = 0;   ///< bent as if by a focus behind the eye, f < 0
+  std::uint64_t dropped = 0;         ///< at the pole |1 + d_f P| < 1e-6
+  std::uint64_t negative_focus = 0;  ///< bent as if by a focus behind the eye, f < 0
 
   RayCounters& operator+=(const RayCounters& other) {
     launched += other.launched;
@@ -44,11 +44,16 @@ struct PupilRay {
 template <class Function>
 auto for_model(RayModel model, Function&& f) {
   switch (model) {
-    case RayModel::pinhole: return f(std::integral_constant<RayModel, RayModel::pinhole>{});
-    case RayModel::thin_lens: return f(std::integral_constant<RayModel, RayModel::thin_lens>{});
-    case RayModel::metalstigmatism: return f(std::integral_constant<RayModel, RayModel::metalstigmatism>{});
-    case RayModel::sin2_radial: return f(std::integral_constant<RayModel, RayModel::sin2_radial>{});
-    default: return f(std::integral_constant<RayModel, RayModel::power_matrix>{});
+    case RayModel::pinhole:
+      return f(std::integral_constant<RayModel, RayModel::pinhole>{});
+    case RayModel::thin_lens:
+      return f(std::integral_constant<RayModel, RayModel::thin_lens>{});
+    case RayModel::metalstigmatism:
+      return f(std::integral_constant<RayModel, RayModel::metalstigmatism>{});
+    case RayModel::sin2_radial:
+      return f(std::integral_constant<RayModel, RayModel::sin2_radial>{});
+    default:
+      return f(std::integral_constant<RayModel, RayModel::power_matrix>{});
   }
 }
 
@@ -80,7 +85,7 @@ class EyeRays {
   /// The same with the model known at compile time, for loops over many rays of one eye.
   template <RayModel model>
   PupilRay<T> through_as(T px, T py) const {
-    if constexpr (model == RayModel::pinhole) return {px, py, T(0), T(0), LaunchStatus::ok};
+    if constexpr (model == RayModel::pinhole) return {T(0), T(0), T(0), T(0), LaunchStatus::ok};  // the chief ray, whatever p
     if constexpr (model == RayModel::thin_lens) return {px, py, scalar_slope_ * px, scalar_slope_ * py, LaunchStatus::ok};
     if constexpr (model == RayModel::power_matrix) return {px, py, sxx_ * px + xy_ * py, xy_ * px + syy_ * py, LaunchStatus::ok};
     if constexpr (model == RayModel::sin2_radial) {
@@ -109,8 +114,8 @@ class EyeRays {
 
   RayModel model_;
   T radius_;
-  T xx_, xy_, yy_;    // F
-  T sxx_, syy_;       // diagonal of S = F − A·I
+  T xx_, xy_, yy_;  // F
+  T sxx_, syy_;     // diagonal of S = F − A·I
   T accommodation_, scalar_slope_, focus_distance_;
 };
 

@@ -85,7 +85,8 @@ void add(RenderCounters& total, const RenderCounters& part) {
 
 RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSettings& settings) {
   const int width = camera.width(), height = camera.height();
-  RenderResult result{Image(width, height, 3), Image(width, height, 3), Image(width, height, 3), Image(width, height, 3), Image(width, height, 1), {}};
+  RenderResult result{Image(width, height, 3), Image(width, height, 3), Image(width, height, 3),
+                      Image(width, height, 3), Image(width, height, 1), {}};
   const PixelRenderer renderer(scene, camera, settings, result);
   std::mutex merging;
   std::atomic<long long> finished{0};
@@ -98,7 +99,7 @@ RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSet
     const long long done = finished += static_cast<long long>(tile.rows().size() * tile.cols().size());
     if (settings.progress) settings.progress(static_cast<double>(done) / pixels);
     const std::lock_guard lock(merging);
-    add(result.counters, counters);   // integers: the order does not matter
+    add(result.counters, counters);  // integers: the order does not matter
   });
   return result;
 }

@@ -11,11 +11,11 @@ namespace sturm {
 
 struct RenderSettings {
   int samples_per_pixel = 64;
-  int max_bounces = 16;                                  ///< a path has at most max_bounces + 1 edges
+  int max_bounces = 16;  ///< a path has at most max_bounces + 1 edges
   Sequence sequence = Sequence::Sobol;
   std::uint64_t seed = 1;
-  int first_roulette_bounce = 2;                         ///< Russian roulette may end a path from this bounce on
-  std::function<void(double fraction)> progress;         ///< called from worker threads as tiles finish; may be empty
+  int first_roulette_bounce = 2;                  ///< Russian roulette may end a path from this bounce on
+  std::function<void(double fraction)> progress;  ///< called from worker threads as tiles finish; may be empty
 };
 
 struct RenderCounters {

@@ -12,7 +12,7 @@ namespace sturm {
 namespace {
 
 constexpr unsigned triangle_geometry = 0, sphere_geometry = 1;
-constexpr float largest_coordinate = 1e6f;   // [m]; beyond it single precision cannot resolve a millimetre
+constexpr float largest_coordinate = 1e6f;  // [m]; beyond it single precision cannot resolve a millimetre
 
 void require_usable(const Eigen::Vector3f& p, const std::string& where) {
   if (!(p.array().abs() <= largest_coordinate).all())
@@ -20,7 +20,9 @@ void require_usable(const Eigen::Vector3f& p, const std::string& where) {
                      "finite coordinates within ±1e6 m");
 }
 
-bool emits(const Material& material) { return material.emission.maxCoeff() > 0.0f; }
+bool emits(const Material& material) {
+  return material.emission.maxCoeff() > 0.0f;
+}
 
 void require_material(int material, std::size_t count, const std::string& where) {
   if (material < 0 || static_cast<std::size_t>(material) >= count)
@@ -83,8 +85,8 @@ void Scene::add_triangles(const SceneDescription& description) {
   if (triangle_count == 0) return;
 
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertex_count));
+  auto* vertices =
+      static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertex_count));
   auto* indices = static_cast<std::uint32_t*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangle_count));
   if (!vertices || !indices) {
@@ -121,8 +123,8 @@ void Scene::add_spheres(const SceneDescription& description) {
   if (description.spheres.empty()) return;
   for (const Sphere& sphere : description.spheres) validate(sphere, materials_.size());
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  auto* data = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float),
-                                                           description.spheres.size()));
+  auto* data = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), description.spheres.size()));
   if (!data) {
     rtcReleaseGeometry(geometry);
     throw RuntimeFailure("Embree has no memory for " + std::to_string(description.spheres.size()) + " spheres");

@@ -13,11 +13,11 @@ namespace sturm {
 
 /// What a ray hit, with all that shading needs.
 struct SurfacePoint {
-  Eigen::Vector3f position;        ///< [m], world
-  Eigen::Vector3f normal;          ///< geometric, unit length, on the side from which the mesh emits
+  Eigen::Vector3f position;  ///< [m], world
+  Eigen::Vector3f normal;    ///< geometric, unit length, on the side from which the mesh emits
   const Material* material;
-  int emitter;                     ///< index into the light set, −1 where the surface does not emit
-  Eigen::Vector3f albedo;          ///< texture applied
+  int emitter;             ///< index into the light set, −1 where the surface does not emit
+  Eigen::Vector3f albedo;  ///< texture applied
 };
 
 /// Immutable scene on Embree 3: all triangles in one geometry, all spheres in another.
@@ -54,7 +54,7 @@ class Scene {
   std::unique_ptr<RTCSceneTy, SceneRelease> scene_;
   std::vector<Material> materials_;
   std::vector<int> triangle_material_, triangle_emitter_;
-  std::vector<std::array<Eigen::Vector2f, 3>> triangle_uv_;   // empty when no mesh is textured
+  std::vector<std::array<Eigen::Vector2f, 3>> triangle_uv_;  // empty when no mesh is textured
   std::vector<int> sphere_material_, sphere_emitter_;
   LightSet lights_;
   Eigen::Vector3f lower_, upper_;

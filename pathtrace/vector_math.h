@@ -43,6 +43,8 @@ inline Eigen::Vector3f offset_from_surface(const Eigen::Vector3f& p, const Eigen
 }
 
 /// Rec. 709 luminance.
-inline float luminance(const Eigen::Vector3f& rgb) { return 0.2126f * rgb.x() + 0.7152f * rgb.y() + 0.0722f * rgb.z(); }
+inline float luminance(const Eigen::Vector3f& rgb) {
+  return 0.2126f * rgb.x() + 0.7152f * rgb.y() + 0.0722f * rgb.z();
+}
 
 }  // namespace sturm

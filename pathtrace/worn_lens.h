@@ -17,7 +17,8 @@ class WornLens {
 
   /// The way of a ray that leaves the turned pupil (offset and slope on its axes) through the lens.
   LensPath path_of(const PupilRay<double>& ray) const {
-    return trace(lens_, {pupil_center_ + turn_ * Eigen::Vector3d(ray.px, ray.py, 0.0), (turn_ * Eigen::Vector3d(ray.sx, ray.sy, -1.0)).normalized()});
+    return trace(lens_, {pupil_center_ + turn_ * Eigen::Vector3d(ray.px, ray.py, 0.0),
+                         (turn_ * Eigen::Vector3d(ray.sx, ray.sy, -1.0)).normalized()});
   }
 
   LensPath chief_ray() const { return path_of({0.0, 0.0, 0.0, 0.0, LaunchStatus::ok}); }

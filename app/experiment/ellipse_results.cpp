@@ -23,13 +23,15 @@ Json against_conoid_json(const EllipseComparison& c) {
 }
 
 Json rays_json(RayModel model, const Eye& eye, const Footprint& footprint, const RayBundleSpec& spec, std::uint64_t seed) {
-  Json entry = {{"ray_model", name_of(model)}, {"status", "undefined"}, {"semi_axes_rad", nullptr}, {"orientation_deg", nullptr},
-                {"covariance_rad2", nullptr}, {"covariance_standard_error_rad2", nullptr}, {"against_conoid", nullptr}, {"against_closed_form", nullptr}};
+  Json entry = {{"ray_model", name_of(model)}, {"status", "undefined"},         {"semi_axes_rad", nullptr},
+                {"orientation_deg", nullptr},  {"covariance_rad2", nullptr},    {"covariance_standard_error_rad2", nullptr},
+                {"against_conoid", nullptr},   {"against_closed_form", nullptr}};
   const auto rays = eye_rays_for(model, eye, footprint.accommodation_D);
   if (!rays) return entry;
   const double vergence = std::isinf(footprint.distance_m) ? 0.0 : 1.0 / footprint.distance_m;
   const MeasuredBundle bundle = measure_bundle(*rays, vergence, spec, seed);
-  entry["counters"] = {{"launched", bundle.counters.launched}, {"dropped", bundle.counters.dropped}, {"negative_focus", bundle.counters.negative_focus}};
+  entry["counters"] = {
+      {"launched", bundle.counters.launched}, {"dropped", bundle.counters.dropped}, {"negative_focus", bundle.counters.negative_focus}};
   if (!bundle.angular) return entry;
   const BundleEllipse& measured = *bundle.angular;
   entry["status"] = "ok";
@@ -63,9 +65,12 @@ Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye
           {"distance_m", distance_json(distance_m)},
           {"pupil_mm", 2e3 * a},
           {"accommodation_D", footprint.accommodation_D},
-          {"conoid", {{"semi_axes_rad", semi_axes_json(ellipse)}, {"orientation_deg", number_or_null(ellipse.orientation_deg)},
-                      {"covariance_rad2", symmetric_json(covariance_of_disc_image(footprint.angular, a))}}},
-          {"sin2_closed_form", {{"covariance_rad2", symmetric_json(sin2)}, {"semi_axes_rad", semi_axes_json(Ellipse::of_second_moments(sin2))}}},
+          {"conoid",
+           {{"semi_axes_rad", semi_axes_json(ellipse)},
+            {"orientation_deg", number_or_null(ellipse.orientation_deg)},
+            {"covariance_rad2", symmetric_json(covariance_of_disc_image(footprint.angular, a))}}},
+          {"sin2_closed_form",
+           {{"covariance_rad2", symmetric_json(sin2)}, {"semi_axes_rad", semi_axes_json(Ellipse::of_second_moments(sin2))}}},
           {"rays", std::move(rays)}};
 }
 
@@ -83,8 +88,12 @@ Json ellipse_results(const EllipseExperiment& spec, std::uint64_t seed, const Pr
       }
     }
   const bool sobol = spec.rays.sequence == Sequence::Sobol;
-  return {{"conditions", {{"rays_per_replicate", spec.rays.count}, {"replicates", spec.rays.replicates}, {"sampling", "uniform_disk"},
-                          {"sequence", sobol ? "sobol" : "independent"}, {"standard_error", "scatter between replicates / sqrt(replicates)"}}},
+  return {{"conditions",
+           {{"rays_per_replicate", spec.rays.count},
+            {"replicates", spec.rays.replicates},
+            {"sampling", "uniform_disk"},
+            {"sequence", sobol ? "sobol" : "independent"},
+            {"standard_error", "scatter between replicates / sqrt(replicates)"}}},
           {"cases", std::move(cases)}};
 }
 

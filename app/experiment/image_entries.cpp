@@ -15,16 +15,20 @@ namespace sturm {
 
 namespace {
 
-constexpr double exposure = 1.0;   // of the display space of metrics and PNG files
-constexpr std::uint64_t sharp_view_stream = 0x5348415250ull;   // the prediction's noise is independent of the path tracer's
+constexpr double exposure = 1.0;                              // of the display space of metrics and PNG files
+constexpr std::uint64_t sharp_view_stream = 0x5348415250ull;  // the prediction's noise is independent of the path tracer's
 
 Image clamped(Image image) {
   for (float& v : image.pixels) v = std::clamp(v, 0.0f, 1.0f);
   return image;
 }
 
-double ssim_display(const Image& a, const Image& b) { return ssim(to_display(a, exposure), to_display(b, exposure)).mean; }
-double ssim_linear(const Image& a, const Image& b) { return ssim(clamped(a), clamped(b)).mean; }
+double ssim_display(const Image& a, const Image& b) {
+  return ssim(to_display(a, exposure), to_display(b, exposure)).mean;
+}
+double ssim_linear(const Image& a, const Image& b) {
+  return ssim(clamped(a), clamped(b)).mean;
+}
 
 /// A metric of the two mean images, and its standard error by the jackknife over the replicates (Efron & Stein 1981): each
 /// replicate of both predictors is left out in turn.
@@ -61,15 +65,19 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress) {
+Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed,
+                   const std::filesystem::path& folder, const ProgressFunction& progress) {
   const Scene scene(description);
   const CameraPose pose = camera_pose(spec.camera);
   const double parts = static_cast<double>(spec.ray_models.size()) + 1.0;
-  const auto part = [&](std::size_t k) { return [&progress, k, parts](double fraction) { progress((static_cast<double>(k) + fraction) / parts); }; };
+  const auto part = [&](std::size_t k) {
+    return [&progress, k, parts](double fraction) { progress((static_cast<double>(k) + fraction) / parts); };
+  };
 
   RenderSettings sharp;
   sharp.samples_per_pixel = static_cast<int>(spec.sharp_samples_per_pixel);
-  const PredictedReplicates predicted = predict_replicates(scene, pose, spec.eye, sharp, seed ^ sharp_view_stream, spec.replicates, part(0));
+  const PredictedReplicates predicted =
+      predict_replicates(scene, pose, spec.eye, sharp, seed ^ sharp_view_stream, spec.replicates, part(0));
   const std::string predicted_file = "images/" + spec.id + "_predicted";
   write_picture(folder / predicted_file, predicted.predictions.mean(), exposure);
 
@@ -78,7 +86,8 @@ Json image_entries(const ImageExperiment& spec, const SceneDescription& descript
     RenderSettings settings;
     settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
     const auto start = std::chrono::steady_clock::now();
-    const Replicates traced = render_replicates(scene, pose, spec.eye, *ray_model_named(spec.ray_models[k]), settings, seed, spec.replicates, part(k + 1));
+    const Replicates traced =
+        render_replicates(scene, pose, spec.eye, *ray_model_named(spec.ray_models[k]), settings, seed, spec.replicates, part(k + 1));
     const double seconds = seconds_since(start);
     const std::string traced_file = "images/" + spec.id + "_" + spec.ray_models[k];
     write_picture(folder / traced_file, traced.mean(), exposure);
@@ -87,10 +96,16 @@ Json image_entries(const ImageExperiment& spec, const SceneDescription& descript
                        {"prescription", spec.prescription},
                        {"pupil_mm", 2e3 * spec.eye.pupil_radius_m},
                        {"ray_model", spec.ray_models[k]},
-                       {"files", {{"path_traced", traced_file + ".exr"}, {"path_traced_png", traced_file + ".png"},
-                                  {"predicted", predicted_file + ".exr"}, {"predicted_png", predicted_file + ".png"}}},
-                       {"seconds", {{"path_traced", seconds}, {"sharp_view", predicted.times.sharp_view_seconds}, {"spreading", predicted.times.spreading_seconds},
-                                    {"predicted_total", predicted.times.sharp_view_seconds + predicted.times.spreading_seconds}}},
+                       {"files",
+                        {{"path_traced", traced_file + ".exr"},
+                         {"path_traced_png", traced_file + ".png"},
+                         {"predicted", predicted_file + ".exr"},
+                         {"predicted_png", predicted_file + ".png"}}},
+                       {"seconds",
+                        {{"path_traced", seconds},
+                         {"sharp_view", predicted.times.sharp_view_seconds},
+                         {"spreading", predicted.times.spreading_seconds},
+                         {"predicted_total", predicted.times.sharp_view_seconds + predicted.times.spreading_seconds}}},
                        {"samples_per_pixel", spec.samples_per_pixel * static_cast<std::uint64_t>(spec.replicates)},
                        {"metrics", metrics_json(predicted.predictions, traced)},
                        {"noise_floor", noise_floor_json(traced)}});

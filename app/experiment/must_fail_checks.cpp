@@ -54,11 +54,12 @@ Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses) {
     return rx;
   };
   const auto unchanged = [](const Prescription& rx) { return rx; };
-  return {entry("mirrored_axis", "the conoid was given AXIS 180 − α instead of α; matrix rays were not",
-                worst_error(spec, ellipses, "power_matrix", mirrored)),
-          entry("dropped_vertex_distance", "the conoid was given the spectacle prescription as if written at the cornea; matrix rays were not",
-                worst_error(spec, ellipses, "power_matrix", at_cornea)),
-          entry("meridional_as_matrix", "sin² rays were passed off as matrix rays", worst_error(spec, ellipses, "sin2_radial", unchanged))};
+  return {
+      entry("mirrored_axis", "the conoid was given AXIS 180 − α instead of α; matrix rays were not",
+            worst_error(spec, ellipses, "power_matrix", mirrored)),
+      entry("dropped_vertex_distance", "the conoid was given the spectacle prescription as if written at the cornea; matrix rays were not",
+            worst_error(spec, ellipses, "power_matrix", at_cornea)),
+      entry("meridional_as_matrix", "sin² rays were passed off as matrix rays", worst_error(spec, ellipses, "sin2_radial", unchanged))};
 }
 
 }  // namespace sturm

@@ -17,10 +17,10 @@ namespace sturm {
 
 namespace {
 
-constexpr int replicate_count = 8;               // independent pictures, so that every pixel has a measured variance
+constexpr int replicate_count = 8;  // independent pictures, so that every pixel has a measured variance
 constexpr double emitter_radius_px = 1.5;
-constexpr double margin_px = 4.0;                // dark border around the spot
-constexpr RayBundleSpec bundle_of_reference{};   // 16 × 65536 rays: far more than the picture's
+constexpr double margin_px = 4.0;               // dark border around the spot
+constexpr RayBundleSpec bundle_of_reference{};  // 16 × 65536 rays: far more than the picture's
 
 struct Spot {
   RayModel model;
@@ -47,12 +47,15 @@ CameraPose square_view(int resolution, double pixel) {
   return pose;
 }
 
-Json arcminutes(const Eigen::Vector2d& v) { return json_of(Eigen::Vector2d(arcminutes_per_radian * v)); }
+Json arcminutes(const Eigen::Vector2d& v) {
+  return json_of(Eigen::Vector2d(arcminutes_per_radian * v));
+}
 
 /// A measured ellipse that is nearly a circle has an angle made of noise: none is given.
 Json ellipse_json(const Ellipse& e) {
   const bool circle = e.semi_minor > circle_axis_ratio * e.semi_major;
-  return {{"semi_axes_arcmin", semi_axes_json(e, arcminutes_per_radian)}, {"orientation_deg", circle ? Json(nullptr) : number_or_null(e.orientation_deg)}};
+  return {{"semi_axes_arcmin", semi_axes_json(e, arcminutes_per_radian)},
+          {"orientation_deg", circle ? Json(nullptr) : number_or_null(e.orientation_deg)}};
 }
 
 Json measured_json(const ImageEllipse& e, double hits) {
@@ -67,7 +70,8 @@ std::vector<Spot> bundles_of(const PsfExperiment& spec, const Footprint& footpri
   std::vector<Spot> spots;
   for (const std::string& name : spec.ray_models) {
     const RayModel model = *ray_model_named(name);
-    const MeasuredBundle bundle = measure_bundle(eye_rays_for(model, spec.eye, footprint.accommodation_D).value(), 1.0 / footprint.distance_m, bundle_of_reference, seed);
+    const MeasuredBundle bundle = measure_bundle(eye_rays_for(model, spec.eye, footprint.accommodation_D).value(),
+                                                 1.0 / footprint.distance_m, bundle_of_reference, seed);
     if (bundle.angular) spots.push_back({model, *bundle.angular});
   }
   return spots;
@@ -91,7 +95,7 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
   const std::vector<Spot> spots = bundles_of(spec, footprint, seed);
   double reach = predicted.semi_major;
   for (const Spot& spot : spots) reach = std::max(reach, spot.bundle.ellipse.semi_major);
-  constexpr double least_reach = 1e-4;   // a spot in perfect focus still gets a field of view [rad]
+  constexpr double least_reach = 1e-4;  // a spot in perfect focus still gets a field of view [rad]
   const double pixel = 2.0 * std::max(reach, least_reach) / (spec.resolution - 2.0 * (margin_px + emitter_radius_px));
   const double emitter = emitter_radius_px * pixel;
 
@@ -118,9 +122,17 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
     const double hits = std::round(light * settings.samples_per_pixel * replicate_count);
     const std::string file = "psf/" + spec.id + "_" + name_of(spots[k].model) + ".exr";
     write_exr(folder / file, LayeredImage{{{"", mean}}, {}});
-    entries.push_back({{"id", spec.id}, {"prescription", spec.prescription}, {"distance_m", spec.distance_m}, {"pupil_mm", 2e3 * spec.eye.pupil_radius_m},
-                       {"ray_model", name_of(spots[k].model)}, {"file", file}, {"pixel_arcmin", pixel * arcminutes_per_radian}, {"resolution", spec.resolution},
-                       {"predicted", ellipse_json(predicted)}, {"measured", measured_json(measured, hits)}, {"bundle", ellipse_json(spots[k].bundle.ellipse)}});
+    entries.push_back({{"id", spec.id},
+                       {"prescription", spec.prescription},
+                       {"distance_m", spec.distance_m},
+                       {"pupil_mm", 2e3 * spec.eye.pupil_radius_m},
+                       {"ray_model", name_of(spots[k].model)},
+                       {"file", file},
+                       {"pixel_arcmin", pixel * arcminutes_per_radian},
+                       {"resolution", spec.resolution},
+                       {"predicted", ellipse_json(predicted)},
+                       {"measured", measured_json(measured, hits)},
+                       {"bundle", ellipse_json(spots[k].bundle.ellipse)}});
   }
   return entries;
 }

@@ -32,9 +32,15 @@ ProgressFunction part_of(const ProgressFunction& progress, int index, int count)
 
 }  // namespace
 
-Image Replicates::mean(int left_out) const { return mean_of(images, 0, images.size(), left_out); }
-Image Replicates::first_half() const { return mean_of(images, 0, images.size() / 2, -1); }
-Image Replicates::second_half() const { return mean_of(images, images.size() / 2, images.size(), -1); }
+Image Replicates::mean(int left_out) const {
+  return mean_of(images, 0, images.size(), left_out);
+}
+Image Replicates::first_half() const {
+  return mean_of(images, 0, images.size() / 2, -1);
+}
+Image Replicates::second_half() const {
+  return mean_of(images, images.size() / 2, images.size(), -1);
+}
 
 Image Replicates::variance_of_mean() const {
   const Image center = mean();
@@ -50,10 +56,12 @@ Image Replicates::variance_of_mean() const {
   return variance;
 }
 
-std::uint64_t replicate_seed(std::uint64_t seed, int index) { return mixed_seed(mixed_seed(seed) + static_cast<std::uint64_t>(index)); }
+std::uint64_t replicate_seed(std::uint64_t seed, int index) {
+  return mixed_seed(mixed_seed(seed) + static_cast<std::uint64_t>(index));
+}
 
-Replicates render_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, RenderSettings settings, std::uint64_t seed,
-                             int count, const ProgressFunction& progress) {
+Replicates render_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, RenderSettings settings,
+                             std::uint64_t seed, int count, const ProgressFunction& progress) {
   Replicates replicates;
   for (int r = 0; r < count; ++r) {
     settings.seed = replicate_seed(seed, r);
@@ -63,8 +71,8 @@ Replicates render_replicates(const Scene& scene, const CameraPose& pose, const E
   return replicates;
 }
 
-PredictedReplicates predict_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RenderSettings settings, std::uint64_t seed, int count,
-                                       const ProgressFunction& progress) {
+PredictedReplicates predict_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RenderSettings settings,
+                                       std::uint64_t seed, int count, const ProgressFunction& progress) {
   PredictedReplicates result;
   for (int r = 0; r < count; ++r) {
     settings.seed = replicate_seed(seed, r);

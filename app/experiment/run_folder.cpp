@@ -36,7 +36,8 @@ bool pictures_exist(const Json& value, const fs::path& folder) {
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume) : folder_(std::move(folder)), parts_(folder_ / "parts" / key.substr(0, key_digits)) {
+RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume)
+    : folder_(std::move(folder)), parts_(folder_ / "parts" / key.substr(0, key_digits)) {
   try {
     fs::create_directories(folder_ / "parts");
     for (const char* report : {"report.json", "report.html", "ellipses.csv", "junit.xml"}) fs::remove(folder_ / report);
@@ -44,7 +45,7 @@ RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume) : fol
       if (holds_parts(entry.path()) && (!resume || entry.path() != parts_)) fs::remove_all(entry.path());
     for (const char* name : {"psf", "images"}) fs::create_directories(folder_ / name);
     fs::create_directories(parts_);
-    AtomicFile probe(folder_ / "report.json");   // creating its temporary file shows that reports can be written
+    AtomicFile probe(folder_ / "report.json");  // creating its temporary file shows that reports can be written
   } catch (const fs::filesystem_error& error) {
     throw RuntimeFailure("the output folder cannot be used: " + std::string(error.what()));
   }

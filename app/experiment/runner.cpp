@@ -24,7 +24,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// What a finished part depends on: the resolved spec, the program itself, and the scenes as they were loaded.
 std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) {
@@ -50,7 +52,7 @@ class Parts {
     return part.value.at("value");
   }
 
-  double seconds() const { return seconds_; }   ///< of the last part
+  double seconds() const { return seconds_; }  ///< of the last part
 
  private:
   const RunFolder& folder_;
@@ -58,7 +60,9 @@ class Parts {
   double seconds_ = 0.0;
 };
 
-void append(Json& list, const Json& entries) { list.insert(list.end(), entries.begin(), entries.end()); }
+void append(Json& list, const Json& entries) {
+  list.insert(list.end(), entries.begin(), entries.end());
+}
 
 }  // namespace
 
@@ -79,17 +83,20 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   const RunFolder folder(options.folder, run_key(spec, scenes), options.resume);
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
-  Json report = {{"format", "sturm.report/1"}, {"title", spec.title}, {"spec", *spec.resolved}, {"psfs", Json::array()}, {"images", Json::array()}, {"must_fail", Json::array()}};
+  Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
+                 {"psfs", Json::array()},      {"images", Json::array()}, {"must_fail", Json::array()}};
   Json sin2 = nullptr;
   if (spec.reference) report["reference"] = reference;
   if (spec.ellipses) {
-    report["ellipses"] = parts("ellipses", "ellipses", [&](const ProgressFunction& progress) { return ellipse_results(*spec.ellipses, spec.seed, progress); });
+    report["ellipses"] = parts("ellipses", "ellipses",
+                               [&](const ProgressFunction& progress) { return ellipse_results(*spec.ellipses, spec.seed, progress); });
     seconds["ellipses"] = parts.seconds();
     report["sin2"] = sin2 = sin2_findings(report["ellipses"]);
     report["must_fail"] = must_fail_checks(*spec.ellipses, report["ellipses"]);
   }
   for (const PsfExperiment& psf : spec.psfs) {
-    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
+    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id,
+                                 [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
     seconds["psfs"] += parts.seconds();
   }
   for (std::size_t i = 0; i < spec.images.size(); ++i) {
@@ -110,8 +117,8 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   write_file_atomically(folder.path() / "report.html", render_report_html(report, folder.path()));
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];
-  return {verdict.at("passed"), verdict.at("sentence"), verdict.at("sin2_sentence").is_string() ? verdict.at("sin2_sentence").get<std::string>() : "",
-          folder.path() / "report.html"};
+  return {verdict.at("passed"), verdict.at("sentence"),
+          verdict.at("sin2_sentence").is_string() ? verdict.at("sin2_sentence").get<std::string>() : "", folder.path() / "report.html"};
 }
 
 }  // namespace sturm

@@ -8,15 +8,15 @@
 namespace sturm {
 
 struct RunOptions {
-  std::filesystem::path folder;   ///< where the report goes
-  int threads = 0;                ///< for the provenance
+  std::filesystem::path folder;  ///< where the report goes
+  int threads = 0;               ///< for the provenance
   bool resume = false;
   bool quiet = false;
 };
 
 struct RunOutcome {
   bool passed = false;
-  std::string verdict, sin2_verdict;   ///< sentences
+  std::string verdict, sin2_verdict;  ///< sentences
   std::filesystem::path report_html;
 };
 

@@ -14,7 +14,9 @@ std::string hash_of(const std::vector<T>& values) {
   return sha256({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
 }
 
-void add(std::string& facts, const Eigen::Vector3f& v) { facts.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float)); }
+void add(std::string& facts, const Eigen::Vector3f& v) {
+  facts.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float));
+}
 
 template <class T>
 void add_number(std::string& facts, T value) {

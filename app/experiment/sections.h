@@ -26,7 +26,8 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
 void require_defined_models(const PsfExperiment& spec);
 
 /// One scene path traced with each ray model and predicted once: a list of "images" entries.
-Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress);
+Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed,
+                   const std::filesystem::path& folder, const ProgressFunction& progress);
 
 /// The comparison of rays with the conoid again, with a conoid that is wrong on purpose: mirrored axis, vertex distance dropped, and
 /// sin² rays passed off as matrix rays. Each must be noticed.

@@ -29,7 +29,8 @@ const Json* rays_of(const Json& entry, const char* model) {
 
 /// The vergence matrix I/d + F − A·I of a case and its principal values.
 PrincipalValues vergence_of(const Json& entry) {
-  const PowerMatrix f = power_at_cornea({entry.at("sphere_D"), entry.at("cylinder_D"), entry.at("axis_deg"), 1e-3 * entry.at("vertex_distance_mm").get<double>()});
+  const PowerMatrix f = power_at_cornea(
+      {entry.at("sphere_D"), entry.at("cylinder_D"), entry.at("axis_deg"), 1e-3 * entry.at("vertex_distance_mm").get<double>()});
   const Json& d = entry.at("distance_m");
   const double shift = (d.is_string() ? 0.0 : 1.0 / d.get<double>()) - entry.at("accommodation_D").get<double>();
   return principal_values(f.xx() + shift, f.xy(), f.yy() + shift);
@@ -70,14 +71,22 @@ Json sin2_findings(const Json& ellipses) {
     worst_loss = std::max(worst_loss, std::abs((truth.high + truth.low - measured.high - measured.low) / predicted_loss - 1.0));
     const Json truth_axes = arcminutes(entry.at("conoid").at("semi_axes_rad")), axes = arcminutes(sin2->at("semi_axes_rad"));
     const double true_major = truth_axes.at(0), true_minor = truth_axes.at(1);
-    table.push_back({{"case", entry.at("id")}, {"V1_D", v.high}, {"V2_D", v.low}, {"true_semi_axes_arcmin", truth_axes}, {"sin2_semi_axes_arcmin", axes},
+    table.push_back({{"case", entry.at("id")},
+                     {"V1_D", v.high},
+                     {"V2_D", v.low},
+                     {"true_semi_axes_arcmin", truth_axes},
+                     {"sin2_semi_axes_arcmin", axes},
                      {"closed_form_semi_axes_arcmin", arcminutes(entry.at("sin2_closed_form").at("semi_axes_rad"))},
                      {"ratio_major", axes.at(0).get<double>() / true_major},
                      {"ratio_minor", true_minor > 0.01 * true_major ? Json(axes.at(1).get<double>() / true_minor) : Json(nullptr)}});
   }
-  Json section = {{"cases_with_cylinder", table.size()}, {"table", std::move(table)}, {"ratio_of_difference_of_principal_variances", nullptr}, {"lost_total_variance", nullptr}};
+  Json section = {{"cases_with_cylinder", table.size()},
+                  {"table", std::move(table)},
+                  {"ratio_of_difference_of_principal_variances", nullptr},
+                  {"lost_total_variance", nullptr}};
   if (!ratios.empty()) {
-    section["ratio_of_difference_of_principal_variances"] = {{"measured_median", median(ratios)}, {"predicted", 0.5}, {"worst_deviation", worst_ratio}};
+    section["ratio_of_difference_of_principal_variances"] = {
+        {"measured_median", median(ratios)}, {"predicted", 0.5}, {"worst_deviation", worst_ratio}};
     section["lost_total_variance"] = {{"worst_deviation_relative", worst_loss}};
   }
   return section;
@@ -93,9 +102,11 @@ Json sin2_sentence(const Json& sin2) {
   }
   char text[512];
   std::snprintf(text, sizeof text,
-                "In %zu cases with cylinder, sin² interpolation reproduces %.4f of the true difference of the principal variances (closed form: 0.5, worst deviation %.1e): "
+                "In %zu cases with cylinder, sin² interpolation reproduces %.4f of the true difference of the principal variances (closed "
+                "form: 0.5, worst deviation %.1e): "
                 "it keeps only the radial part of the wavefront's slope, and its major axes come out at %.2f to %.2f of the true ones.",
-                sin2.at("table").size(), ratio.at("measured_median").get<double>(), ratio.at("worst_deviation").get<double>(), least_major, most_major);
+                sin2.at("table").size(), ratio.at("measured_median").get<double>(), ratio.at("worst_deviation").get<double>(), least_major,
+                most_major);
   return text;
 }
 

@@ -31,7 +31,7 @@ namespace {
 struct Options {
   int threads = tbb::info::default_concurrency();
   int repetitions = 7;
-  int samples = 16;   ///< per pixel
+  int samples = 16;  ///< per pixel
   double require_camera = 0.0, require_path = 0.0;
   bool json = false;
 };
@@ -108,8 +108,8 @@ std::size_t trace_through_camera(const Scene& scene, const EyeCamera& camera, in
       const PixelSequence sequence(Sequence::Sobol, 1, static_cast<std::uint32_t>(pixel));
       for (int sample = 0; sample < samples; sample += CameraRayBlock::size) {
         const int count = std::min(CameraRayBlock::size, samples - sample);
-        trace_camera_rays(scene, camera, static_cast<int>(pixel % width), static_cast<int>(pixel / width), static_cast<std::uint32_t>(sample), count,
-                          sequence, hits);
+        trace_camera_rays(scene, camera, static_cast<int>(pixel % width), static_cast<int>(pixel / width),
+                          static_cast<std::uint32_t>(sample), count, sequence, hits);
         for (int i = 0; i < count; ++i) found += hits.hit(i);
       }
     }
@@ -150,8 +150,8 @@ Result bench_path(const Options& options, const Scene& scene, const std::string&
   const std::vector<RecordedRay> rays = recorded(ours);
   const auto bare = [&] { trace_bare(scene.embree(), rays); };
   const double samples = static_cast<double>(camera.width()) * camera.height() * options.samples;
-  return compare(options, name + " (" + std::to_string(static_cast<double>(rays.size()) / samples).substr(0, 4) + " rays/sample)", "Msample/s", 1e-6 * samples,
-                 options.require_path, ours, bare);
+  return compare(options, name + " (" + std::to_string(static_cast<double>(rays.size()) / samples).substr(0, 4) + " rays/sample)",
+                 "Msample/s", 1e-6 * samples, options.require_path, ours, bare);
 }
 
 void print_table(const std::vector<Result>& results, const Options& options, std::FILE* out) {
@@ -165,7 +165,13 @@ void print_table(const std::vector<Result>& results, const Options& options, std
 void print_json(const std::vector<Result>& results, const Options& options) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const Result& r : results)
-    rows.push_back({{"name", r.name}, {"unit", r.unit}, {"ours", r.ours}, {"bare", r.bare}, {"ratio", r.ratio}, {"required", r.required}, {"passed", r.passed()}});
+    rows.push_back({{"name", r.name},
+                    {"unit", r.unit},
+                    {"ours", r.ours},
+                    {"bare", r.bare},
+                    {"ratio", r.ratio},
+                    {"required", r.required},
+                    {"passed", r.passed()}});
   const nlohmann::ordered_json report = {
       {"threads", options.threads}, {"repetitions", options.repetitions}, {"samples_per_pixel", options.samples}, {"results", rows}};
   std::printf("%s\n", report.dump(2).c_str());
@@ -175,7 +181,8 @@ int run(const Options& options) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
   const Scene scene(testing::scene_plain());
   const std::vector<Result> results{bench_camera(options, scene, "camera, lens of 20 mm radius", 0.02),
-                                    bench_camera(options, scene, "camera, eye of 2 mm radius", 0.002), bench_path(options, scene, "path, lens of 20 mm radius")};
+                                    bench_camera(options, scene, "camera, eye of 2 mm radius", 0.002),
+                                    bench_path(options, scene, "path, lens of 20 mm radius")};
   print_table(results, options, options.json ? stderr : stdout);
   if (options.json) print_json(results, options);
   return std::all_of(results.begin(), results.end(), [](const Result& r) { return r.passed(); }) ? 0 : 1;

@@ -35,10 +35,18 @@ void __wrap_rtcOccluded1(RTCScene scene, RTCIntersectContext* context, RTCRay* r
 
 namespace sturm::bench {
 
-RayRecorder::RayRecorder(std::vector<RecordedRay>& rays) { recording = &rays; }
-RayRecorder::~RayRecorder() { recording = nullptr; }
+RayRecorder::RayRecorder(std::vector<RecordedRay>& rays) {
+  recording = &rays;
+}
+RayRecorder::~RayRecorder() {
+  recording = nullptr;
+}
 
-void bare_intersect(RTCScene scene, RTCIntersectContext* context, RTCRayHit* ray) { __real_rtcIntersect1(scene, context, ray); }
-void bare_occluded(RTCScene scene, RTCIntersectContext* context, RTCRay* ray) { __real_rtcOccluded1(scene, context, ray); }
+void bare_intersect(RTCScene scene, RTCIntersectContext* context, RTCRayHit* ray) {
+  __real_rtcIntersect1(scene, context, ray);
+}
+void bare_occluded(RTCScene scene, RTCIntersectContext* context, RTCRay* ray) {
+  __real_rtcOccluded1(scene, context, ray);
+}
 
 }  // namespace sturm::bench

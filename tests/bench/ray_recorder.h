@@ -9,7 +9,7 @@ namespace sturm::bench {
 /// One query as it was put to Embree; 28 bytes.
 struct RecordedRay {
   float origin[3], direction[3];
-  bool shadow;   ///< rtcOccluded up to shadow_end, else rtcIntersect without limit
+  bool shadow;  ///< rtcOccluded up to shadow_end, else rtcIntersect without limit
 };
 
 /// While one is alive, every ray that the program sends to Embree is also appended to `rays`. Not for several threads at once.

@@ -35,11 +35,11 @@ inline nlohmann::json psf(const char* id) {
           {"measured", {{"semi_axes_arcmin", {12.03, 5.98}}, {"orientation_deg", 30.1}, {"standard_error_arcmin", {0.02, 0.01}}}}};
 }
 
-inline nlohmann::json image(const char* id, const char* model, double ssim) {
+inline nlohmann::json image(const char* id, const char* model, double ssim, double rmse) {
   return {{"id", id},
           {"ray_model", model},
-          {"metrics", {{"ssim_display", {{"value", ssim}, {"uncertainty", 0.004}}}}},
-          {"noise_floor", {{"ssim_display", 0.975}}}};
+          {"metrics", {{"ssim_display", {{"value", ssim}, {"uncertainty", 0.004}}}, {"rmse_linear", rmse}}},
+          {"noise_floor", {{"ssim_display", 0.975}, {"rmse_linear", 0.02}}}};
 }
 
 inline nlohmann::json mutant(const char* id, double value, double bound) {
@@ -52,7 +52,8 @@ inline nlohmann::json healthy_report() {
                          {"max_relative_error", {{"conoid_semi_axes", 3e-16}, {"conoid_covariance", 5e-16}, {"sin2_closed_form", 4e-16}}}};
   report["ellipses"]["cases"] = {ellipse_case("A|1 m|4 mm", -1.0), ellipse_case("A|inf|4 mm", -1.0), ellipse_case("B|1 m|4 mm", 0.0)};
   report["psfs"] = {psf("spot")};
-  report["images"] = {image("cornell", "power_matrix", 0.97), image("cornell", "sin2_radial", 0.93), image("chart", "power_matrix", 0.98)};
+  report["images"] = {image("cornell", "power_matrix", 0.97, 0.011), image("cornell", "sin2_radial", 0.93, 0.04),
+                      image("chart", "power_matrix", 0.98, 0.012)};
   report["must_fail"] = {mutant("mirrored_axis", 2.0, 0.005), mutant("double_pupil", 0.05, 0.005)};
   return report;
 }

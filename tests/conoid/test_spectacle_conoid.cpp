@@ -15,17 +15,25 @@ namespace {
 
 constexpr double mm = 1e-3, degree = 0.017453292519943295, center = 13.5 * mm;
 
-double drawn(int low, int high, double unit) { return *rc::gen::inRange(low, high + 1) * unit; }
+double drawn(int low, int high, double unit) {
+  return *rc::gen::inRange(low, high + 1) * unit;
+}
 
-Prescription any_prescription() { return {drawn(-32, 24, 0.25), drawn(-16, 16, 0.25), drawn(0, 180, 1.0), 12e-3}; }
+Prescription any_prescription() {
+  return {drawn(-32, 24, 0.25), drawn(-16, 16, 0.25), drawn(0, 180, 1.0), 12e-3};
+}
 
 Spectacles any_lens(const Prescription& rx) {
   return single_vision(rx, {drawn(0, 32, 0.25), drawn(10, 60, 0.1 * mm), 1.5 + drawn(0, 24, 0.01), drawn(80, 180, 0.1 * mm), 90 * mm});
 }
 
-Eigen::Vector3d any_gaze() { return gaze_direction(drawn(-300, 300, 0.1 * degree), drawn(-300, 300, 0.1 * degree)); }
+Eigen::Vector3d any_gaze() {
+  return gaze_direction(drawn(-300, 300, 0.1 * degree), drawn(-300, 300, 0.1 * degree));
+}
 
-Eigen::Matrix2d transverse(const SpectacleConoid& c, const Eigen::Matrix2d& slopes, double distance) { return distance * c.angular_footprint(slopes, 1.0 / distance); }
+Eigen::Matrix2d transverse(const SpectacleConoid& c, const Eigen::Matrix2d& slopes, double distance) {
+  return distance * c.angular_footprint(slopes, 1.0 / distance);
+}
 
 /// Rays of first order conserve phase space: the 4 × 4 matrix from air to air is symplectic, so a bundle with symmetric S stays a wave.
 RC_GTEST_PROP(SpectacleConoid, IsSymplectic, ()) {
@@ -59,13 +67,14 @@ RC_GTEST_PROP(SpectacleConoid, TurnsWithTheWholeSystem, ()) {
   lens.front = SphereSurface{front};
   lens.back = TorusSurface(sweep, generator, meridian);
   Spectacles turned_lens = lens;
-  turned_lens.back = TorusSurface(sweep, generator, meridian - alpha_deg);   // TABO counts the other way round than the wearer sees it
+  turned_lens.back = TorusSurface(sweep, generator, meridian - alpha_deg);  // TABO counts the other way round than the wearer sees it
   const Eigen::Vector3d gaze = any_gaze(), turned_gaze = Eigen::AngleAxisd(alpha, Eigen::Vector3d::UnitZ()) * gaze;
   const SpectacleConoid c = trace_conoid(lens, gaze, center), t = trace_conoid(turned_lens, turned_gaze, center);
   RC_PRE(c.status == LensStatus::ok && t.status == LensStatus::ok);
   const Eigen::Matrix2d r = Eigen::Rotation2Dd(alpha).toRotationMatrix(), f = power_at_cornea(rx).matrix();
   RC_ASSERT((t.chief_ray.direction - Eigen::AngleAxisd(alpha, Eigen::Vector3d::UnitZ()) * c.chief_ray.direction).norm() <= 1e-14);
-  RC_ASSERT((transverse(t, r * f * r.transpose(), 0.7) - r * transverse(c, f, 0.7) * r.transpose()).norm() <= 1e-12 * std::max(1.0, f.norm()));
+  RC_ASSERT((transverse(t, r * f * r.transpose(), 0.7) - r * transverse(c, f, 0.7) * r.transpose()).norm() <=
+            1e-12 * std::max(1.0, f.norm()));
 }
 
 RC_GTEST_PROP(SpectacleConoid, ScalesWithAllLengths, ()) {
@@ -89,7 +98,8 @@ RC_GTEST_PROP(SpectacleConoid, ScalesWithAllLengths, ()) {
 RC_GTEST_PROP(SpectacleConoid, DoesNotDependOnHowThePrescriptionIsWritten, ()) {
   const Prescription rx = any_prescription();
   const Eigen::Vector3d gaze = any_gaze();
-  const SpectacleConoid a = trace_conoid(single_vision(rx, {}), gaze, center), b = trace_conoid(single_vision(transposed(rx), {}), gaze, center);
+  const SpectacleConoid a = trace_conoid(single_vision(rx, {}), gaze, center),
+                        b = trace_conoid(single_vision(transposed(rx), {}), gaze, center);
   RC_PRE(a.status == LensStatus::ok);
   RC_ASSERT(b.status == LensStatus::ok);
   const Eigen::Matrix2d fa = power_at_cornea(rx).matrix(), fb = power_at_cornea(transposed(rx)).matrix();
@@ -105,7 +115,7 @@ TEST(SpectacleConoid, AnIndexOf1IsTheNakedEyeSeenFromTheExitPoint) {
   const double way = (c.chief_ray.origin - turned_pupil_center(gaze, center)).norm(), distance = 0.4;
   const double accommodation = accommodation_through(c, eye, 1.0 / distance);
   const Footprint naked = naked_eye_footprint(eye, distance + way), through_air = spectacle_footprint(c, eye, distance, accommodation);
-  EXPECT_NEAR(accommodation, naked.accommodation_D, 1e-13);   // the clamped mean, here found by bisection
+  EXPECT_NEAR(accommodation, naked.accommodation_D, 1e-13);  // the clamped mean, here found by bisection
   EXPECT_LT((naked.transverse() - through_air.transverse()).norm(), 1e-14);
 }
 
@@ -113,7 +123,7 @@ TEST(SpectacleConoid, APlaneSlabIsAShorterWay) {
   // Oblique slab: the way t/(n cos φ') across the plane of incidence, t cos²φ/(n cos³φ') within it. Looking to the right: x is within.
   Spectacles slab;
   slab.center_thickness_m = 6 * mm;
-  const SpectacleConoid c = trace_conoid(slab, gaze_direction(30 * degree, 0.0), 0.0);   // cos φ = √3/2, cos φ' = √8/3
+  const SpectacleConoid c = trace_conoid(slab, gaze_direction(30 * degree, 0.0), 0.0);  // cos φ = √3/2, cos φ' = √8/3
   ASSERT_EQ(c.status, LensStatus::ok);
   const double to_back = 12 * mm / 0.86602540378443865, cos_out = 0.94280904158206336;
   EXPECT_LT((c.exit.offset_from_offset - Eigen::Matrix2d::Identity()).norm(), 1e-14);
@@ -146,7 +156,7 @@ TEST(SpectacleConoid, PowerThroughZeroIsSmooth) {
     return (*trace_conoid(single_vision({sphere}, {}), {0.0, 0.0, -1.0}, center).exit_curvature(Eigen::Matrix2d::Zero()))(0, 0);
   };
   EXPECT_NEAR(outgoing(0.0), 0.0, 1e-14);
-  EXPECT_GT(outgoing(1e-6), 0.0);   // a plus lens before an emmetrope: converging towards the scene
+  EXPECT_GT(outgoing(1e-6), 0.0);  // a plus lens before an emmetrope: converging towards the scene
   EXPECT_LT(outgoing(-1e-6), 0.0);
   EXPECT_NEAR(outgoing(1e-6) / 1e-6, -outgoing(-1e-6) / 1e-6, 1e-5);
 }
@@ -160,7 +170,7 @@ TEST(SpectacleConoid, FocalLinesHaveNoWidthAndNothingIsSingularThere) {
   ASSERT_GT(d, 0.9);
   const Ellipse e = Ellipse::image_of_disc(spectacle_footprint(c, eye, d, 0.0).transverse(), eye.pupil_radius_m);
   EXPECT_LT(e.semi_minor, 1e-15 * e.semi_major + 1e-18);
-  EXPECT_NEAR(*e.orientation_deg, 90.0, 1e-9);   // what is left is vertical
+  EXPECT_NEAR(*e.orientation_deg, 90.0, 1e-9);  // what is left is vertical
 }
 
 TEST(SpectacleConoid, AFocalLineInTheExitPointHasNoCurvature) {

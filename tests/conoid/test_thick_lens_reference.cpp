@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using testing::ThickLensCase;
 
-constexpr double nanometre_per_thousand = 1e-12;   // 1e-9 mm; the file's programs agree to 8e-14 mm
+constexpr double nanometre_per_thousand = 1e-12;  // 1e-9 mm; the file's programs agree to 8e-14 mm
 
 const std::vector<ThickLensCase>& cases() {
   static const std::vector<ThickLensCase> all = testing::thick_lens_cases();
@@ -38,7 +38,9 @@ void for_each_spot(const ThickLensCase& c, const auto& check) {
   }
 }
 
-TEST(ThickLensReference, HasAllItsCases) { ASSERT_EQ(cases().size(), 117u); }
+TEST(ThickLensReference, HasAllItsCases) {
+  ASSERT_EQ(cases().size(), 117u);
+}
 
 TEST(ThickLensReference, ChiefRays) {
   for (const ThickLensCase& c : cases()) {
@@ -47,7 +49,8 @@ TEST(ThickLensReference, ChiefRays) {
     const json& chief = c.json["outputs"]["chief"];
     EXPECT_LT((conoid.chief_ray.origin - ThickLensCase::point(chief["exit_point_mm"])).norm(), nanometre_per_thousand) << c.id;
     EXPECT_LT((conoid.chief_ray.direction - ThickLensCase::direction(chief["exit_dir"])).norm(), 1e-12) << c.id;
-    EXPECT_LT((ray_through(c, {0.0, 0.0}, 0.0).back_point - ThickLensCase::point(chief["back_point_mm"])).norm(), nanometre_per_thousand) << c.id;
+    EXPECT_LT((ray_through(c, {0.0, 0.0}, 0.0).back_point - ThickLensCase::point(chief["back_point_mm"])).norm(), nanometre_per_thousand)
+        << c.id;
     // Frames: the examiner's e1 points the other way.
     EXPECT_LT((conoid.exit.e1 + ThickLensCase::direction(c.json["outputs"]["e1"])).norm(), 1e-12) << c.id;
     EXPECT_LT((conoid.exit.e2 - ThickLensCase::direction(c.json["outputs"]["e2"])).norm(), 1e-12) << c.id;

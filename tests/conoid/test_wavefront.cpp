@@ -17,9 +17,13 @@ namespace {
 
 const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), forward(0.0, 0.0, -1.0);
 
-double drawn(int low, int high, double unit) { return *rc::gen::inRange(low, high + 1) * unit; }
+double drawn(int low, int high, double unit) {
+  return *rc::gen::inRange(low, high + 1) * unit;
+}
 
-Eigen::Matrix2d diagonal(double a, double b) { return Eigen::Vector2d(a, b).asDiagonal(); }
+Eigen::Matrix2d diagonal(double a, double b) {
+  return Eigen::Vector2d(a, b).asDiagonal();
+}
 
 Eigen::Matrix2d any_symmetric(double unit) {
   const double xx = drawn(-50, 50, unit), xy = drawn(-50, 50, unit), yy = drawn(-50, 50, unit);
@@ -54,7 +58,9 @@ Eigen::Matrix3d tensor(const Wavefront& w) {
   e << w.e1, w.e2;
   return e * w.curvature * e.transpose();
 }
-Eigen::Matrix3d tensor(const FiveVariables& w) { return w.kappa1 * w.e1 * w.e1.transpose() + w.kappa2 * w.e2 * w.e2.transpose(); }
+Eigen::Matrix3d tensor(const FiveVariables& w) {
+  return w.kappa1 * w.e1 * w.e1.transpose() + w.kappa2 * w.e2 * w.e2.transpose();
+}
 
 void expect_same(const FiveVariables& five_variables, const Wavefront& matrix) {
   RC_ASSERT((five_variables.direction - matrix.direction).norm() <= 1e-15);
@@ -64,8 +70,8 @@ void expect_same(const FiveVariables& five_variables, const Wavefront& matrix) {
 TEST(Transfer, AConvergingWaveBendsMoreUntilItsFocus) {
   const Wavefront wave{forward, x, y, diagonal(2.0, -4.0)};
   const Wavefront moved = *transferred(wave, 0.25);
-  EXPECT_NEAR(moved.curvature(0, 0), 4.0, 1e-15);    // the centre at 0.5 m is 0.25 m away now
-  EXPECT_NEAR(moved.curvature(1, 1), -2.0, 1e-15);   // that at −0.25 m is 0.5 m behind
+  EXPECT_NEAR(moved.curvature(0, 0), 4.0, 1e-15);   // the centre at 0.5 m is 0.25 m away now
+  EXPECT_NEAR(moved.curvature(1, 1), -2.0, 1e-15);  // that at −0.25 m is 0.5 m behind
   EXPECT_FALSE(transferred(wave, 0.5));
   EXPECT_NEAR(transferred(wave, 0.75)->curvature(0, 0), -4.0, 1e-14);
 }
@@ -80,7 +86,7 @@ TEST(Transfer, FiveVariablesGoThroughAFocus) {
 
 RC_GTEST_PROP(Transfer, MayBeSplit, ()) {
   const Wavefront wave = any_wave();
-  const double d1 = drawn(-40, 40, 1e-3), d2 = drawn(-40, 40, 1e-3);   // short of any focus: |K| < 10 /m
+  const double d1 = drawn(-40, 40, 1e-3), d2 = drawn(-40, 40, 1e-3);  // short of any focus: |K| < 10 /m
   const Wavefront once = *transferred(wave, d1 + d2), twice = *transferred(*transferred(wave, d1), d2);
   RC_ASSERT((once.curvature - twice.curvature).norm() <= 1e-12 * std::max(1.0, once.curvature.norm()));
   expect_same(transferred(five(wave), d1), *transferred(wave, d1));
@@ -89,7 +95,7 @@ RC_GTEST_PROP(Transfer, MayBeSplit, ()) {
 TEST(Refraction, CoddingtonByHand) {
   // Plane wave, 30° onto a sphere R = 0.1 m whose centre lies ahead, n = 1 → 1.5: cos φ' = √8/3. Numerator 1.5 cos φ' − cos 30° = 0.548188;
   // sagittal 0.548188/(1.5·0.1) = 3.654588, tangential that / cos²φ' = 9/8 of it.
-  const Eigen::Vector3d normal = forward, n(0.5, 0.0, -0.86602540378443865);   // plane of incidence x–z: sagittal is y
+  const Eigen::Vector3d normal = forward, n(0.5, 0.0, -0.86602540378443865);  // plane of incidence x–z: sagittal is y
   const auto at = Interface::refracting(n, normal, 1.0, 1.5);
   ASSERT_TRUE(at);
   const Wavefront out = through(Wavefront{n, at->u, at->v, Eigen::Matrix2d::Zero()}, *at, diagonal(10.0, 10.0));
@@ -164,7 +170,7 @@ RC_GTEST_PROP(RayTransfer, CarriesTheSameWavefront, ()) {
   RC_PRE(out.has_value());
   const Eigen::Matrix2d a = rays.offsets(-wave.curvature), k = -rays.slopes(-wave.curvature) * a.inverse();
   RC_PRE(std::abs(a.determinant()) > 0.01);
-  RC_ASSERT((k - out->on(rays.e1, rays.e2).curvature).norm() <= 1e-11 * std::max(1.0, k.norm()));   // 1/det ≤ 100 amplifies rounding
+  RC_ASSERT((k - out->on(rays.e1, rays.e2).curvature).norm() <= 1e-11 * std::max(1.0, k.norm()));  // 1/det ≤ 100 amplifies rounding
 }
 
 }  // namespace

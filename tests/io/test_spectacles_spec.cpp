@@ -26,7 +26,8 @@ Json query() {
                    "back": {"type": "torus", "sweep_radius_mm": 125, "generator_radius_mm": 90, "sweep_meridian_deg": 30}},
     "targets": [{"distance_m": "inf"}],
     "methods": ["conoid"]
-  })", "q.json");
+  })",
+                    "q.json");
 }
 
 EllipseQuery read_with(const std::vector<std::string>& assignments) {
@@ -55,7 +56,7 @@ TEST(SpectaclesSpec, TwoSurfacesInSi) {
   const auto& torus = std::get<TorusSurface>(lens.back);
   EXPECT_NEAR(torus.sweep_curvature(), 8.0, 1e-14);
   EXPECT_NEAR(torus.generator_curvature(), 11.111111111111111, 1e-14);
-  EXPECT_NEAR(torus.sweep_direction().y() / torus.sweep_direction().x(), -0.57735026918962576, 1e-15);   // the wearer's 150°
+  EXPECT_NEAR(torus.sweep_direction().y() / torus.sweep_direction().x(), -0.57735026918962576, 1e-15);  // the wearer's 150°
 }
 
 TEST(SpectaclesSpec, DefaultsNullAndConics) {
@@ -74,25 +75,30 @@ TEST(SpectaclesSpec, DefaultsNullAndConics) {
 }
 
 TEST(SpectaclesSpec, WhatIsMissingIsNamed) {
-  EXPECT_THAT(error_without("/spectacles", "front"), HasSubstr("q.json: /spectacles: got no \"front\", expected \"front\" and \"back\", or \"single_vision\""));
+  EXPECT_THAT(error_without("/spectacles", "front"),
+              HasSubstr("q.json: /spectacles: got no \"front\", expected \"front\" and \"back\", or \"single_vision\""));
   EXPECT_THAT(error_without("/spectacles", "back"), HasSubstr("/spectacles: got no \"back\""));
   EXPECT_THAT(error_without("/spectacles", "refractive_index"), HasSubstr("/spectacles: got no \"refractive_index\""));
   EXPECT_THAT(error_without("/spectacles", "center_thickness_mm"), HasSubstr("/spectacles: got no \"center_thickness_mm\""));
-  EXPECT_THAT(error_without("/spectacles/front", "radius_mm"), HasSubstr("/spectacles/front: got no \"radius_mm\", expected \"radius_mm\" for a sphere"));
+  EXPECT_THAT(error_without("/spectacles/front", "radius_mm"),
+              HasSubstr("/spectacles/front: got no \"radius_mm\", expected \"radius_mm\" for a sphere"));
   EXPECT_THAT(error_without("/spectacles/back", "sweep_meridian_deg"), HasSubstr("/spectacles/back: got no \"sweep_meridian_deg\""));
   EXPECT_THAT(error_without("/spectacles/back", "generator_radius_mm"), HasSubstr("/spectacles/back: got no \"generator_radius_mm\""));
 }
 
 TEST(SpectaclesSpec, WhatDoesNotFitIsNamed) {
-  EXPECT_THAT(error_with({"/spectacles/front/radius_mm=0"}), HasSubstr("/spectacles/front/radius_mm: got 0, expected a radius of at least 1.0 mm"));
-  EXPECT_THAT(error_with({"/spectacles/front/sweep_radius_mm=90"}), HasSubstr("/spectacles/front/sweep_radius_mm: got 90, expected no \"sweep_radius_mm\" for a sphere"));
+  EXPECT_THAT(error_with({"/spectacles/front/radius_mm=0"}),
+              HasSubstr("/spectacles/front/radius_mm: got 0, expected a radius of at least 1.0 mm"));
+  EXPECT_THAT(error_with({"/spectacles/front/sweep_radius_mm=90"}),
+              HasSubstr("/spectacles/front/sweep_radius_mm: got 90, expected no \"sweep_radius_mm\" for a sphere"));
   EXPECT_THAT(error_with({"/spectacles/front/conic_constant=1"}), HasSubstr("/spectacles/front/conic_constant: got 1"));
   EXPECT_THAT(error_with({"/spectacles/back/radius_mm=90"}), HasSubstr("/spectacles/back/radius_mm: got 90"));
   EXPECT_THAT(error_with({"/spectacles/front/type=aspere"}), HasSubstr("/spectacles/front/type: got \"aspere\""));
   EXPECT_THAT(error_with({"/spectacles/refractive_index=0.9"}), HasSubstr("/spectacles/refractive_index: got 0.9"));
   EXPECT_THAT(error_with({"/spectacles/center_thickness_mm=0"}), HasSubstr("/spectacles/center_thickness_mm: got 0"));
   EXPECT_THAT(error_with({"/spectacles/centre_thickness_mm=2"}), HasSubstr("did you mean \"center_thickness_mm\"?"));
-  EXPECT_THAT(error_with({"/spectacles=nowhere.json"}), AllOf(HasSubstr("/spectacles: got \"nowhere.json\""), HasSubstr("there is no file")));
+  EXPECT_THAT(error_with({"/spectacles=nowhere.json"}),
+              AllOf(HasSubstr("/spectacles: got \"nowhere.json\""), HasSubstr("there is no file")));
 }
 
 const std::string maker = R"(/spectacles={"single_vision": {"base_curve_D": 2, "center_thickness_mm": 2, "refractive_index": 1.5}})";
@@ -117,9 +123,12 @@ TEST(SpectaclesSpec, ASingleVisionLensAsStated) {
 TEST(SpectaclesSpec, ErrorsOfTheMaker) {
   EXPECT_THAT(error_with({maker, R"(/spectacles/single_vision/prescription={"sphere_D": -1, "cylinder_D": -1})"}),
               HasSubstr("/spectacles/single_vision/prescription: got no \"axis_deg\""));
-  EXPECT_THAT(error_with({maker, "/spectacles/diameter_mm=50"}), HasSubstr("/spectacles/diameter_mm: got 50, expected no \"diameter_mm\" beside \"single_vision\""));
-  EXPECT_THAT(error_with({maker, "/spectacles/single_vision/refractive_index=1"}), AllOf(HasSubstr("/spectacles/single_vision: got a refractive index"), HasSubstr("a lens that can be made")));
-  EXPECT_THAT(error_with({R"(/spectacles={"single_vision": {"refractive_index": 1.5}})"}), HasSubstr("/spectacles/single_vision: got no \"center_thickness_mm\""));
+  EXPECT_THAT(error_with({maker, "/spectacles/diameter_mm=50"}),
+              HasSubstr("/spectacles/diameter_mm: got 50, expected no \"diameter_mm\" beside \"single_vision\""));
+  EXPECT_THAT(error_with({maker, "/spectacles/single_vision/refractive_index=1"}),
+              AllOf(HasSubstr("/spectacles/single_vision: got a refractive index"), HasSubstr("a lens that can be made")));
+  EXPECT_THAT(error_with({R"(/spectacles={"single_vision": {"refractive_index": 1.5}})"}),
+              HasSubstr("/spectacles/single_vision: got no \"center_thickness_mm\""));
 }
 
 TEST(SpectaclesSpec, AFileOfItsOwn) {

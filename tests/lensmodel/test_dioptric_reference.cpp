@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double tolerance = 1e-12;   // [D] or [°]; powers reach 30 D, whose rounding unit is 4e-15 D
+constexpr double tolerance = 1e-12;  // [D] or [°]; powers reach 30 D, whose rounding unit is 4e-15 D
 
 void expect_matrix(const PowerMatrix& f, const json& examiner, const std::string& what) {
   EXPECT_NEAR(f.xx(), examiner[0].get<double>(), tolerance) << what;

@@ -21,18 +21,19 @@ TEST(Accommodation, HofstettersTable) {
 }
 
 TEST(Accommodation, BestIsClampedToItsRange) {
-  const Eye eye = Eye::with({-2.0, -1.0, 30.0, 0.0}, 4e-3, BestAccommodation{3.0});   // M = −2.5 D
-  EXPECT_EQ(eye.accommodation_for(0.0), 0.0);                  // the far point is nearer than infinity
+  const Eye eye = Eye::with({-2.0, -1.0, 30.0, 0.0}, 4e-3, BestAccommodation{3.0});  // M = −2.5 D
+  EXPECT_EQ(eye.accommodation_for(0.0), 0.0);                                        // the far point is nearer than infinity
   EXPECT_DOUBLE_EQ(eye.accommodation_for(4.0), 1.5);
   EXPECT_EQ(eye.accommodation_for(10.0), 3.0);
   const Eye hyperope = Eye::with({+2.0, 0.0, 180.0, 0.0}, 4e-3, BestAccommodation{3.0});
-  EXPECT_DOUBLE_EQ(hyperope.accommodation_for(0.0), 2.0);      // accommodates for infinity already
+  EXPECT_DOUBLE_EQ(hyperope.accommodation_for(0.0), 2.0);  // accommodates for infinity already
   const Eye stiff = Eye::with({-2.0, 0.0, 180.0, 0.0}, 4e-3, BestAccommodation{0.0});
   EXPECT_EQ(stiff.accommodation_for(10.0), 0.0);
 }
 
 RC_GTEST_PROP(Accommodation, BestMakesTheLargerSemiAxisLeast, ()) {
-  const Prescription rx{*rc::gen::inRange(-40, 41) * 0.25, *rc::gen::inRange(-20, 21) * 0.25, static_cast<double>(*rc::gen::inRange(0, 181)), 0.0};
+  const Prescription rx{*rc::gen::inRange(-40, 41) * 0.25, *rc::gen::inRange(-20, 21) * 0.25,
+                        static_cast<double>(*rc::gen::inRange(0, 181)), 0.0};
   const double amplitude = *rc::gen::inRange(0, 30) * 0.25, vergence = *rc::gen::inRange(0, 41) * 0.25;
   const Eye eye = Eye::with(rx, 4e-3, BestAccommodation{amplitude});
   const auto larger = [&](double accommodation) {
@@ -57,7 +58,7 @@ TEST(Eye, CarriesTheCorrectionAtTheCornea) {
   const Eye eye = Eye::with({-10.0, 0.0, 180.0, 0.012}, 5e-3);
   EXPECT_NEAR(eye.correction.xx(), -8.928571428571429, 1e-14);
   EXPECT_EQ(eye.pupil_radius_m, 2.5e-3);
-  EXPECT_NEAR(eye.slope_matrix(2.0).yy(), -10.928571428571429, 1e-14);   // accommodating makes the eye stronger
+  EXPECT_NEAR(eye.slope_matrix(2.0).yy(), -10.928571428571429, 1e-14);  // accommodating makes the eye stronger
 }
 
 TEST(Eye, RefusesAnImpossiblePupil) {

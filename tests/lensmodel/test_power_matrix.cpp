@@ -17,7 +17,8 @@ constexpr double half_root_3 = 0.86602540378443865;
 
 // A mirrored frame is invisible at AXIS 90 and 180 and in the size of a blur: only the sign of xy tells it.
 TEST(PowerMatrix, Axis30TurnsTheOtherWayThanAxis150) {
-  // 0.00 −2.00 × 30: the examiner's 30° line runs at 150° for the wearer (from the lower right to the upper left), so the power acts along 60°.
+  // 0.00 −2.00 × 30: the examiner's 30° line runs at 150° for the wearer (from the lower right to the upper left), so the power acts along
+  // 60°.
   const PowerMatrix f30 = PowerMatrix::from({0.0, -2.0, 30.0, 0.0});
   EXPECT_NEAR(f30.xx(), -0.5, 1e-15);
   EXPECT_NEAR(f30.xy(), -half_root_3, 1e-15);
@@ -41,7 +42,7 @@ TEST(PowerMatrix, AxisAtMultiplesOf45IsExact) {
   EXPECT_EQ(PowerMatrix::from({1.0, -2.0, 90.0, 0.0}).matrix(), (Eigen::Matrix2d() << -1.0, 0.0, 0.0, 1.0).finished());
   const PowerMatrix oblique = PowerMatrix::from({0.0, -2.0, 45.0, 0.0});
   EXPECT_EQ(oblique.xx(), oblique.yy());
-  EXPECT_NEAR(oblique.xy(), -1.0, 1e-15);   // examiner's J45 = +1 for a minus cylinder × 45; the wearer's xy is its negative
+  EXPECT_NEAR(oblique.xy(), -1.0, 1e-15);  // examiner's J45 = +1 for a minus cylinder × 45; the wearer's xy is its negative
 }
 
 TEST(PowerMatrix, Axis0IsAxis180) {
@@ -63,7 +64,8 @@ RC_GTEST_PROP(PowerMatrix, EulersTheoremAlongEveryMeridian, ()) {
 }
 
 RC_GTEST_PROP(PowerMatrix, ReadingBackAPrescription, ()) {
-  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, -0.25 * *rc::gen::inRange(1, 41), static_cast<double>(*rc::gen::inRange(1, 181)), 0.0};
+  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, -0.25 * *rc::gen::inRange(1, 41), static_cast<double>(*rc::gen::inRange(1, 181)),
+                        0.0};
   const Prescription back = PowerMatrix::from(rx).as_prescription();
   RC_ASSERT(std::abs(back.sphere_D - rx.sphere_D) <= 1e-13);
   RC_ASSERT(std::abs(back.cylinder_D - rx.cylinder_D) <= 1e-13);
@@ -78,12 +80,12 @@ TEST(PowerMatrix, TheStrongerMeridianFocusesFirst) {
   const Eigen::Matrix2d s = eye.slope_matrix(0.0).matrix();
   const auto at = [&](double d) { return Ellipse::image_of_disc(Eigen::Matrix2d::Identity() + d * s, eye.pupil_radius_m); };
 
-  const Ellipse first = at(1.0 / 3.0);   // the 60° meridian is in focus: the line lies along 150° ≡ −30°
+  const Ellipse first = at(1.0 / 3.0);  // the 60° meridian is in focus: the line lies along 150° ≡ −30°
   EXPECT_NEAR(first.semi_major, 2e-3 * 2.0 / 3.0, 1e-15);
   EXPECT_NEAR(first.semi_minor, 0.0, 1e-18);
   EXPECT_NEAR(*first.orientation_deg, -30.0, 1e-12);
 
-  const Ellipse confusion = at(0.5);     // 1 + d·S = +½ and −½: the circle of least confusion
+  const Ellipse confusion = at(0.5);  // 1 + d·S = +½ and −½: the circle of least confusion
   EXPECT_NEAR(confusion.semi_major, 1e-3, 1e-15);
   EXPECT_NEAR(confusion.semi_minor, 1e-3, 1e-15);
 
@@ -113,9 +115,9 @@ RC_GTEST_PROP(PowerMatrix, MovingThereAndBackIsTheSameLens, ()) {
 }
 
 TEST(PowerMatrix, VertexDistanceAtAFocalLineIsAnError) {
-  EXPECT_THROW(power_at_cornea({40.0, 0.0, 180.0, 0.025}), std::domain_error);      // both meridians
-  EXPECT_THROW(power_at_cornea({20.0, 20.0, 30.0, 0.025}), std::domain_error);      // only the one across the axis
-  EXPECT_THROW(power_at_cornea({20.0, 20.0, 30.0, 0.05}), std::domain_error);       // only the one along it
+  EXPECT_THROW(power_at_cornea({40.0, 0.0, 180.0, 0.025}), std::domain_error);  // both meridians
+  EXPECT_THROW(power_at_cornea({20.0, 20.0, 30.0, 0.025}), std::domain_error);  // only the one across the axis
+  EXPECT_THROW(power_at_cornea({20.0, 20.0, 30.0, 0.05}), std::domain_error);   // only the one along it
   EXPECT_THROW(Eye::with({40.0, 0.0, 180.0, 0.025}, 4e-3), std::domain_error);
   EXPECT_NO_THROW(power_at_cornea({20.0, 20.0, 30.0, 0.024}));
 }

@@ -57,7 +57,9 @@ TEST(Prescription, AxisFoldsIntoItsNotation) {
   EXPECT_EQ(folded_axis_deg(1e-9), 1e-9);
 }
 
-TEST(Prescription, WithoutCylinderTheAxisIsWritten180) { EXPECT_EQ(in_minus_cylinder_form({-3.0, 0.0, 77.0, 0.0}).axis_deg, 180.0); }
+TEST(Prescription, WithoutCylinderTheAxisIsWritten180) {
+  EXPECT_EQ(in_minus_cylinder_form({-3.0, 0.0, 77.0, 0.0}).axis_deg, 180.0);
+}
 
 TEST(Prescription, RangesAreInclusive) {
   EXPECT_NO_THROW(validate({-40.0, 40.0, 0.0, 0.0}));
@@ -66,10 +68,22 @@ TEST(Prescription, RangesAreInclusive) {
 
 TEST(Prescription, OutOfRangeOrNotANumberIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-  for (const Prescription& rx : {Prescription{40.01, 0, 180, 0}, {-40.01, 0, 180, 0}, {0, 40.01, 180, 0}, {0, -40.01, 180, 0}, {0, -1, -0.01, 0},
-                                 {0, -1, 180.01, 0}, {0, 0, 180, -1e-6}, {0, 0, 180, 0.0501}, {nan, 0, 180, 0}, {0, nan, 180, 0}, {0, 0, nan, 0},
-                                 {0, 0, 180, nan}, {infinite, 0, 180, 0}, {0, -infinite, 180, 0}})
-    EXPECT_THROW(validate(rx), std::invalid_argument) << rx.sphere_D << " " << rx.cylinder_D << " " << rx.axis_deg << " " << rx.vertex_distance_m;
+  for (const Prescription& rx : {Prescription{40.01, 0, 180, 0},
+                                 {-40.01, 0, 180, 0},
+                                 {0, 40.01, 180, 0},
+                                 {0, -40.01, 180, 0},
+                                 {0, -1, -0.01, 0},
+                                 {0, -1, 180.01, 0},
+                                 {0, 0, 180, -1e-6},
+                                 {0, 0, 180, 0.0501},
+                                 {nan, 0, 180, 0},
+                                 {0, nan, 180, 0},
+                                 {0, 0, nan, 0},
+                                 {0, 0, 180, nan},
+                                 {infinite, 0, 180, 0},
+                                 {0, -infinite, 180, 0}})
+    EXPECT_THROW(validate(rx), std::invalid_argument)
+        << rx.sphere_D << " " << rx.cylinder_D << " " << rx.axis_deg << " " << rx.vertex_distance_m;
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(Spectacles, AnObliqueCylinderBendsUpOrDown) {
 TEST(Spectacles, TheRimStopsTheRay) {
   Spectacles lens = single_vision({-2.0}, {});
   EXPECT_EQ(chief_ray(lens, 30, 0).status, LensStatus::ok);
-  lens.diameter_m = 25 * mm;   // the ray meets the lens at about 25.5 tan 30° = 14.7 mm
+  lens.diameter_m = 25 * mm;  // the ray meets the lens at about 25.5 tan 30° = 14.7 mm
   EXPECT_EQ(chief_ray(lens, 30, 0).status, LensStatus::missed_lens);
   EXPECT_EQ(chief_ray(lens, 20, 0).status, LensStatus::ok);
 }
@@ -84,13 +84,14 @@ TEST(SingleVision, TheDocumentedExample) {
   const Spectacles lens = single_vision({-2.0, -1.5, 30.0}, {2.0, 2 * mm, 1.5, 12 * mm, 70 * mm});
   const auto& torus = std::get<TorusSurface>(lens.back);
   EXPECT_NEAR(1.0 / std::get<SphereSurface>(lens.front).curvature, 250 * mm, 1e-15);
-  EXPECT_NEAR(1.0 / torus.sweep_curvature(), 124.833 * mm, 5e-7);       // half a unit of the last printed place
+  EXPECT_NEAR(1.0 / torus.sweep_curvature(), 124.833 * mm, 5e-7);  // half a unit of the last printed place
   EXPECT_NEAR(1.0 / torus.generator_curvature(), 90.821 * mm, 5e-7);
-  EXPECT_NEAR(std::abs(torus.sweep_direction().dot(Eigen::Vector2d(-0.86602540378443865, 0.5))), 1.0, 1e-15);   // the wearer's 150°
+  EXPECT_NEAR(std::abs(torus.sweep_direction().dot(Eigen::Vector2d(-0.86602540378443865, 0.5))), 1.0, 1e-15);  // the wearer's 150°
 }
 
 RC_GTEST_PROP(SingleVision, BackVertexPowerIsThePrescription, ()) {
-  const double sphere = *rc::gen::inRange(-80, 49) * 0.25, cylinder = *rc::gen::inRange(-24, 1) * 0.25, index = 1.5 + 0.01 * *rc::gen::inRange(0, 40);
+  const double sphere = *rc::gen::inRange(-80, 49) * 0.25, cylinder = *rc::gen::inRange(-24, 1) * 0.25,
+               index = 1.5 + 0.01 * *rc::gen::inRange(0, 40);
   const SingleVisionDesign design{0.25 * *rc::gen::inRange(0, 40), 0.1 * mm * *rc::gen::inRange(5, 100), index};
   const Spectacles lens = single_vision({sphere, cylinder, 35.0}, design);
   // Independent of the maker's formula: a paraxial ray at unit height from infinity; power is −slope/height behind the lens.
@@ -119,7 +120,7 @@ RC_GTEST_PROP(SingleVision, BothWaysOfWritingMakeTheSameLens, ()) {
 
 TEST(SingleVision, WhatCannotBeMade) {
   EXPECT_THROW(single_vision({-2.0}, {4.0, 2 * mm, 1.0}), std::invalid_argument);
-  EXPECT_THROW(single_vision({-2.0}, {50.0, 30 * mm, 1.5}), std::domain_error);   // 1.5/50 m = 30 mm
+  EXPECT_THROW(single_vision({-2.0}, {50.0, 30 * mm, 1.5}), std::domain_error);  // 1.5/50 m = 30 mm
 }
 
 }  // namespace

@@ -13,16 +13,23 @@ namespace {
 
 constexpr double mm = 1e-3;
 
-double drawn(int low, int high, double unit) { return *rc::gen::inRange(low, high + 1) * unit; }
+double drawn(int low, int high, double unit) {
+  return *rc::gen::inRange(low, high + 1) * unit;
+}
 
 /// Curvatures from 1/−40 to 1/40 mm, zero included.
-double any_curvature() { return drawn(-25, 25, 1.0); }
+double any_curvature() {
+  return drawn(-25, 25, 1.0);
+}
 
 Surface any_surface() {
   switch (*rc::gen::inRange(0, 3)) {
-    case 0: return SphereSurface{any_curvature()};
-    case 1: return TorusSurface(any_curvature(), any_curvature(), drawn(0, 180, 1.0));
-    default: return ConicSurface{any_curvature(), drawn(-30, 10, 0.1)};
+    case 0:
+      return SphereSurface{any_curvature()};
+    case 1:
+      return TorusSurface(any_curvature(), any_curvature(), drawn(0, 180, 1.0));
+    default:
+      return ConicSurface{any_curvature(), drawn(-30, 10, 0.1)};
   }
 }
 
@@ -49,7 +56,7 @@ TEST(Sag, SweepMeridian30LiesAlongTheWearers150) {
   const TorusSurface cylinder(20.0, 0.0, 30.0);
   EXPECT_NEAR(cylinder.sag(0.5 * 30 * mm, 0.86602540378443865 * 30 * mm)->value, 0.0, 1e-17);
   EXPECT_NEAR(cylinder.sag(-0.86602540378443865 * 30 * mm, 0.5 * 30 * mm)->value, 10 * mm, 1e-16);
-  EXPECT_NEAR(cylinder.sag(0.86602540378443865 * 30 * mm, 0.5 * 30 * mm)->value, 50 * mm - 47.69696007084728 * mm, 1e-15);   // √(50² − 15²)
+  EXPECT_NEAR(cylinder.sag(0.86602540378443865 * 30 * mm, 0.5 * 30 * mm)->value, 50 * mm - 47.69696007084728 * mm, 1e-15);  // √(50² − 15²)
 }
 
 TEST(Sag, Axis0And180AreOneMeridian) {
@@ -59,7 +66,7 @@ TEST(Sag, Axis0And180AreOneMeridian) {
 }
 
 TEST(Sag, OfConics) {
-  EXPECT_NEAR((ConicSurface{20.0, -1.0}.sag(0.0, 10 * mm)->value), 1 * mm, 1e-17);   // parabola: r²/(2R)
+  EXPECT_NEAR((ConicSurface{20.0, -1.0}.sag(0.0, 10 * mm)->value), 1 * mm, 1e-17);  // parabola: r²/(2R)
   // Ellipsoid k = 3, R = 50: half axes R/(1 + k) = 12.5 along z and R/√(1 + k) = 25 across; at r = 15 it stands at 12.5 (1 − 0.8).
   EXPECT_NEAR((ConicSurface{20.0, 3.0}.sag(15 * mm, 0.0)->value), 2.5 * mm, 1e-17);
   EXPECT_FALSE((ConicSurface{20.0, 3.0}.sag(26 * mm, 0.0)));
@@ -77,12 +84,13 @@ RC_GTEST_PROP(Sag, DerivativesAreThoseOfTheHeight, ()) {
   const auto slope = [&](double dx, double dy) { return sag(surface, x + dx, y + dy)->gradient; };
   Eigen::Matrix2d hessian;
   hessian << (slope(h, 0) - slope(-h, 0)) / (2 * h), (slope(0, h) - slope(0, -h)) / (2 * h);
-  RC_ASSERT((hessian - here->hessian).norm() <= 1e6 * h * h);   // fourth derivative, below 1e6 /m³
+  RC_ASSERT((hessian - here->hessian).norm() <= 1e6 * h * h);  // fourth derivative, below 1e6 /m³
 }
 
 RC_GTEST_PROP(Sag, ATorusOfTwoEqualRadiiIsASphere, ()) {
   const double c = any_curvature(), x = drawn(-100, 100, 0.1 * mm), y = drawn(-100, 100, 0.1 * mm);
-  const Sag sphere = *SphereSurface{c}.sag(x, y), torus = *TorusSurface(c, c, drawn(0, 180, 1.0)).sag(x, y), conic = *ConicSurface{c, 0.0}.sag(x, y);
+  const Sag sphere = *SphereSurface{c}.sag(x, y), torus = *TorusSurface(c, c, drawn(0, 180, 1.0)).sag(x, y),
+            conic = *ConicSurface{c, 0.0}.sag(x, y);
   RC_ASSERT(std::abs(sphere.value - torus.value) <= 1e-17);
   RC_ASSERT((sphere.gradient - torus.gradient).norm() <= 1e-14);
   RC_ASSERT((sphere.hessian - torus.hessian).norm() <= 1e-12);
@@ -105,10 +113,12 @@ RC_GTEST_PROP(Intersect, FindsThePointThatTheRayIsAimedAt, ()) {
   const Eigen::Vector3d target(xy.x(), xy.y(), there->value), eye(drawn(-90, 90, 0.1 * mm), drawn(-90, 90, 0.1 * mm), 25 * mm);
   const LightRay ray{eye, (target - eye).normalized()};
   // In front of the surface, and the first crossing: no steeper than 60° on it.
-  RC_PRE(outward_normal(*there).dot(ray.direction) > 0.5 && sag(surface, eye.x(), eye.y()) && sag(surface, eye.x(), eye.y())->value < eye.z());
+  RC_PRE(outward_normal(*there).dot(ray.direction) > 0.5 && sag(surface, eye.x(), eye.y()) &&
+         sag(surface, eye.x(), eye.y())->value < eye.z());
   const SurfaceHit hit = intersect(surface, ray, 35 * mm);
   RC_ASSERT(hit.status == LensStatus::ok);
-  // The iteration stops within 16 units in the last place of 40 mm, 1.4e-16; rounding of height and direction over cos φ > 0.5 adds as much.
+  // The iteration stops within 16 units in the last place of 40 mm, 1.4e-16; rounding of height and direction over cos φ > 0.5 adds as
+  // much.
   RC_ASSERT((hit.position - target).norm() <= 5e-16);
 }
 
@@ -118,10 +128,10 @@ RC_GTEST_PROP(Intersect, NewtonAndTheClosedFormOfTheSphereAgree, ()) {
   const LightRay ray{eye, Eigen::Vector3d(drawn(-100, 100, 0.01), drawn(-100, 100, 0.01), -1.0).normalized()};
   const SurfaceHit closed = intersect(SphereSurface{c}, ray, 35 * mm), newton = intersect(ConicSurface{c, 0.0}, ray, 35 * mm),
                    torus = intersect(TorusSurface(c, c, 20.0), ray, 35 * mm);
-  RC_PRE(closed.status != LensStatus::ok || outward_normal(closed.sag).dot(ray.direction) > 0.05);   // grazing rays may differ
+  RC_PRE(closed.status != LensStatus::ok || outward_normal(closed.sag).dot(ray.direction) > 0.05);  // grazing rays may differ
   RC_ASSERT(closed.status == newton.status && closed.status == torus.status);
   if (closed.status == LensStatus::ok) {
-    RC_ASSERT(std::abs(closed.distance - newton.distance) <= 1e-15);   // rounding over cos φ ≥ 0.05
+    RC_ASSERT(std::abs(closed.distance - newton.distance) <= 1e-15);  // rounding over cos φ ≥ 0.05
     RC_ASSERT(std::abs(closed.distance - torus.distance) <= 1e-15);
   }
 }
@@ -130,9 +140,12 @@ class Misses : public ::testing::TestWithParam<int> {
  protected:
   static Surface shape(double curvature) {
     switch (GetParam()) {
-      case 0: return SphereSurface{curvature};
-      case 1: return TorusSurface(curvature, curvature, 30.0);
-      default: return ConicSurface{curvature, 0.0};
+      case 0:
+        return SphereSurface{curvature};
+      case 1:
+        return TorusSurface(curvature, curvature, 30.0);
+      default:
+        return ConicSurface{curvature, 0.0};
     }
   }
 };

@@ -11,11 +11,11 @@ namespace sturm {
 namespace {
 
 using Real = long double;
-constexpr double unit = 0x1p-52;   // spacing of doubles at 1
+constexpr double unit = 0x1p-52;  // spacing of doubles at 1
 
 // The oracle needs no rounding of its own: integer entries below 2³⁰ have determinants that fit in 64 bits.
 struct IntegerMatrix {
-  std::int64_t a, b, c, d;   // [[a, b], [c, d]]
+  std::int64_t a, b, c, d;  // [[a, b], [c, d]]
 
   Real determinant() const { return static_cast<Real>(a * d - b * c); }
   Eigen::Matrix2d as_double() const {
@@ -40,13 +40,15 @@ void expect_singular_values(const IntegerMatrix& n) {
   if (s.isotropic) return;
   // u is the left singular vector of the larger value exactly when M Mᵀ u has nothing across u.
   const Real ux = s.large_direction.x(), uy = s.large_direction.y();
-  const Real wx = n.a * ux + n.c * uy, wy = n.b * ux + n.d * uy;   // Mᵀu
+  const Real wx = n.a * ux + n.c * uy, wy = n.b * ux + n.d * uy;  // Mᵀu
   const Real across = -uy * (n.a * wx + n.b * wy) + ux * (n.c * wx + n.d * wy);
   RC_ASSERT(std::abs(across) <= 8 * unit * large * large);
   RC_ASSERT(std::hypot(wx, wy) >= large * (1 - 8 * unit));
 }
 
-RC_GTEST_PROP(SingularValues, KeepTheirRelativeAccuracyNearASingularMatrix, ()) { expect_singular_values(nearly_singular()); }
+RC_GTEST_PROP(SingularValues, KeepTheirRelativeAccuracyNearASingularMatrix, ()) {
+  expect_singular_values(nearly_singular());
+}
 
 RC_GTEST_PROP(SingularValues, KeepTheirRelativeAccuracyNearACircle, ()) {
   const std::int64_t c = *rc::gen::inRange(-1000000000, 1000000001), s = *rc::gen::inRange(-1000000000, 1000000001);
@@ -73,7 +75,7 @@ RC_GTEST_PROP(PrincipalValues, KeepTheirRelativeAccuracyNearAZeroEigenvalue, ())
 }
 
 TEST(PrincipalValues, ByHand) {
-  const PrincipalValues v = principal_values(2.0, 1.0, 2.0);   // (1, 1) direction 3, (1, −1) direction 1
+  const PrincipalValues v = principal_values(2.0, 1.0, 2.0);  // (1, 1) direction 3, (1, −1) direction 1
   EXPECT_EQ(v.high, 3.0);
   EXPECT_EQ(v.low, 1.0);
   EXPECT_NEAR(v.high_direction.x() * v.high_direction.y(), 0.5, 1e-15);
@@ -85,21 +87,21 @@ TEST(PrincipalValues, ByHand) {
 TEST(PrincipalValues, EqualOnesHaveNoDirection) {
   EXPECT_TRUE(principal_values(0.0, 0.0, 0.0).isotropic);
   EXPECT_TRUE(principal_values(-7.0, 0.0, -7.0).isotropic);
-  EXPECT_FALSE(principal_values(1.0, 0.0, -1.0).isotropic);      // opposite values are not equal
+  EXPECT_FALSE(principal_values(1.0, 0.0, -1.0).isotropic);  // opposite values are not equal
   EXPECT_FALSE(principal_values(7.0, 1e-12, 7.0).isotropic);
 }
 
 TEST(SingularValues, ByHand) {
-  const SingularValues s = singular_values((Eigen::Matrix2d() << 0.0, -2.0, 3.0, 0.0).finished());   // e_x → 3 e_y, e_y → −2 e_x
+  const SingularValues s = singular_values((Eigen::Matrix2d() << 0.0, -2.0, 3.0, 0.0).finished());  // e_x → 3 e_y, e_y → −2 e_x
   EXPECT_EQ(s.large, 3.0);
   EXPECT_EQ(s.small, 2.0);
   EXPECT_EQ(s.large_direction, Eigen::Vector2d(0.0, 1.0));
   EXPECT_TRUE(singular_values(Eigen::Matrix2d::Zero()).isotropic);
-  EXPECT_TRUE(singular_values((Eigen::Matrix2d() << 1.0, 0.0, 0.0, -1.0).finished()).isotropic);   // a mirror image of a circle is a circle
+  EXPECT_TRUE(singular_values((Eigen::Matrix2d() << 1.0, 0.0, 0.0, -1.0).finished()).isotropic);  // a mirror image of a circle is a circle
 }
 
 TEST(DifferenceOfProducts, SurvivesCancellation) {
-  const double a = 1.0 + 0x1p-30;   // a² − (1 + 2⁻²⁹) = 2⁻⁶⁰ exactly; naive evaluation gives 0
+  const double a = 1.0 + 0x1p-30;  // a² − (1 + 2⁻²⁹) = 2⁻⁶⁰ exactly; naive evaluation gives 0
   EXPECT_EQ(difference_of_products(a, a, 1.0 + 0x1p-29, 1.0), 0x1p-60);
 }
 

@@ -13,10 +13,10 @@ namespace {
 RenderResult picture(const Scene& scene, std::uint64_t seed, int threads, Sequence sequence = Sequence::Sobol) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   CameraPose pose = testing::scene_plain_pose();
-  pose.width = 70;   // not a multiple of the tile
+  pose.width = 70;  // not a multiple of the tile
   pose.height = 45;
   RenderSettings settings;
-  settings.samples_per_pixel = 20;   // not a multiple of the block
+  settings.samples_per_pixel = 20;  // not a multiple of the block
   settings.seed = seed;
   settings.sequence = sequence;
   return render(scene, EyeCamera(pose, testing::focused_lens(0.02, 1.05)), settings);

@@ -22,12 +22,14 @@ const Vector3f radiance(5.0f, 3.0f, 2.0f);
 /// Materials: 0 floor, 1 emitter, 2 black.
 SceneDescription floor_scene() {
   SceneDescription description;
-  description.materials = {testing::lambertian(albedo), testing::lambertian(Vector3f::Zero(), radiance), testing::lambertian(Vector3f::Zero())};
-  description.meshes = {testing::parallelogram({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}, 0)};   // normal +y
+  description.materials = {testing::lambertian(albedo), testing::lambertian(Vector3f::Zero(), radiance),
+                           testing::lambertian(Vector3f::Zero())};
+  description.meshes = {testing::parallelogram({-50, 0, -50}, {0, 0, 100}, {100, 0, 0}, 0)};  // normal +y
   return description;
 }
 
-testing::Estimate radiance_at(const Scene& scene, const Vector3d& point, int channel, int samples, int bounces = 1, const Vector3d& eye = {1.7, 2.1, 2.9}) {
+testing::Estimate radiance_at(const Scene& scene, const Vector3d& point, int channel, int samples, int bounces = 1,
+                              const Vector3d& eye = {1.7, 2.1, 2.9}) {
   std::vector<double> values;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {
     RenderSettings settings;
@@ -67,7 +69,7 @@ TEST(PointLight, CastsAShadowAndDoesNotShineThroughTheFloor) {
   description.lights = {{{0.0f, 2.0f, 0.0f}, {1, 1, 1}}};
   description.meshes.push_back(testing::parallelogram({-0.1f, 1.0f, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}, 2));
   const Scene scene(description);
-  EXPECT_EQ(radiance_at(scene, {0.1, 0, 0.1}, 0, 16).mean, 0.0);    // the card's shadow reaches 0.2 m
+  EXPECT_EQ(radiance_at(scene, {0.1, 0, 0.1}, 0, 16).mean, 0.0);  // the card's shadow reaches 0.2 m
   EXPECT_GT(radiance_at(scene, {0.25, 0, 0.1}, 0, 16).mean, 0.0);
   SceneDescription below = floor_scene();
   below.lights = {{{0.0f, -2.0f, 0.0f}, {1, 1, 1}}};
@@ -114,21 +116,23 @@ TEST(AreaLight, LambertsFormulaAgreesWithTheTextbookRectangle) {
 TEST(AreaLight, ParallelRectangle) {
   SceneDescription description = floor_scene();
   const Vector3f corner(-0.4f, 1.0f, -0.3f), width(1.0f, 0, 0), depth(0, 0, 0.7f);
-  description.meshes.push_back(testing::parallelogram(corner, width, depth, 1));   // x × z = −y: emits downwards
+  description.meshes.push_back(testing::parallelogram(corner, width, depth, 1));  // x × z = −y: emits downwards
   const Scene scene(description);
   const Vector3d c = corner.cast<double>(), w = width.cast<double>(), d = depth.cast<double>();
   for (const Vector3d& point : {Vector3d(0, 0, 0), {0.9, 0, 0.2}, {-1.5, 0, 1.5}})
-    expect_radiance(scene, point, polygon_irradiance(point, {0, 1, 0}, {c, c + w, c + w + d, c + d}) * radiance.cast<double>(), "rectangle");
+    expect_radiance(scene, point, polygon_irradiance(point, {0, 1, 0}, {c, c + w, c + w + d, c + d}) * radiance.cast<double>(),
+                    "rectangle");
 }
 
 TEST(AreaLight, TiltedRectangleNearTheFloor) {
   SceneDescription description = floor_scene();
   const Vector3f corner(-0.5f, 0.02f, -0.2f), along(1.0f, 0.1f, 0), up(0, 0.5f, -0.4f);
-  description.meshes.push_back(testing::parallelogram(corner, along, up, 1));   // normal towards +z and up
+  description.meshes.push_back(testing::parallelogram(corner, along, up, 1));  // normal towards +z and up
   const Scene scene(description);
   const Vector3d c = corner.cast<double>(), a = along.cast<double>(), u = up.cast<double>();
   for (const Vector3d& point : {Vector3d(0, 0, 0.1), {0.3, 0, 0.5}})
-    expect_radiance(scene, point, polygon_irradiance(point, {0, 1, 0}, {c, c + a, c + a + u, c + u}) * radiance.cast<double>(), "tilted rectangle");
+    expect_radiance(scene, point, polygon_irradiance(point, {0, 1, 0}, {c, c + a, c + a + u, c + u}) * radiance.cast<double>(),
+                    "tilted rectangle");
 }
 
 TEST(AreaLight, SeveralLightsAddUp) {
@@ -149,13 +153,13 @@ TEST(AreaLight, SeveralLightsAddUp) {
 
 TEST(AreaLight, EmitsFromTheSideItsWindingFaces) {
   SceneDescription description = floor_scene();
-  description.meshes.push_back(testing::parallelogram({-0.5f, 1.0f, -0.5f}, {1.0f, 0, 0}, {0, 0, 1.0f}, 1));   // normal −y
+  description.meshes.push_back(testing::parallelogram({-0.5f, 1.0f, -0.5f}, {1.0f, 0, 0}, {0, 0, 1.0f}, 1));  // normal −y
   const Scene scene(description);
-  EXPECT_EQ(radiance_at(scene, {0.1, 1.0, 0.1}, 0, 4, 0, {0.3, 0.2, 0.2}).mean, 5.0);   // from below
-  EXPECT_EQ(radiance_at(scene, {0.1, 1.0, 0.1}, 0, 4, 0, {0.3, 3.0, 0.2}).mean, 0.0);   // from above
+  EXPECT_EQ(radiance_at(scene, {0.1, 1.0, 0.1}, 0, 4, 0, {0.3, 0.2, 0.2}).mean, 5.0);  // from below
+  EXPECT_EQ(radiance_at(scene, {0.1, 1.0, 0.1}, 0, 4, 0, {0.3, 3.0, 0.2}).mean, 0.0);  // from above
   // The floor beyond its plane gets nothing from its back.
   SceneDescription upwards = floor_scene();
-  upwards.meshes.push_back(testing::parallelogram({-0.5f, 1.0f, -0.5f}, {0, 0, 1.0f}, {1.0f, 0, 0}, 1));   // normal +y
+  upwards.meshes.push_back(testing::parallelogram({-0.5f, 1.0f, -0.5f}, {0, 0, 1.0f}, {1.0f, 0, 0}, 1));  // normal +y
   EXPECT_EQ(radiance_at(Scene(upwards), {0.0, 0, 0.0}, 0, 64).mean, 0.0);
 }
 

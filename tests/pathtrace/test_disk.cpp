@@ -22,7 +22,9 @@ double jacobian(T u, T v, T h) {
 }
 
 /// Distance in (u, v) to the diagonals, where the two halves of the map meet with a kink.
-double to_diagonals(double u, double v) { return std::min(std::abs(u - v), std::abs(u + v - 1.0)); }
+double to_diagonals(double u, double v) {
+  return std::min(std::abs(u - v), std::abs(u + v - 1.0));
+}
 
 // The unit square has area 1 and the disc π, so the map preserves area exactly when its Jacobian is +π everywhere.
 TEST(ConcentricDisk, JacobianIsPiEverywhereInDouble) {
@@ -40,7 +42,8 @@ TEST(ConcentricDisk, JacobianIsPiEverywhereInFloat) {
   for (int i = 0; i < 64; ++i)
     for (int j = 0; j < 64; ++j) {
       const float u = (static_cast<float>(i) + 0.37f) / 64.0f, v = (static_cast<float>(j) + 0.41f) / 64.0f;
-      const double from_border = std::min(std::min(u, 1.0f - u), std::min(v, 1.0f - v)), from_center = std::max(std::abs(u - 0.5f), std::abs(v - 0.5f));
+      const double from_border = std::min(std::min(u, 1.0f - u), std::min(v, 1.0f - v)),
+                   from_center = std::max(std::abs(u - 0.5f), std::abs(v - 0.5f));
       if (to_diagonals(u, v) < 2.0 * h || from_border < h || from_center < 0.1) continue;
       // Truncation (h/0.1)²/6 = 2.5e−4 relative, rounding 6e−8/h = 1.5e−5.
       EXPECT_NEAR(jacobian(u, v, h), std::numbers::pi, 2e-3) << u << " " << v;
@@ -54,7 +57,7 @@ TEST(ConcentricDisk, BorderGoesToTheUnitCircleAndCentreToTheCentre) {
       const auto d = concentric_disk(u, v);
       EXPECT_NEAR(std::hypot(d.x, d.y), 1.0, 4e-16);
       const auto f = concentric_disk(static_cast<float>(u), static_cast<float>(v));
-      EXPECT_NEAR(std::hypot(f.x, f.y), 1.0, 2e-7);   // two roundings of 6e−8 and the series' 4e−8
+      EXPECT_NEAR(std::hypot(f.x, f.y), 1.0, 2e-7);  // two roundings of 6e−8 and the series' 4e−8
     }
   }
   EXPECT_EQ(concentric_disk(0.5, 0.5).x, 0.0);
@@ -71,7 +74,7 @@ TEST(ConcentricDisk, KeepsRightRightAndUpUp) {
 TEST(ConcentricDisk, AgreesWithTheLibrarysSineAndCosine) {
   for (int i = 0; i < 500; ++i)
     for (int j = 0; j < 500; ++j) {
-      const double u = i / 512.0 + 0x1p-10, v = j / 512.0 + 0x1p-11;   // exact in float too
+      const double u = i / 512.0 + 0x1p-10, v = j / 512.0 + 0x1p-11;  // exact in float too
       constexpr long double pi = std::numbers::pi_v<long double>;
       const long double a = 2.0 * u - 1.0, b = 2.0 * v - 1.0;
       const bool wide = std::abs(a) > std::abs(b);
@@ -79,10 +82,10 @@ TEST(ConcentricDisk, AgreesWithTheLibrarysSineAndCosine) {
       const long double angle = wide ? 0.25L * pi * b / a : 0.5L * pi - (b == 0.0L ? 0.0L : 0.25L * pi * a / b);
       const auto x = static_cast<double>(radius * std::cos(angle)), y = static_cast<double>(radius * std::sin(angle));
       const auto d = concentric_disk(u, v);
-      ASSERT_NEAR(d.x, x, 3e-16);   // roundings of the angle, the series and the product
+      ASSERT_NEAR(d.x, x, 3e-16);  // roundings of the angle, the series and the product
       ASSERT_NEAR(d.y, y, 3e-16);
       const auto f = concentric_disk(static_cast<float>(u), static_cast<float>(v));
-      ASSERT_NEAR(f.x, x, 1.6e-7);   // 4e−8 of the series and two roundings
+      ASSERT_NEAR(f.x, x, 1.6e-7);  // 4e−8 of the series and two roundings
       ASSERT_NEAR(f.y, y, 1.6e-7);
     }
 }
@@ -93,7 +96,7 @@ TEST(TangentFrame, IsRightHandedAndOrthonormal) {
     const TangentFrame frame(n);
     Eigen::Matrix3f m;
     m << frame.tangent, frame.bitangent, n;
-    EXPECT_LT((m.transpose() * m - Eigen::Matrix3f::Identity()).cwiseAbs().maxCoeff(), 5e-7f);   // a few float roundings
+    EXPECT_LT((m.transpose() * m - Eigen::Matrix3f::Identity()).cwiseAbs().maxCoeff(), 5e-7f);  // a few float roundings
     EXPECT_NEAR(m.determinant(), 1.0f, 5e-7f);
   }
 }
@@ -109,7 +112,7 @@ TEST(CosineDirection, JacobianIsPiOverCosine) {
       const Eigen::Vector3f w = cosine_direction(n, u, v);
       EXPECT_NEAR(w.norm(), 1.0f, 1e-6f);
       const double solid_angle = std::sqrt(du.squaredNorm() * dv.squaredNorm() - std::pow(du.dot(dv), 2));
-      EXPECT_NEAR(solid_angle * static_cast<double>(n.dot(w)) / std::numbers::pi, 1.0, 0.01) << u << " " << v;   // O(h²) near the horizon
+      EXPECT_NEAR(solid_angle * static_cast<double>(n.dot(w)) / std::numbers::pi, 1.0, 0.01) << u << " " << v;  // O(h²) near the horizon
     }
 }
 
@@ -128,7 +131,7 @@ TEST(DiskQuadrature, IntegratesMonomialsExactly) {
   EXPECT_NEAR(x, 0.0, 1e-15);
   EXPECT_NEAR(xx, 1.0 / 4.0, 1e-15);
   EXPECT_NEAR(xy, 0.0, 1e-15);
-  EXPECT_NEAR(x4y2, 1.0 / 64.0, 1e-15);   // E[r⁶] = 1/4, E[cos⁴ sin²] = 1/16
+  EXPECT_NEAR(x4y2, 1.0 / 64.0, 1e-15);  // E[r⁶] = 1/4, E[cos⁴ sin²] = 1/16
 }
 
 TEST(UnitDiskPoints, ReplicatesDifferAndAddressingIsConsistent) {

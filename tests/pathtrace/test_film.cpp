@@ -42,7 +42,7 @@ TEST(PixelStatistics, SmallValuesSurviveBesideLargeOnes) {
 
 TEST(PixelStatistics, VarianceAgreesWithTwoPasses) {
   std::vector<float> values;
-  for (std::uint32_t i = 0; i < 100000; ++i)   // log-uniform over 1e−8 … 1e8
+  for (std::uint32_t i = 0; i < 100000; ++i)  // log-uniform over 1e−8 … 1e8
     values.push_back(static_cast<float>(std::pow(10.0, 16.0 * unit_double(owen_sobol::mixed(i)) - 8.0)));
   PixelStatistics pixel;
   long double sum = 0, squares = 0;

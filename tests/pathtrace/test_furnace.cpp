@@ -65,7 +65,8 @@ TEST(Furnace, EveryAlbedoAndPathLength) {
     description.meshes = testing::room(1.0f, 0);
     const Scene scene(description);
     for (int bounces : {0, 1, 4, 16})
-      expect_constant(scene, camera, bounces, closed_form(albedo, bounces), "albedo " + std::to_string(rho) + " bounces " + std::to_string(bounces));
+      expect_constant(scene, camera, bounces, closed_form(albedo, bounces),
+                      "albedo " + std::to_string(rho) + " bounces " + std::to_string(bounces));
   }
 }
 
@@ -95,7 +96,7 @@ TEST(Furnace, ASphereDoesNotShadowItself) {
     CameraPose pose = inside_the_room();
     pose.look_at = c.center.cast<double>();
     pose.position = pose.look_at + 5.0 * static_cast<double>(c.radius) * Eigen::Vector3d(0.3, 0.1, 0.5).normalized();
-    pose.vertical_field = 0.2;   // the sphere fills the picture
+    pose.vertical_field = 0.2;  // the sphere fills the picture
     expect_constant(Scene(description), EyeCamera(pose, testing::pinhole_rays()), 1,
                     emission.cwiseProduct(Eigen::Vector3f(0.8f, 0.5f, 0.2f)).cast<double>(), "room " + std::to_string(c.room));
   }

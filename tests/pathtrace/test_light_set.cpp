@@ -24,7 +24,7 @@ struct Triangle {
   Vector3f normal() const { return (b - a).cross(c - a).normalized(); }
 };
 
-const Triangle tilted{{-0.4f, 0.9f, 0.1f}, {0.7f, 1.0f, -0.3f}, {0.1f, 1.2f, 0.8f}};   // its normal has y < 0: it faces the origin
+const Triangle tilted{{-0.4f, 0.9f, 0.1f}, {0.7f, 1.0f, -0.3f}, {0.1f, 1.2f, 0.8f}};  // its normal has y < 0: it faces the origin
 const Vector3f ball(0.5f, -1.0f, 1.5f);
 constexpr float ball_radius = 0.6f;
 
@@ -114,8 +114,8 @@ TEST(LightSet, SamplesLieOnTheLight) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const auto u = owen_sobol::pair(i, 7);
     const Vector3f at = sphere.sample(Vector3f::Zero(), unit_float(u.x), unit_float(u.y)).direction;
-    EXPECT_NEAR((at - ball).norm(), ball_radius, 1e-3f);   // √ε of a float at the limb
-    EXPECT_LE(at.norm(), std::sqrt(ball.squaredNorm() - ball_radius * ball_radius) + 1e-3f);   // on the near side
+    EXPECT_NEAR((at - ball).norm(), ball_radius, 1e-3f);                                      // √ε of a float at the limb
+    EXPECT_LE(at.norm(), std::sqrt(ball.squaredNorm() - ball_radius * ball_radius) + 1e-3f);  // on the near side
   }
 }
 
@@ -142,7 +142,7 @@ TEST(LightSet, JacobianOfASampleIsOneOverItsDensity) {
     expect_jacobian(triangle, point);
     expect_jacobian(sphere, point);
   }
-  expect_jacobian(sphere, Vector3f(0.5f, -1.0f, 1.5f - 0.601f));   // 1 mm above the surface
+  expect_jacobian(sphere, Vector3f(0.5f, -1.0f, 1.5f - 0.601f));  // 1 mm above the surface
 }
 
 TEST(LightSet, ADistantSphereKeepsItsDensity) {

@@ -13,7 +13,9 @@ namespace sturm {
 namespace {
 
 /// The upper `bits` bits, as a cell number.
-std::uint32_t cell(std::uint32_t x, int bits) { return bits == 0 ? 0u : x >> (32 - bits); }
+std::uint32_t cell(std::uint32_t x, int bits) {
+  return bits == 0 ? 0u : x >> (32 - bits);
+}
 
 // (0, 2)-sequence: every aligned block of 2^k points hits every elementary interval of area 2^−k exactly once, in all k + 1 shapes.
 RC_GTEST_PROP(OwenSobol, EveryAlignedBlockIsANet, ()) {
@@ -66,7 +68,8 @@ TEST(OwenSobol, EachSampleIsUniformOverTheKeys) {
   }
 }
 
-// … and two samples are tied by nothing but their strata: 0 and 1 lie in different halves of x, and the next four bits know nothing of each other.
+// … and two samples are tied by nothing but their strata: 0 and 1 lie in different halves of x, and the next four bits know nothing of each
+// other.
 TEST(OwenSobol, NeighboursAreIndependentWithinTheirStrata) {
   std::vector<int> counts(256, 0);
   for (std::uint32_t key = 0; key < (1u << 16); ++key) {
@@ -144,7 +147,7 @@ TEST(UnitNumbers, NeverReachOne) {
   EXPECT_EQ(unit_float(0x80000000u), 0.5f);
   EXPECT_LT(unit_double(0xffffffffu), 1.0);
   EXPECT_GT(unit_double(0u), 0.0);
-  EXPECT_EQ(unit_double(0x80000000u) + unit_double(0x7fffffffu), 1.0);   // symmetric about one half
+  EXPECT_EQ(unit_double(0x80000000u) + unit_double(0x7fffffffu), 1.0);  // symmetric about one half
 }
 
 }  // namespace

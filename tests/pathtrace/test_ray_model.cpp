@@ -12,7 +12,8 @@ namespace sturm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr RayModel all_models[] = {RayModel::pinhole, RayModel::thin_lens, RayModel::metalstigmatism, RayModel::sin2_radial, RayModel::power_matrix};
+constexpr RayModel all_models[] = {RayModel::pinhole, RayModel::thin_lens, RayModel::metalstigmatism, RayModel::sin2_radial,
+                                   RayModel::power_matrix};
 
 struct Situation {
   Prescription rx;
@@ -75,7 +76,7 @@ RC_GTEST_PROP(RayModels, PowerMatrixIsTheGradientOfTheWavefront, ()) {
     return -0.5 * (x * x + y * y) * (meridional_power(s.rx, std::atan2(y, x)) - s.accommodation);
   };
   const auto ray = launched(RayModel::power_matrix, s);
-  const double h = 1e-6;   // exact for a quadratic; rounding 1e−16 · |W| / h ≤ 1e−14 with |W| ≤ 6e−5 m
+  const double h = 1e-6;  // exact for a quadratic; rounding 1e−16 · |W| / h ≤ 1e−14 with |W| ≤ 6e−5 m
   RC_ASSERT(std::abs(ray.sx + (wavefront(ray.px + h, ray.py) - wavefront(ray.px - h, ray.py)) / (2 * h)) <= 5e-14);
   RC_ASSERT(std::abs(ray.sy + (wavefront(ray.px, ray.py + h) - wavefront(ray.px, ray.py - h)) / (2 * h)) <= 5e-14);
 }
@@ -108,8 +109,8 @@ TEST(Metalstigmatism, RaysAtThePoleAreDropped) {
   EXPECT_EQ(metalstigmatism({-0.5, 0.0, 180.0, 0.0}, 2.0, 1e-3, 1e-3).status, LaunchStatus::dropped);
   // 0.00 −1.00 × 180, d_f = 2 m: P = −½ on the meridians at 45° only.
   EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1e-3, 1e-3).status, LaunchStatus::dropped);
-  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1e-3, 1.01e-3).status, LaunchStatus::ok);               // P < −½, f > 0
-  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1.01e-3, 1e-3).status, LaunchStatus::negative_focus);   // −½ < P < 0
+  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1e-3, 1.01e-3).status, LaunchStatus::ok);              // P < −½, f > 0
+  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1.01e-3, 1e-3).status, LaunchStatus::negative_focus);  // −½ < P < 0
 }
 
 TEST(Metalstigmatism, WeakMyopiaBendsTheWrongWay) {
@@ -147,7 +148,7 @@ RC_GTEST_PROP(RayModels, FloatAndDoubleAgree, ()) {
   const Situation s = any_situation();
   const Eye eye = Eye::with(s.rx, 4e-3);
   const double px = s.r * std::cos(s.phi), py = s.r * std::sin(s.phi);
-  RC_PRE(std::abs(1.0 + s.focus_distance * meridional_power(s.rx, s.phi)) > 0.1);   // float cannot follow the pole
+  RC_PRE(std::abs(1.0 + s.focus_distance * meridional_power(s.rx, s.phi)) > 0.1);  // float cannot follow the pole
   for (RayModel model : all_models) {
     const auto d = EyeRays<double>(model, eye, s.accommodation, s.focus_distance).through(px, py);
     const auto f = EyeRays<float>(model, eye, s.accommodation, s.focus_distance).through(static_cast<float>(px), static_cast<float>(py));
@@ -179,7 +180,8 @@ TEST(RayModels, NamesAreReadBack) {
 
 TEST(RayCounters, CountWhatBecameOfEachRay) {
   RayCounters counters, more;
-  for (LaunchStatus status : {LaunchStatus::ok, LaunchStatus::dropped, LaunchStatus::negative_focus, LaunchStatus::negative_focus}) count(counters, status);
+  for (LaunchStatus status : {LaunchStatus::ok, LaunchStatus::dropped, LaunchStatus::negative_focus, LaunchStatus::negative_focus})
+    count(counters, status);
   count(more, LaunchStatus::dropped);
   counters += more;
   EXPECT_EQ(counters.launched, 5u);

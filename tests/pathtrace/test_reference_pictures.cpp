@@ -33,7 +33,8 @@ BlockMeans block_means(const Image& image) {
   BlockMeans means(blocks, Eigen::Vector3d::Zero());
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
-      for (int k = 0; k < 3; ++k) means[static_cast<std::size_t>(y / block * 16 + x / block)][k] += static_cast<double>(image.at(x, y)[k]) / (block * block);
+      for (int k = 0; k < 3; ++k)
+        means[static_cast<std::size_t>(y / block * 16 + x / block)][k] += static_cast<double>(image.at(x, y)[k]) / (block * block);
   return means;
 }
 
@@ -86,13 +87,15 @@ void expect_same_picture(const std::vector<BlockMeans>& a, const std::vector<Blo
       mean_a += x.mean / blocks;
       mean_b += y.mean / blocks;
       const double variance = x.variance_of_mean + y.variance_of_mean;
-      const double degrees = variance * variance / (x.variance_of_mean * x.variance_of_mean / x.degrees + y.variance_of_mean * y.variance_of_mean / y.degrees);
+      const double degrees =
+          variance * variance / (x.variance_of_mean * x.variance_of_mean / x.degrees + y.variance_of_mean * y.variance_of_mean / y.degrees);
       const double t = (x.mean - y.mean) / std::sqrt(variance);
       squares += t * t / blocks;
       const double p = testing::student_two_sided(t, degrees);
       if (p < least_p) {
         least_p = p;
-        worst = "block (" + std::to_string(i % 16) + ", " + std::to_string(i / 16) + ") channel " + std::to_string(k) + " t = " + std::to_string(t);
+        worst = "block (" + std::to_string(i % 16) + ", " + std::to_string(i / 16) + ") channel " + std::to_string(k) +
+                " t = " + std::to_string(t);
       }
     }
     EXPECT_NEAR(mean_a / mean_b, 1.0, 0.003) << "image mean of channel " << k;
@@ -112,7 +115,9 @@ TEST(Student, KnowsItsTables) {
   EXPECT_NEAR(testing::student_two_sided(1.95996, 1e7), 0.05, 1e-6);
 }
 
-TEST(ReferencePictures, Pinhole) { expect_same_picture(ours(testing::pinhole_rays()), reference("pinhole")); }
+TEST(ReferencePictures, Pinhole) {
+  expect_same_picture(ours(testing::pinhole_rays()), reference("pinhole"));
+}
 
 TEST(ReferencePictures, LensOf20MillimetresFocusedAt105Centimetres) {
   expect_same_picture(ours(testing::focused_lens(0.02, 1.05)), reference("dof20"));

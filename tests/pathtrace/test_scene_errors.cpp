@@ -33,7 +33,9 @@ std::string message_of(const std::function<void(SceneDescription&)>& spoil) {
   return "no InputError";
 }
 
-TEST(SceneErrors, AUsableSceneIsAccepted) { EXPECT_NO_THROW(Scene{usable()}); }
+TEST(SceneErrors, AUsableSceneIsAccepted) {
+  EXPECT_NO_THROW(Scene{usable()});
+}
 
 TEST(SceneErrors, NumbersThatCannotBeTraced) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();

@@ -28,7 +28,7 @@ struct Case {
   double accommodation, vergence;
 };
 
-const Case cases[] = {{{-1.0, -2.0, 30.0, 0.0}, 0.0, 1.0},  {{-1.0, -2.0, 150.0, 0.0}, 0.0, 2.0}, {{2.5, -1.25, 12.0, 0.0}, 1.5, 0.25},
+const Case cases[] = {{{-1.0, -2.0, 30.0, 0.0}, 0.0, 1.0},  {{-1.0, -2.0, 150.0, 0.0}, 0.0, 2.0},  {{2.5, -1.25, 12.0, 0.0}, 1.5, 0.25},
                       {{0.0, 3.0, 77.0, 0.0}, 0.5, 0.0},    {{-4.75, -3.5, 115.0, 0.0}, 2.0, 4.0}, {{-3.0, 0.0, 180.0, 0.0}, 0.0, 0.5},
                       {{-1.0, -2.0, 180.0, 0.0}, 0.0, 3.0}, {{0.25, -0.25, 45.0, 0.0}, 0.0, 1.0}};
 
@@ -40,8 +40,12 @@ Eigen::Matrix2d closed_form(const Case& c, double radius, double (*along)(double
   return 0.25 * radius * radius * (along(v1, v2) * axis * axis.transpose() + along(v2, v1) * across * across.transpose());
 }
 
-double wavefront_moment(double v, double) { return v * v; }
-double sin2_moment(double v, double other) { return (5.0 * v * v + 2.0 * v * other + other * other) / 8.0; }
+double wavefront_moment(double v, double) {
+  return v * v;
+}
+double sin2_moment(double v, double other) {
+  return (5.0 * v * v + 2.0 * v * other + other * other) / 8.0;
+}
 
 void expect_close(const Eigen::Matrix2d& actual, const Eigen::Matrix2d& expected, double relative, const std::string& what) {
   EXPECT_LE((actual - expected).cwiseAbs().maxCoeff(), relative * expected.norm()) << what << "\n" << actual << "\nexpected\n" << expected;
@@ -67,8 +71,8 @@ TEST(SecondMoments, AtAFocalLineSin2IsTooShortAndTooWide) {
   const Ellipse sin2 = Ellipse::of_second_moments(angular_covariance(RayModel::sin2_radial, eye, 0.0, 1.0));
   EXPECT_NEAR(wave.semi_major, 4e-3, 1e-15);
   EXPECT_NEAR(*wave.orientation_deg, 60.0, 1e-9);
-  EXPECT_NEAR(sin2.semi_major / wave.semi_major, 0.79056941504209483, 1e-12);   // √(5/8)
-  EXPECT_NEAR(sin2.semi_minor / wave.semi_major, 0.35355339059327379, 1e-12);   // √(1/8)
+  EXPECT_NEAR(sin2.semi_major / wave.semi_major, 0.79056941504209483, 1e-12);  // √(5/8)
+  EXPECT_NEAR(sin2.semi_minor / wave.semi_major, 0.35355339059327379, 1e-12);  // √(1/8)
   EXPECT_NEAR(*sin2.orientation_deg, 60.0, 1e-9);
 }
 
@@ -90,7 +94,8 @@ TEST(SecondMoments, AgreeWithTheReferenceData) {
     const Eye eye = Eye::with({in["S"], in["C"], in["A"], 0.0}, 1e-3 * in["pupil_mm"].get<double>());
     const double vergence = in["object_distance_m"].is_string() ? 0.0 : 1.0 / in["object_distance_m"].get<double>();
     const auto matrix = [](const nlohmann::json& m) {
-      return Eigen::Matrix2d((Eigen::Matrix2d() << m[0].get<double>(), -m[1].get<double>(), -m[1].get<double>(), m[2].get<double>()).finished());
+      return Eigen::Matrix2d(
+          (Eigen::Matrix2d() << m[0].get<double>(), -m[1].get<double>(), -m[1].get<double>(), m[2].get<double>()).finished());
     };
     // Relative to the blur or, where it nearly vanishes, to the rounding of vergences of up to 30 D: (a · 30 D · 1e−15)².
     const auto check = [&](RayModel model, const nlohmann::json& expected) {

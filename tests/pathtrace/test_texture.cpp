@@ -19,7 +19,7 @@ Image four_texels() {
 
 TEST(Texture, VRunsUpwards) {
   const Image t = four_texels();
-  EXPECT_EQ(texel(t, {0.2f, 0.2f}, true).x(), 0.3f);   // lower left
+  EXPECT_EQ(texel(t, {0.2f, 0.2f}, true).x(), 0.3f);  // lower left
   EXPECT_EQ(texel(t, {0.8f, 0.2f}, true).x(), 0.4f);
   EXPECT_EQ(texel(t, {0.2f, 0.8f}, true).x(), 0.1f);
   EXPECT_EQ(texel(t, {0.8f, 0.8f}, true).x(), 0.2f);
@@ -54,7 +54,7 @@ TEST(Texture, LiesOnItsMeshTheRightWayUp) {
   RenderSettings settings;
   settings.samples_per_pixel = 16;
   const RenderResult result = render(Scene(description), EyeCamera(pose, testing::pinhole_rays()), settings);
-  EXPECT_NEAR(result.albedo.at(0, 0)[0], 0.1f, 1e-6f);   // upper left of the picture is the first row of the texture
+  EXPECT_NEAR(result.albedo.at(0, 0)[0], 0.1f, 1e-6f);  // upper left of the picture is the first row of the texture
   EXPECT_NEAR(result.albedo.at(3, 0)[0], 0.2f, 1e-6f);
   EXPECT_NEAR(result.albedo.at(0, 3)[0], 0.3f, 1e-6f);
   EXPECT_NEAR(result.albedo.at(3, 3)[0], 0.4f, 1e-6f);

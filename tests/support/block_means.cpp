@@ -26,7 +26,8 @@ void print_block_means(const char* path) {
   const char* names[] = {"R", "G", "B"};
   for (int k = 0; k < 3; ++k) {
     if (!file.header().channels().findChannel(names[k])) throw std::runtime_error(std::string(path) + " has no channel " + names[k]);
-    char* base = reinterpret_cast<char*>(channels[k].data()) - (window.min.x + static_cast<long>(window.min.y) * width) * static_cast<long>(sizeof(float));
+    char* base = reinterpret_cast<char*>(channels[k].data()) -
+                 (window.min.x + static_cast<long>(window.min.y) * width) * static_cast<long>(sizeof(float));
     frame.insert(names[k], Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * width));
   }
   file.setFrameBuffer(frame);
@@ -38,7 +39,8 @@ void print_block_means(const char* path) {
       for (int k = 0; k < 3; ++k) {
         double sum = 0.0;
         for (int y = by * block; y < (by + 1) * block; ++y)
-          for (int x = bx * block; x < (bx + 1) * block; ++x) sum += static_cast<double>(channels[k][static_cast<std::size_t>(y) * width + x]);
+          for (int x = bx * block; x < (bx + 1) * block; ++x)
+            sum += static_cast<double>(channels[k][static_cast<std::size_t>(y) * width + x]);
         std::printf("%s%.9g", k ? ", " : "", sum / (block * block));
       }
       std::printf("]");
@@ -54,8 +56,9 @@ int main(int argc, char** argv) try {
     std::fprintf(stderr, "usage: block_means VARIANT SAMPLES SEED_A.exr SEED_B.exr ...\n");
     return 2;
   }
-  std::printf("{\"source\": \"Cycles (Blender 3.4.1), clamping, light threshold, adaptive sampling and denoising off, 1 px box filter, 256x256\",\n"
-              "\"what\": \"means of 16x16 pixel blocks, row by row from the upper left, [R, G, B] linear Rec. 709 radiance\",\n\"variants\": {");
+  std::printf(
+      "{\"source\": \"Cycles (Blender 3.4.1), clamping, light threshold, adaptive sampling and denoising off, 1 px box filter, 256x256\",\n"
+      "\"what\": \"means of 16x16 pixel blocks, row by row from the upper left, [R, G, B] linear Rec. 709 radiance\",\n\"variants\": {");
   for (int i = 1; i < argc; i += 4) {
     std::printf("%s\"%s\": {\"samples_per_pixel_of_each_seed\": %d, \"seeds\": [\n", i > 1 ? ",\n" : "\n", argv[i], std::atoi(argv[i + 1]));
     print_block_means(argv[i + 2]);

@@ -27,6 +27,8 @@ inline double chi_squared(const std::vector<int>& counts, double expected) {
 }
 
 /// Five standard deviations above the mean of χ² with `degrees` degrees of freedom.
-inline double chi_squared_limit(int degrees) { return degrees + 5.0 * std::sqrt(2.0 * degrees); }
+inline double chi_squared_limit(int degrees) {
+  return degrees + 5.0 * std::sqrt(2.0 * degrees);
+}
 
 }  // namespace sturm::testing

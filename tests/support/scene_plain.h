@@ -9,7 +9,9 @@
 
 namespace sturm::testing {
 
-inline Eigen::Vector3d vector3(const nlohmann::json& v) { return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()}; }
+inline Eigen::Vector3d vector3(const nlohmann::json& v) {
+  return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
+}
 
 /// The two-box room of tests/reference/scene_plain/scene.json: 38 triangles, one emitting pair.
 inline SceneDescription scene_plain() {
@@ -17,7 +19,7 @@ inline SceneDescription scene_plain() {
   SceneDescription description;
   std::map<std::string, int> materials;
   for (const auto& [name, m] : file["materials"].items()) {
-    if (!m.contains("albedo")) continue;   // the chart's texture belongs to another scene
+    if (!m.contains("albedo")) continue;  // the chart's texture belongs to another scene
     materials[name] = static_cast<int>(description.materials.size());
     Material material;
     material.name = name;
@@ -30,7 +32,8 @@ inline SceneDescription scene_plain() {
     mesh.name = m["name"];
     mesh.material = materials.at(m["material"]);
     for (const auto& p : m["positions"]) mesh.positions.push_back(vector3(p).cast<float>());
-    for (const auto& f : m["faces"]) mesh.triangles.push_back({f[0].get<std::uint32_t>(), f[1].get<std::uint32_t>(), f[2].get<std::uint32_t>()});
+    for (const auto& f : m["faces"])
+      mesh.triangles.push_back({f[0].get<std::uint32_t>(), f[1].get<std::uint32_t>(), f[2].get<std::uint32_t>()});
     description.meshes.push_back(mesh);
   }
   return description;

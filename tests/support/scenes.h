@@ -21,7 +21,7 @@ inline Mesh parallelogram(const Eigen::Vector3f& corner, const Eigen::Vector3f& 
 /// The six faces of the cube |x|, |y|, |z| ≤ half, normals inwards.
 inline std::vector<Mesh> room(float half, int material) {
   const Eigen::Vector3f low(-half, -half, -half), high(half, half, half), x(2 * half, 0, 0), y(0, 2 * half, 0), z(0, 0, 2 * half);
-  return {parallelogram(low, x, y, material),   parallelogram(low, y, z, material),   parallelogram(low, z, x, material),
+  return {parallelogram(low, x, y, material),    parallelogram(low, y, z, material),    parallelogram(low, z, x, material),
           parallelogram(high, -y, -x, material), parallelogram(high, -z, -y, material), parallelogram(high, -x, -z, material)};
 }
 
@@ -32,7 +32,9 @@ inline Material lambertian(const Eigen::Vector3f& albedo, const Eigen::Vector3f&
   return material;
 }
 
-inline EyeRays<float> pinhole_rays() { return {RayModel::pinhole, Eye::with({}, 0.0), 0.0}; }
+inline EyeRays<float> pinhole_rays() {
+  return {RayModel::pinhole, Eye::with({}, 0.0), 0.0};
+}
 
 /// A camera of one or a few pixels with a field so narrow that it sees one point.
 inline EyeCamera spot_meter(const Eigen::Vector3d& position, const Eigen::Vector3d& look_at) {

@@ -24,6 +24,8 @@ inline double incomplete_beta(double a, double b, double x) {
 }
 
 /// Probability that Student's t with `degrees` degrees of freedom lies further from 0 than t.
-inline double student_two_sided(double t, double degrees) { return incomplete_beta(0.5 * degrees, 0.5, degrees / (degrees + t * t)); }
+inline double student_two_sided(double t, double degrees) {
+  return incomplete_beta(0.5 * degrees, 0.5, degrees / (degrees + t * t));
+}
 
 }  // namespace sturm::testing
