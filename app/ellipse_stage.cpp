@@ -6,6 +6,8 @@
 #include "app/json_values.h"
 #include "app/ray_bundle.h"
 #include "conoid/footprint.h"
+#include "conoid/previous.h"
+#include "conoid/published.h"
 #include "conoid/spectacle_conoid.h"
 #include "lensmodel/gaze.h"
 
@@ -20,7 +22,8 @@ struct View {
   double distance_m, vergence_D;
   LensStatus status = LensStatus::ok;  ///< of the chief ray; unless ok there is neither footprint nor chief ray
   std::optional<double> accommodation_D;
-  LightRay chief;  ///< from the pupil's centre or the exit point
+  Eigen::Vector3d gaze;  ///< line of sight
+  LightRay chief;        ///< from the pupil's centre or the exit point
   Eigen::Vector3d pupil_center;
   Eigen::Matrix3d turn;                   ///< takes primary axes to the turned pupil frame; Listing
   std::optional<SpectacleConoid> conoid;  ///< only with spectacles
@@ -35,6 +38,7 @@ View view_of(const Target& target, const EllipseQuery& query) {
   const Eigen::Vector3d gaze = gaze_direction(target.azimuth, target.elevation);
   v.pupil_center = turned_pupil_center(gaze, eye.rotation_center_m);
   v.turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
+  v.gaze = gaze;
   v.chief = {v.pupil_center, gaze};
   if (!query.spectacles) {
     v.accommodation_D = eye.accommodation_for(v.vergence_D);
@@ -111,6 +115,42 @@ void write_conoid(Json& result, const View& view, const Eye& eye) {
   result["wavefront_curvature_D"] = f.wavefront_curvature ? symmetric_json(*f.wavefront_curvature) : Json(nullptr);
 }
 
+/// A method that knows only an ellipse, as a map of the pupil divided by the distance [rad/m].
+void write_map(Json& result, const View& view, const std::optional<Eigen::Matrix2d>& map, double pupil_radius_m) {
+  if (!map) {
+    write_failure(result, "undefined");
+    return;
+  }
+  result["status"] = "ok";
+  write_ellipse(result, AtTarget{view}, Ellipse::image_of_disc(*map, pupil_radius_m), covariance_of_disc_image(*map, pupil_radius_m),
+                Eigen::Vector2d::Zero());
+}
+
+/// Conoid tracing as printed; `best` accommodation by its own eq. 12.
+void write_published(Json& result, const View& view, const EllipseQuery& query) {
+  const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
+  const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, view.chief.direction);
+  const auto map = [&](double accommodation_D) -> std::optional<Eigen::Matrix2d> {
+    const auto conoid = trace_published(query.eye, accommodation_D, lens, view.gaze);
+    if (!conoid) return std::nullopt;
+    return angular_map(*conoid, across.col(0), across.col(1), view.vergence_D);
+  };
+  const auto* best = std::get_if<BestAccommodation>(&query.eye.accommodation);
+  if (!best) return write_map(result, view, map(*view.accommodation_D), query.eye.pupil_radius_m);
+  const auto relaxed = map(0.0), tense = map(best->amplitude_D);
+  result["accommodation_D"] = nullptr;
+  if (!relaxed || !tense) return write_map(result, view, std::nullopt, 0.0);
+  const PublishedAccommodation mix = mixed(*relaxed, *tense);
+  result["accommodation_D"] = mix.t * best->amplitude_D;
+  write_map(result, view, mix.map, query.eye.pupil_radius_m);
+}
+
+void write_previous(Json& result, const View& view, const EllipseQuery& query) {
+  const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
+  write_map(result, view, previous_angular_footprint(query.eye, *view.accommodation_D, lens, view.gaze, view.distance_m),
+            query.eye.pupil_radius_m);
+}
+
 void write_standard_errors(Json& result, const AtTarget& at, const BundleEllipse& e) {
   const auto covariance = e.covariance_standard_error();
   if (!covariance) {
@@ -183,12 +223,16 @@ Json result_of(const View& view, const std::string& method, const EllipseQuery& 
   if (view.status != LensStatus::ok) {
     write_failure(result, word_for(view.status));
     result["chief_ray"] = nullptr;
-    if (!method.starts_with(ray_prefix)) result["footprint"] = result["wavefront_curvature_D"] = nullptr;
+    if (method == "conoid") result["footprint"] = result["wavefront_curvature_D"] = nullptr;
     return result;
   }
   result["chief_ray"] = {{"origin_m", json_of(view.chief.origin)}, {"direction", json_of(view.chief.direction)}};
   if (method.starts_with(ray_prefix))
     write_rays(result, view, query, *ray_model_named(std::string_view(method).substr(ray_prefix.size())));
+  else if (method == "conoid_published")
+    write_published(result, view, query);
+  else if (method == "previous")
+    write_previous(result, view, query);
   else
     write_conoid(result, view, query.eye);
   return result;

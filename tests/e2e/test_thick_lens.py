@@ -176,6 +176,44 @@ class Wearing(FolderTest):
         self.assertEqual(pinhole["semi_axes_m"], [0.0, 0.0])
         self.assertGreater(frobenius(difference(sin2["covariance_m2"], matrix["covariance_m2"])), 0.01 * frobenius(matrix["covariance_m2"]))
 
+    def test_published_and_previous_methods(self):
+        query = spectacled()
+        query["methods"] = ["conoid", "conoid_published", "previous"]
+        query["spectacles"]["single_vision"]["prescription"] = {"sphere_D": -4}
+        query["eye"]["accommodation"] = {"mode": "fixed", "power_D": 0.5}
+        exact, published, previous = ask(query)
+        # On the axis of a lens of revolution the printed equations are exact.
+        for got, expected in zip(published["covariance_m2"], exact["covariance_m2"]):
+            self.assertAlmostEqual(got, expected, delta=1e-13 * exact["covariance_m2"][2])
+        # The older one measures from the eye's side and differs by the lens's magnification.
+        self.assertEqual(previous["status"], "ok")
+        error = frobenius(difference(previous["covariance_m2"], exact["covariance_m2"])) / frobenius(exact["covariance_m2"])
+        self.assertTrue(1e-3 < error < 0.5, error)
+        query["targets"] = [{"gaze_deg": [25, 15], "distance_m": 0.5}]
+        query["spectacles"]["single_vision"]["prescription"] = {"sphere_D": -4, "cylinder_D": -3, "axis_deg": 75}
+        exact, published, previous = ask(query)
+        error = frobenius(difference(published["covariance_m2"], exact["covariance_m2"])) / frobenius(exact["covariance_m2"])
+        self.assertTrue(1e-4 < error < 0.3, error)
+
+    def test_published_accommodation_is_equation_12(self):
+        query = documents.changed(documents.query(), "/eye/accommodation", {"mode": "best", "amplitude_D": 6})
+        query["methods"] = ["conoid", "conoid_published", "previous"]
+        query["targets"] = [{"distance_m": d} for d in (0.1, 0.2, "inf")]
+        results = ask(query)
+        for exact, published, previous in zip(results[::3], results[1::3], results[2::3]):
+            for result in (published, previous):
+                self.assertAlmostEqual(result["accommodation_D"], exact["accommodation_D"], delta=1e-12)
+                for got, expected in zip(result["covariance_rad2"], exact["covariance_rad2"]):
+                    self.assertAlmostEqual(got, expected, delta=1e-17)
+
+    def test_a_pinhole_has_no_blur_by_any_method(self):
+        query = documents.changed(spectacled(), "/eye/pupil_diameter_mm", 0)
+        query["methods"] = ["conoid", "conoid_published", "previous", "rays:power_matrix"]
+        query["rays"] = {"count": 16, "replicates": 2}
+        query["targets"] = [{"gaze_deg": [20, 10], "distance_m": 0.5}]
+        for result in ask(query):
+            self.assertEqual((result["status"], result["semi_axes_m"]), ("ok", [0.0, 0.0]), result["method"])
+
     def test_best_accommodation_minimises_the_larger_semi_axis(self):
         query = spectacled()
         query["targets"] = [{"gaze_deg": [30, 20], "distance_m": 0.4}]
