@@ -12,64 +12,83 @@ namespace {
 
 constexpr std::uint64_t chunk_size = 4096;
 
-/// Angles of the rays through `pupil` (unit disc); those that cannot be launched are left out and counted.
-void trace_angles(const EyeRays<double>& rays, double vergence, const std::vector<Eigen::Vector2d>& pupil,
-                  std::vector<Eigen::Vector2d>& angles, RayCounters& counters) {
+/// Where the rays go, and what becomes of those that do not arrive.
+struct Arrivals {
+  double vergence;
+  const LensView* lens;
+  RayCounters counters;
+  LensLosses losses;
+
+  /// The ray's angle at the target; none for a ray that could not be launched or is lost in the lens.
+  std::optional<Eigen::Vector2d> angle(const PupilRay<double>& ray) {
+    count(counters, ray.status);
+    if (ray.status == LaunchStatus::dropped) return std::nullopt;
+    if (!lens) return Eigen::Vector2d(vergence * ray.px + ray.sx, vergence * ray.py + ray.sy);
+    const LensPath path = lens->worn.path_of(ray);
+    losses.count(path.status);
+    if (path.status != LensStatus::ok) return std::nullopt;
+    return lens->angle(path.exit, vergence);
+  }
+};
+
+/// Angles of the rays through `pupil` (unit disc); those that do not arrive are left out and counted.
+void trace_angles(const EyeRays<double>& rays, const std::vector<Eigen::Vector2d>& pupil, std::vector<Eigen::Vector2d>& angles,
+                  Arrivals& arrivals) {
   angles.clear();
   const double radius = rays.pupil_radius();
   for_model(rays.model(), [&](auto model) {
-    for (const Eigen::Vector2d& p : pupil) {
-      const auto ray = rays.template through_as<model>(radius * p.x(), radius * p.y());
-      count(counters, ray.status);
-      if (ray.status != LaunchStatus::dropped) angles.push_back({vergence * ray.px + ray.sx, vergence * ray.py + ray.sy});
-    }
+    for (const Eigen::Vector2d& p : pupil)
+      if (const auto angle = arrivals.angle(rays.template through_as<model>(radius * p.x(), radius * p.y()))) angles.push_back(*angle);
   });
 }
 
-MeasuredBundle measure_replicates(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec, std::uint64_t seed) {
+MeasuredBundle measure_replicates(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec, std::uint64_t seed) {
   const auto replicates = static_cast<std::size_t>(spec.replicates);
   std::vector<BundleMoments> moments(replicates);
-  std::vector<RayCounters> counters(replicates);
+  std::vector<Arrivals> arrivals(replicates, target);
   tbb::parallel_for(std::size_t{0}, replicates, [&](std::size_t r) {
     std::vector<Eigen::Vector2d> pupil, angles;
     for (std::uint64_t first = 0; first < spec.count; first += chunk_size) {
       pupil.resize(std::min(chunk_size, spec.count - first));
       fill_unit_disk(spec.sequence, seed, static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(first), pupil);
-      trace_angles(rays, vergence, pupil, angles, counters[r]);
+      trace_angles(rays, pupil, angles, arrivals[r]);
       moments[r].add(angles);
     }
   });
   MeasuredBundle bundle;
-  for (const RayCounters& c : counters) bundle.counters += c;
+  for (const Arrivals& a : arrivals) {
+    bundle.counters += a.counters;
+    bundle.losses += a.losses;
+  }
   if (std::all_of(moments.begin(), moments.end(), [](const BundleMoments& m) { return m.count() >= 2; }))
     bundle.angular = summarise(moments, spec.sequence == Sequence::Sobol ? PointSet::LowDiscrepancy : PointSet::Independent);
   return bundle;
 }
 
-MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, double vergence, const QuadratureSpec& rule) {
+MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, Arrivals arrivals, const QuadratureSpec& rule) {
   MeasuredBundle bundle;
   std::vector<Eigen::Vector2d> angles;
   std::vector<double> weights;
   const double radius = rays.pupil_radius();
   for (const WeightedPoint& node : disk_quadrature(rule.radial, rule.azimuthal)) {
-    const auto ray = rays.through(radius * node.point.x(), radius * node.point.y());
-    count(bundle.counters, ray.status);
-    if (ray.status == LaunchStatus::dropped) continue;
-    angles.push_back({vergence * ray.px + ray.sx, vergence * ray.py + ray.sy});
+    const auto angle = arrivals.angle(rays.through(radius * node.point.x(), radius * node.point.y()));
+    if (!angle) continue;
+    angles.push_back(*angle);
     weights.push_back(node.weight);
   }
+  bundle.counters = arrivals.counters;
+  bundle.losses = arrivals.losses;
   if (!angles.empty()) bundle.angular = ellipse_of_quadrature(angles, weights);
   return bundle;
 }
 
-MeasuredBundle measure_points(const EyeRays<double>& rays, double vergence, const std::vector<Eigen::Vector2d>& points) {
+MeasuredBundle measure_points(const EyeRays<double>& rays, Arrivals arrivals, const std::vector<Eigen::Vector2d>& points) {
   MeasuredBundle bundle;
   std::vector<Eigen::Vector2d> angles;
-  for (const Eigen::Vector2d& p : points) {
-    const auto ray = rays.through(p.x(), p.y());
-    count(bundle.counters, ray.status);
-    if (ray.status != LaunchStatus::dropped) angles.push_back({vergence * ray.px + ray.sx, vergence * ray.py + ray.sy});
-  }
+  for (const Eigen::Vector2d& p : points)
+    if (const auto angle = arrivals.angle(rays.through(p.x(), p.y()))) angles.push_back(*angle);
+  bundle.counters = arrivals.counters;
+  bundle.losses = arrivals.losses;
   BundleMoments moments;
   moments.add(angles);
   if (moments.count() >= 2) {
@@ -87,10 +106,33 @@ std::optional<EyeRays<double>> eye_rays_for(RayModel model, const Eye& eye, doub
   return EyeRays<double>(model, eye, accommodation_D, *focus);
 }
 
-MeasuredBundle measure_bundle(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec, std::uint64_t seed) {
-  if (!spec.pupil_points_m.empty()) return measure_points(rays, vergence, spec.pupil_points_m);
-  if (spec.quadrature) return measure_by_quadrature(rays, vergence, *spec.quadrature);
-  return measure_replicates(rays, vergence, spec, seed);
+void LensLosses::count(LensStatus status) {
+  rim += status == LensStatus::missed_lens;
+  total_reflection += status == LensStatus::total_internal_reflection;
+  no_convergence += status == LensStatus::no_convergence;
+}
+
+LensLosses& LensLosses::operator+=(const LensLosses& other) {
+  rim += other.rim;
+  total_reflection += other.total_reflection;
+  no_convergence += other.no_convergence;
+  return *this;
+}
+
+Eigen::Vector2d LensView::angle(const LightRay& ray, double vergence_D) const {
+  // x = w + s N, w from the exit point, with x·chief = d: x⊥/d = w⊥/d + (1 − w·chief/d) N⊥/(N·chief).
+  const Eigen::Vector3d w = ray.origin - chief.origin;
+  const double along = (1.0 - vergence_D * w.dot(chief.direction)) / ray.direction.dot(chief.direction);
+  const Eigen::Vector3d offset = vergence_D * w + along * ray.direction;
+  return {offset.dot(e1), offset.dot(e2)};
+}
+
+MeasuredBundle measure_bundle(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec, std::uint64_t seed,
+                              const LensView* lens) {
+  const Arrivals target{vergence, lens, {}, {}};
+  if (!spec.pupil_points_m.empty()) return measure_points(rays, target, spec.pupil_points_m);
+  if (spec.quadrature) return measure_by_quadrature(rays, target, *spec.quadrature);
+  return measure_replicates(rays, target, spec, seed);
 }
 
 }  // namespace sturm

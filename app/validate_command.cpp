@@ -7,6 +7,7 @@
 #include "io/gate_spec.h"
 #include "io/render_spec.h"
 #include "io/schema.h"
+#include "io/spectacles_spec.h"
 
 namespace sturm {
 
@@ -27,6 +28,8 @@ int validate_command(const std::string& file) {
     read_scene(document, {file, ""});
   else if (name == "eye")
     read_eye(document, {file, ""});
+  else if (name == "spectacles")
+    read_spectacles(document, {file, ""}, Eye{});
   std::cout << file << ": a valid " << document.at("format").get<std::string>() << "\n";
   return 0;
 }

@@ -11,7 +11,7 @@ Footprint naked_eye_footprint(const Eye& eye, double distance_m, double accommod
   f.accommodation_D = accommodation_D;
   f.distance_m = distance_m;
   f.angular = (PowerMatrix::scalar(vergence) + slope).matrix();
-  f.wavefront_curvature = -slope.matrix();
+  f.wavefront_curvature = Eigen::Matrix2d(-slope.matrix());
   return f;
 }
 

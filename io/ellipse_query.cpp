@@ -16,6 +16,9 @@ EllipseQuery read_ellipse_query(const Json& document, const std::string& file) {
   query.eye = eye.eye;
   query.notes = std::move(eye.notes);
   query.input_files = std::move(eye.input_files);
+  SpectaclesSpec spectacles = read_spectacles(document.value("spectacles", Json()), root / "spectacles", query.eye);
+  query.spectacles = std::move(spectacles.lens);
+  query.input_files.insert(query.input_files.end(), spectacles.input_files.begin(), spectacles.input_files.end());
   const Json& targets = document["targets"];
   for (std::size_t i = 0; i < targets.size(); ++i) {
     Target target;

@@ -5,6 +5,7 @@
 
 #include "io/eye_spec.h"
 #include "io/ray_bundle_spec.h"
+#include "io/spectacles_spec.h"
 
 namespace sturm {
 
@@ -12,12 +13,14 @@ namespace sturm {
 struct Target {
   double azimuth = 0.0;     ///< to the wearer's right [rad], |.| ≤ 89°
   double elevation = 0.0;   ///< up [rad], |.| ≤ 89°
-  double distance_m = 0.0;  ///< along the line of sight, from the pupil's centre [m]; > 0, ∞ allowed
+  double distance_m = 0.0;  ///< along the line of sight from the pupil's centre, with spectacles along the outgoing chief ray from the exit
+                            ///< point [m]; > 0, ∞ allowed
 };
 
 /// A validated document of format sturm.ellipse/1.
 struct EllipseQuery {
   Eye eye;
+  std::optional<Spectacles> spectacles;  ///< none: the naked eye
   std::vector<Target> targets;
   std::vector<std::string> methods;  ///< "conoid", "rays:power_matrix", …
   RayBundleSpec rays;

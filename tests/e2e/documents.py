@@ -14,6 +14,12 @@ _QUERY = {
     "methods": ["conoid"],
 }
 
+_SPECTACLES = {
+    "vertex_distance_mm": 12, "center_thickness_mm": 2, "refractive_index": 1.5, "diameter_mm": 70,
+    "front": {"type": "conic", "radius_mm": 250, "conic_constant": -1.2},
+    "back": {"type": "torus", "sweep_radius_mm": 125, "generator_radius_mm": 91, "sweep_meridian_deg": 30},
+}
+
 _CAMERA = {
     "position_m": [0.278, 0.273, -0.8],
     "look_at_m": [0.278, 0.273, 0.0],
@@ -82,6 +88,10 @@ _GATES = {
 
 def query():
     return copy.deepcopy(_QUERY)
+
+
+def spectacles():
+    return copy.deepcopy(_SPECTACLES)
 
 
 def view():

@@ -61,10 +61,11 @@ def mutate_text(document, rng):
 
 def ellipse_seed_document():
     query = documents.query()
-    query["methods"] = ["conoid", "rays:sin2_radial", "rays:metalstigmatism", "rays:power_matrix"]
+    query["methods"] = ["conoid", "conoid_published", "previous", "rays:sin2_radial", "rays:metalstigmatism", "rays:power_matrix"]
     query["targets"].append({"gaze_deg": [20, -10], "distance_m": "inf"})
     query["eye"]["accommodation"] = {"mode": "fixed", "focus_distance_m": 2}
-    return {**query, "rays": {"count": 64, "replicates": 2, "sequence": "sobol"}, "seed": 1, "spectacles": None}
+    return {**query, "rays": {"count": 64, "replicates": 2, "sequence": "sobol"}, "seed": 1,
+            "spectacles": documents.spectacles()}
 
 
 def render_seed_document():

@@ -118,7 +118,8 @@ class Query(Malformed):
             ("/rays", {"quadrature": {"radial": 4}}, "/rays/quadrature", "azimuthal"),
             ("/rays", {"quadrature": {"radial": 4, "azimuthal": 8}, "count": 5}, "/rays/count", "5"),
             ("/rays", {"pupil_points_mm": [[3.0, 0.0]]}, "/rays/pupil_points_mm/0", "3"),
-            ("/spectacles", {"vertex_distance_mm": 12}, "vertex_distance_mm"),
+            ("/spectacles", {"vertex_distance_mm": 12}, "front", "single_vision"),
+            ("/spectacles", {"single_vision": {"refractive_index": 1.5}}, "/spectacles/single_vision", "center_thickness_mm"),
             ("/format", "sturm.ellipse/2", "sturm.ellipse/2", "sturm.ellipse/1"),
         ]:
             with self.subTest(pointer=pointer, value=value):

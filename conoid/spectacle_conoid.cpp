@@ -1,0 +1,74 @@
+#include "conoid/spectacle_conoid.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "lensmodel/gaze.h"
+#include "lensmodel/symmetric2.h"
+
+namespace sturm {
+
+std::optional<Eigen::Matrix2d> SpectacleConoid::exit_curvature(const Eigen::Matrix2d& slopes) const {
+  const Eigen::Matrix2d a = exit.offsets(slopes);
+  if (!(std::abs(a.determinant()) > relative_singularity * a.squaredNorm())) return std::nullopt;
+  const Eigen::Matrix2d k = -exit.slopes(slopes) * a.inverse();
+  return Eigen::Matrix2d(0.5 * (k + k.transpose()));  // symmetric but for rounding
+}
+
+SpectacleConoid trace_conoid(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m) {
+  const Eigen::Vector3d ahead(0.0, 0.0, -1.0), x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
+  const Eigen::Matrix3d turn = smallest_rotation(ahead, gaze);
+  const Eigen::Vector3d pupil = turned_pupil_center(gaze, rotation_center_m);
+
+  SpectacleConoid conoid;
+  const LensPath path = trace(lens, {pupil, gaze});
+  conoid.status = path.status;
+  if (path.status != LensStatus::ok) return conoid;
+  conoid.chief_ray = path.exit;
+
+  RayTransfer rays = transferred(RayTransfer::start(gaze, turn * x, turn * y), (path.back_point - pupil).norm());
+  const auto back = Interface::refracting(gaze, outward_normal(path.back_sag), 1.0, lens.refractive_index);
+  rays = transferred(through(rays, back.value(), path.back_sag), (path.exit.origin - path.back_point).norm());
+  const auto front = Interface::refracting(rays.direction, outward_normal(path.front_sag), lens.refractive_index, 1.0);
+  if (!front) {  // within rounding of the critical angle, where the chief ray just passed
+    conoid.status = LensStatus::total_internal_reflection;
+    return conoid;
+  }
+  const Eigen::Matrix3d out = smallest_rotation(ahead, path.exit.direction);
+  conoid.exit = on_frame(through(rays, *front, path.front_sag), out * x, out * y);
+  return conoid;
+}
+
+double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& correction, double vergence_D, double amplitude_D) {
+  const Eigen::Matrix2d q = conoid.angular_q(vergence_D), relaxed = conoid.angular_footprint(correction.matrix(), vergence_D);
+  // Slope of the larger singular value σ of X(A) = relaxed − A q: with Xᵀw = σ r it is −wᵀ q r, of which only the sign is wanted.
+  const auto grows_at = [&](double accommodation) {
+    const Eigen::Matrix2d x = relaxed - accommodation * q;
+    const Eigen::Vector2d w = singular_values(x).large_direction;
+    return (q.transpose() * w).dot(x.transpose() * w) <= 0.0;
+  };
+  if (grows_at(0.0)) return 0.0;
+  double low = 0.0, high = amplitude_D;
+  if (!grows_at(high)) return high;
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+    (grows_at(middle) ? high : low) = middle;
+  return high;
+}
+
+double accommodation_through(const SpectacleConoid& conoid, const Eye& eye, double vergence_D) {
+  if (const auto* best = std::get_if<BestAccommodation>(&eye.accommodation))
+    return best_accommodation(conoid, eye.correction, vergence_D, best->amplitude_D);
+  return eye.accommodation_for(vergence_D);
+}
+
+Footprint spectacle_footprint(const SpectacleConoid& conoid, const Eye& eye, double distance_m, double accommodation_D) {
+  const Eigen::Matrix2d slopes = eye.slope_matrix(accommodation_D).matrix();
+  Footprint f;
+  f.accommodation_D = accommodation_D;
+  f.distance_m = distance_m;
+  f.angular = conoid.angular_footprint(slopes, std::isinf(distance_m) ? 0.0 : 1.0 / distance_m);
+  f.wavefront_curvature = conoid.exit_curvature(slopes);
+  return f;
+}
+
+}  // namespace sturm

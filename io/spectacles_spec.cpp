@@ -1,0 +1,129 @@
+#include "io/spectacles_spec.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/error.h"
+#include "io/named_file.h"
+#include "lensmodel/single_vision.h"
+#include "lensmodel/units.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double default_vertex_distance_mm = 12.0;
+constexpr double default_diameter_mm = 70.0;
+constexpr double smallest_radius_mm = 1.0;
+
+[[noreturn]] void missing(const char* key, const Source& where, const std::string& expected) {
+  throw InputError(where.file, where.pointer, "no \"" + std::string(key) + "\"", expected);
+}
+
+double required(const Json& value, const char* key, const Source& where, const char* expected) {
+  if (!value.contains(key)) missing(key, where, expected);
+  return value[key].get<double>();
+}
+
+/// 1/R [1/m] of a radius [mm]; null is flat.
+double read_curvature(const Json& surface, const char* key, const Source& where) {
+  if (!surface.contains(key))
+    missing(key, where,
+            "\"" + std::string(key) + "\" for a " + surface["type"].get<std::string>() + ": a radius [mm], or null where it is flat");
+  const Json& radius = surface[key];
+  if (radius.is_null()) return 0.0;
+  if (!(std::abs(radius.get<double>()) >= smallest_radius_mm))
+    (where / key).fail(radius, "a radius of at least " + Json(smallest_radius_mm).dump() + " mm either way, or null for a flat surface");
+  return 1.0 / (metres_per_millimetre * radius.get<double>());
+}
+
+Surface read_surface(const Json& value, const Source& where) {
+  const std::string type = value["type"].get<std::string>();
+  const auto refuse = [&](std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (value.contains(key)) (where / key).fail(value[key], "no \"" + std::string(key) + "\" for a " + type);
+  };
+  if (type == "torus") {
+    refuse({"radius_mm", "conic_constant"});
+    return TorusSurface(
+        read_curvature(value, "sweep_radius_mm", where), read_curvature(value, "generator_radius_mm", where),
+        required(value, "sweep_meridian_deg", where, "\"sweep_meridian_deg\" for a torus: the meridian of the sweep in TABO degrees"));
+  }
+  refuse({"sweep_radius_mm", "generator_radius_mm", "sweep_meridian_deg"});
+  const double curvature = read_curvature(value, "radius_mm", where);
+  if (type == "conic") return ConicSurface{curvature, value.value("conic_constant", 0.0)};
+  refuse({"conic_constant"});
+  return SphereSurface{curvature};
+}
+
+double vertex_distance(const Json& value) {
+  return metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm);
+}
+double diameter(const Json& value) {
+  return metres_per_millimetre * value.value("diameter_mm", default_diameter_mm);
+}
+
+Spectacles read_two_surfaces(const Json& value, const Source& where) {
+  for (const char* side : {"front", "back"})
+    if (!value.contains(side)) missing(side, where, "\"front\" and \"back\", or \"single_vision\"");
+  Spectacles lens;
+  lens.front = read_surface(value["front"], where / "front");
+  lens.back = read_surface(value["back"], where / "back");
+  lens.center_thickness_m = metres_per_millimetre * required(value, "center_thickness_mm", where,
+                                                             "\"center_thickness_mm\": the lens's thickness at its centre [mm]");
+  lens.refractive_index = required(value, "refractive_index", where, "\"refractive_index\": a number from 1 to 4");
+  lens.vertex_distance_m = vertex_distance(value);
+  lens.diameter_m = diameter(value);
+  return lens;
+}
+
+/// The back vertex power: stated, or what the eye needs where the lens is worn.
+Prescription lens_power(const Json& value, const Source& where, const Eye& eye, double vertex_distance_m) {
+  if (const auto stated = value.find("prescription"); stated != value.end()) {
+    const double cylinder = stated->value("cylinder_D", 0.0);
+    if (cylinder != 0.0 && !stated->contains("axis_deg"))
+      missing("axis_deg", where / "prescription", "the AXIS of the cylinder [deg], from 0 to 180");
+    return {stated->at("sphere_D").get<double>(), cylinder, stated->value("axis_deg", 180.0), vertex_distance_m};
+  }
+  if (eye.prescription.vertex_distance_m == vertex_distance_m) return eye.prescription;
+  return eye.correction.moved_towards_eye(-vertex_distance_m).as_prescription();
+}
+
+Spectacles read_single_vision(const Json& value, const Source& where, const Eye& eye) {
+  SingleVisionDesign design;
+  design.base_curve_D = value.value("base_curve_D", design.base_curve_D);
+  design.center_thickness_m = metres_per_millimetre * value["center_thickness_mm"].get<double>();
+  design.refractive_index = value["refractive_index"].get<double>();
+  design.vertex_distance_m = vertex_distance(value);
+  design.diameter_m = diameter(value);
+  try {
+    return single_vision(lens_power(value, where, eye, design.vertex_distance_m), design);
+  } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
+    throw InputError(where.file, where.pointer, error.what(), "a lens that can be made");
+  }
+}
+
+}  // namespace
+
+SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye& eye) {
+  SpectaclesSpec spec;
+  if (value.is_null()) return spec;
+  if (value.is_string()) {
+    const Source file{path_beside(value.get<std::string>(), where.file).string(), ""};
+    spec.lens = read_spectacles(load_named_document(value, where, "spectacles"), file, eye).lens;
+    spec.input_files.push_back(file.file);
+    return spec;
+  }
+  if (!value.contains("single_vision")) {
+    spec.lens = read_two_surfaces(value, where);
+    return spec;
+  }
+  for (const auto& [key, member] : value.items())
+    if (key != "single_vision" && key != "format" && key != "$schema")
+      (where / key).fail(member, "no \"" + key + "\" beside \"single_vision\": it belongs inside");
+  spec.lens = read_single_vision(value["single_vision"], where / "single_vision", eye);
+  return spec;
+}
+
+}  // namespace sturm

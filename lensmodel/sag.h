@@ -1,0 +1,21 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace sturm {
+
+/// Height z of a surface over the plane through its vertex, with its derivatives. Surface frame: origin at the vertex, axes parallel
+/// to those of the wearer frame, so z > 0 lies towards the eye and a radius R > 0 (centre on the eye's side) gives z ≈ +r²/(2R).
+struct Sag {
+  double value;              ///< [m]
+  Eigen::Vector2d gradient;  ///< (∂z/∂x, ∂z/∂y)
+  Eigen::Matrix2d hessian;   ///< [1/m]
+};
+
+/// Unit normal that points outward, away from the eye: (∂z/∂x, ∂z/∂y, −1)/√(1 + |∇z|²).
+Eigen::Vector3d outward_normal(const Sag& sag);
+
+/// Curvature matrix of the surface on two tangent vectors u, w [1/m], positive where the centre of curvature lies outward of the
+/// surface: ahead of a wave that leaves the eye (physics.md §6). K(t, t) = −tᵀ∇∇z t/√(1 + |∇z|²).
+Eigen::Matrix2d tangent_curvature(const Sag& sag, const Eigen::Vector3d& u, const Eigen::Vector3d& w);
+
+}  // namespace sturm

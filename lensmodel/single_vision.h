@@ -1,0 +1,25 @@
+#pragma once
+#include "lensmodel/prescription.h"
+#include "lensmodel/spectacles.h"
+
+namespace sturm {
+
+/// What a single-vision lens is made from.
+struct SingleVisionDesign {
+  double base_curve_D = 4.0;  ///< power of the front surface, a sphere, in the lens's own index [D]; 0 = plane
+  double center_thickness_m = 2e-3;
+  double refractive_index = 1.5;
+  double vertex_distance_m = 12e-3;
+  double diameter_m = 70e-3;
+};
+
+/// A lens with a spherical front and a spherical or toric back whose back vertex power is the prescription as written (its vertex
+/// distance is not used). The back is swept along the AXIS of the minus-cylinder form, so both ways of writing make the same lens.
+/// Throws std::invalid_argument for an index of 1, which has no power, and std::domain_error where the front surface's focus lies in the
+/// back vertex.
+Spectacles single_vision(const Prescription& rx, const SingleVisionDesign& design);
+
+/// Power of a lens at its back vertex along its principal meridians [D], first order: F₂ + F₁/(1 − (t/n) F₁).
+double back_vertex_power(double front_power_D, double back_power_D, double thickness_m, double refractive_index);
+
+}  // namespace sturm
