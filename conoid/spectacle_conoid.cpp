@@ -49,7 +49,6 @@ double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& corr
   };
   if (grows_at(0.0)) return 0.0;
   double low = 0.0, high = amplitude_D;
-  if (!grows_at(high)) return high;
   for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
     (grows_at(middle) ? high : low) = middle;
   return high;

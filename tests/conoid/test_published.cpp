@@ -45,6 +45,17 @@ RC_GTEST_PROP(Published, IsExactOnTheAxisOfARotationallySymmetricLens, ()) {
   }
 }
 
+RC_GTEST_PROP(Published, IsExactOnTheAxisAlongTheMeridiansOfAToricLens, ()) {
+  // Eye and lens have the same meridians: nothing twists, but the larger curvature may change from one meridian to the other.
+  const double axis = 90.0 * *rc::gen::inRange(1, 3);
+  const Eye eye = Eye::with({drawn(-24, 16, 0.25), drawn(-12, 12, 0.25), axis, 12e-3}, 4e-3);
+  const Spectacles lens = single_vision({drawn(-24, 16, 0.25), drawn(-24, 24, 0.25), 180.0}, {});
+  const auto conoid = trace_published(eye, 0.0, &lens, ahead);
+  RC_ASSERT(conoid.has_value());
+  const SpectacleConoid exact = trace_conoid(lens, ahead, eye.rotation_center_m);
+  RC_ASSERT((angular_map(*conoid, x, y, 1.3) - exact.angular_footprint(eye.correction.matrix(), 1.3)).norm() <= 1e-12);
+}
+
 TEST(Published, IsNotExactThroughAnObliqueTorus) {
   // What the accuracy study is about: a different ellipse, near the true one. −5.00 −4.00 × 30 seen 25° aside.
   const Prescription rx{-5.0, -4.0, 30.0, 12e-3};
@@ -70,6 +81,17 @@ TEST(Published, Equation11FailsWhereItIsSingular) {
   EXPECT_FALSE(refracted_semi_axes({2e-3, 1e-3}, {tilted, 1.0, -1.0, x, y}, behind, ahead, TangentAxes::incidence));
   EXPECT_TRUE(refracted_semi_axes({2e-3, 2e-3}, before, behind, ahead, TangentAxes::principal));
   EXPECT_FALSE(refracted_semi_axes({0.0, 1e-3}, before, before, ahead, TangentAxes::principal));
+}
+
+TEST(Published, Equation11ByHand) {
+  // Refracted directions at 30° to the axes: rows (¾, ¼) and (¼, ¾). E' = (3, 1) makes E = (2.5, 1.5) on the axes.
+  const Eigen::Vector3d d1 = 0.86602540378443865 * x + 0.5 * y, d2 = -0.5 * x + 0.86602540378443865 * y;
+  const Eigen::Vector3d tilted = (ahead + 0.3 * y).normalized();  // u lies along x
+  const auto axes = refracted_semi_axes({0.63245553203367588, 0.81649658092772603}, {tilted, 1.0, -1.0, x, y}, {ahead, 1.0, -1.0, d1, d2},
+                                        ahead, TangentAxes::incidence);
+  ASSERT_TRUE(axes);
+  EXPECT_NEAR(axes->first, 0.57735026918962576, 1e-15);
+  EXPECT_NEAR(axes->second, 1.0, 1e-15);
 }
 
 TEST(Published, Equation11KeepsTheSigns) {
@@ -107,6 +129,20 @@ TEST(Previous, ThroughAirItIsTheNakedEyeFromThePupil) {
   const double way = (c.chief_ray.origin - turned_pupil_center(gaze, eye.rotation_center_m)).norm(), d = 0.7;
   const Eigen::Matrix2d expected = naked_eye_footprint(eye, d + way, 0.0).transverse() / d;
   EXPECT_LT((*previous_angular_footprint(eye, 0.0, &air, gaze, d) - expected).norm(), 1e-13);
+}
+
+TEST(Previous, WidensByTheBendingOfTheChiefRay) {
+  // A −6 D lens, looking 20° to the right: the line of sight is bent outward, by the lens's effect at the rotation centre (about
+  // 1 + 25.5 mm · 6 D); the true magnification is that at the pupil (about 1 + 12 mm · 6 D), and acts in both meridians.
+  const Spectacles lens = single_vision({-6.0}, {});
+  const Eye eye = Eye::with({0.0, 0.0, 180.0, 0.0}, 4e-3);
+  const Eigen::Vector3d gaze = gaze_direction(20 * degree, 0.0);
+  const Eigen::Matrix2d previous = *previous_angular_footprint(eye, 0.0, &lens, gaze, 1.0);
+  const Eigen::Matrix2d exact = trace_conoid(lens, gaze, eye.rotation_center_m).angular_footprint(Eigen::Matrix2d::Zero(), 1.0);
+  EXPECT_GT(previous(0, 0) / exact(0, 0), 1.02);
+  EXPECT_LT(previous(0, 0) / exact(0, 0), 1.2);
+  EXPECT_LT(previous(1, 1) / exact(1, 1), 0.98);
+  EXPECT_GT(previous(1, 1) / exact(1, 1), 0.85);
 }
 
 RC_GTEST_PROP(Previous, IsInFocusWhereTheConoidIs, ()) {

@@ -193,6 +193,12 @@ TEST(SpectacleConoid, StatusesOfTheChiefRay) {
   EXPECT_EQ(trace_conoid(steep, gaze_direction(25 * degree, 0.0), center).status, LensStatus::total_internal_reflection);
 }
 
+TEST(BestAccommodation, IsExactlyAnEndOfTheRangeWhereMoreWouldBeWorse) {
+  const SpectacleConoid c = trace_conoid(single_vision({-1.0}, {}), {0.0, 0.0, -1.0}, center);
+  EXPECT_EQ(best_accommodation(c, PowerMatrix::scalar(-5.0), 0.0, 4.0), 0.0);   // too weak a lens for this myope: relaxed
+  EXPECT_EQ(best_accommodation(c, PowerMatrix::scalar(-1.0), 10.0, 4.0), 4.0);  // a target at 10 cm: all there is
+}
+
 RC_GTEST_PROP(BestAccommodation, HasTheLeastMajorAxis, ()) {
   const Prescription rx = any_prescription();
   const SpectacleConoid c = trace_conoid(any_lens(any_prescription()), any_gaze(), center);
