@@ -10,6 +10,8 @@ IMAGES = SOURCE / "tests/reference/images"
 CONVENTIONS = {
     "ssim_display": "ssim_luma_srgb",
     "psnr_display_dB": "psnr_rgb_srgb",
+    "ssim_linear": "ssim_luma_linear",
+    "psnr_linear_dB": "psnr_rgb_linear",
     "rmse_linear": "rmse_rgb_linear",
     "relative_mse": "relmse_rgb_linear_eps0.01",
 }
@@ -32,8 +34,8 @@ class Compare(FolderTest):
 
     def test_an_image_equals_itself(self):
         result = self.metrics("blur", "blur")
-        self.assertEqual(result["metrics"], {"ssim_display": 1.0, "psnr_display_dB": None, "rmse_linear": 0.0, "relative_mse": 0.0,
-                                             "relative_mse_trimmed": 0.0})
+        self.assertEqual(result["metrics"], {"ssim_display": 1.0, "psnr_display_dB": None, "rmse_display": 0.0, "ssim_linear": 1.0, "psnr_linear_dB": None,
+                                             "rmse_linear": 0.0, "relative_mse": 0.0, "relative_mse_trimmed": 0.0})
         self.assertEqual(result["bounds"], {})
         self.assertTrue(result["passed"])
         self.succeed("compare", image("blur"), image("blur"), "--min-ssim", 1, "--max-rmse", 0, "--max-relative-mse", 0, "--min-psnr", 1000)

@@ -80,9 +80,13 @@ TEST(Schema, EveryPlaceIsDescribedAndEveryObjectIsClosed) {
     each_subschema(schema, std::string(file), [](const Json& node, const std::string& place) {
       if (node.contains("$ref")) return;
       // An item is described by its array.
-      if (!place.ends_with("/items")) EXPECT_TRUE(node.contains("description")) << place;
+      if (!place.ends_with("/items")) {
+        EXPECT_TRUE(node.contains("description")) << place;
+      }
       EXPECT_FALSE(node.contains("oneOf") || node.contains("anyOf")) << place;
-      if (node.contains("properties")) EXPECT_TRUE(node.contains("additionalProperties")) << place;
+      if (node.contains("properties")) {
+        EXPECT_TRUE(node.contains("additionalProperties")) << place;
+      }
     });
   }
 }
