@@ -82,7 +82,7 @@ class Installed(unittest.TestCase):
         project.mkdir()
         (project / "CMakeLists.txt").write_text(CONSUMER_CMAKE)
         (project / "main.cpp").write_text(CONSUMER)
-        self.run_quietly("cmake", "-S", project, "-B", project / "build", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.run_quietly("cmake", "-G", "Ninja", "-S", project, "-B", project / "build", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={self.prefix}")
         self.run_quietly("cmake", "--build", project / "build")
         major, minor, orientation = map(float, self.run_quietly(project / "build/consumer").split())
         # 1/d + F has the principal values 1.25 - 3.5 and 1.25 - 2; the first acts along the wearer's 60 degrees.
