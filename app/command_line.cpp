@@ -25,10 +25,14 @@ std::string version_text() {
          std::string(b.build_type) + ", flags " + std::string(b.flags) + "\ninstruction set " + instruction_set() + "\n";
 }
 
-void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
+void add_document(CLI::App& command, CommonOptions& options, const char* what) {
   command.add_option("file", options.file, std::string(what) + " (- is standard input)")->required();
   command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")
       ->allow_extra_args(false);
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
+  add_document(command, options, what);
   command.add_option("--seed", options.seed, "seed of all random numbers");
   command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
@@ -38,6 +42,7 @@ void add_common_options(CLI::App& command, CommonOptions& options, const char* w
 struct CommandLine {
   CLI::App app{"Sturm: the blur of an astigmatic eye, path traced and predicted, and whether the two agree.", "sturm"};
   CommonOptions common;
+  LensOptions lens;
   CompareOptions compare;
   GateOptions gate;
   std::string output, folder, file, schema;
@@ -49,6 +54,7 @@ struct CommandLine {
     app.set_version_flag("--version", version_text());
     add_run();
     add_ellipse();
+    add_lens();
     add_render();
     add_compare();
     add_gate();
@@ -73,6 +79,19 @@ struct CommandLine {
     add_common_options(*ellipse, common, "query (sturm.ellipse/1)");
     ellipse->add_option("-o,--output", output, "file instead of standard output");
     ellipse->callback([this] { action = [this] { return ellipse_command(common, output); }; });
+  }
+
+  void add_lens() {
+    auto* l = app.add_subcommand("lens", "powers, thickness and as-worn power map of a spectacle lens: JSON in, JSON out");
+    add_document(*l, common, "lens (sturm.spectacles/1)");
+    l->add_option("--azimuth-deg", lens.azimuths_deg, "gazes to the wearer's right [deg]: FIRST:LAST:STEP or one angle")
+        ->capture_default_str();
+    l->add_option("--elevation-deg", lens.elevations_deg, "gazes up [deg]: FIRST:LAST:STEP or one angle")->capture_default_str();
+    l->add_option("--rotation-center-mm", lens.rotation_center_mm, "the eye's centre of rotation behind its pupil [mm]")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    l->add_option("-o,--output", output, "file instead of standard output");
+    l->callback([this] { action = [this] { return lens_command(common, lens, output); }; });
   }
 
   void add_render() {

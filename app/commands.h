@@ -22,12 +22,19 @@ struct CompareOptions {
   std::optional<double> min_ssim, min_psnr_dB, max_rmse, max_relative_mse;
 };
 
+/// What `sturm lens` is asked for.
+struct LensOptions {
+  std::string azimuths_deg = "-40:40:10", elevations_deg = "-40:40:10";  ///< FIRST:LAST:STEP, or one angle
+  double rotation_center_mm = 13.5;                                      ///< behind the pupil
+};
+
 struct GateOptions {
   std::string report, gates, baseline, junit, new_baseline;  ///< "" = not given
 };
 
 // Each command returns the exit status; errors are thrown as InputError (2) or RuntimeFailure (3).
 int ellipse_command(const CommonOptions& options, const std::string& output);
+int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const std::string& output);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
 int compare_command(const CompareOptions& options);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/json_values.h"
+#include "app/lens_status_word.h"
 #include "app/ray_bundle.h"
 #include "conoid/footprint.h"
 #include "conoid/previous.h"
@@ -55,19 +56,6 @@ View view_of(const Target& target, const EllipseQuery& query) {
     v.lens = LensView{WornLens(*query.spectacles, gaze, eye.rotation_center_m), exit, across.col(0), across.col(1)};
   }
   return v;
-}
-
-const char* word_for(LensStatus status) {
-  switch (status) {
-    case LensStatus::ok:
-      return "ok";
-    case LensStatus::missed_lens:
-      return "missed_lens";
-    case LensStatus::total_internal_reflection:
-      return "total_internal_reflection";
-    default:
-      return "no_convergence";
-  }
 }
 
 /// Nothing could be computed: all numbers are null.

@@ -1,0 +1,140 @@
+"""`sturm lens`: powers, thickness and as-worn power map, against tests/reference/thick_lens.json and sagittas worked by hand.
+
+The file is in the examiner's frame (x flipped), its z runs from the eye to the object.
+"""
+import json
+import math
+import unittest
+
+import documents
+from sturm_process import SOURCE, WRONG_INPUT, FolderTest, snapshot, strict_json, sturm
+from test_thick_lens import gaze_deg, surface
+from wearer_frame import correction, from_examiner
+
+LENS = SOURCE / "configs/lenses/oblique_astigmat.json"
+
+
+def report(lens, *options):
+    process = sturm("lens", "-", *options, stdin=json.dumps(lens))
+    if process.returncode:
+        raise AssertionError(process.stderr)
+    return strict_json(process.stdout)
+
+
+def lens_of(case):
+    lens = case["inputs"]["lens"]
+    return {"format": "sturm.spectacles/1", "vertex_distance_mm": 12, "center_thickness_mm": lens["center_thickness_mm"], "refractive_index": lens["index"],
+            "front": surface(lens["front"]), "back": surface(lens["back"])}
+
+
+class Reference(unittest.TestCase):
+    CASES = json.loads((SOURCE / "tests/reference/thick_lens.json").read_text())["cases"]
+
+    def test_all_cases(self):
+        self.assertEqual(len(self.CASES), 117)
+        for case in self.CASES:
+            with self.subTest(case["id"]):
+                self.check(case)
+
+    def check(self, case):
+        out, rx = case["outputs"], case["inputs"]["Rx"]
+        azimuth, elevation = gaze_deg(out)
+        document = report(lens_of(case), "--rotation-center-mm", "13", f"--azimuth-deg={azimuth!r}", f"--elevation-deg={elevation!r}")
+        self.assertEqual(len(document["gazes"]), 1)
+        gaze = document["gazes"][0]
+        self.assertEqual(gaze["status"], "ok")
+        # Everything here within 1e-8 D; the file's own two ways agree to 7e-12 D.
+        for got, expected in zip(gaze["power"]["matrix_D"], from_examiner(out["as_worn_power_D_xx_xy_yy"])):
+            self.assertAlmostEqual(got, expected, delta=1e-8)
+        for key, expected in zip(("M_D", "J0_D", "J45_D"), out["as_worn_error_M_J0_J45_D"]):
+            self.assertAlmostEqual(gaze["error"][key], expected, delta=1e-8)
+        self.assertAlmostEqual(gaze["error"]["astigmatism_D"], out["as_worn_astigmatism_magnitude_D"], delta=1e-8)
+        power = gaze["power"]
+        for got, expected in zip(correction(power["sphere_D"], power["cylinder_D"], power["axis_deg"] or 180), power["matrix_D"]):
+            self.assertAlmostEqual(got, expected, delta=1e-12)
+        for got, expected in zip(document["back_vertex"]["matrix_D"], correction(rx["S"], rx["C"], rx["A"])):
+            self.assertAlmostEqual(got, expected, delta=1e-12)
+        self.check_prism(gaze["prism"], out)
+
+    def check_prism(self, prism, out):
+        # The exit direction on the eye's axes as the examiner sees them.
+        forward, right, up = [sum(a * b for a, b in zip(out["chief"]["exit_dir"], axis)) for axis in (out["gaze_dir"], out["eye_x"], out["eye_y"])]
+        self.assertAlmostEqual(prism["prism_cm_per_m"], 100 * math.hypot(right, up) / forward, delta=1e-10)
+        if math.hypot(right, up) < 1e-12:
+            return
+        turn = (prism["base_deg"] - math.degrees(math.atan2(up, right))) % 360.0
+        self.assertAlmostEqual(min(turn, 360.0 - turn), 0.0, delta=1e-8)
+
+
+class Report(FolderTest):
+    def test_the_example_lens(self):
+        output = self.folder / "report.json"
+        self.assertEqual(self.succeed("lens", LENS, "-o", output).stdout, "")
+        self.succeed("validate", output)
+        document = strict_json(output.read_text())
+        self.assertEqual(document["format"], "sturm.lens_report/1")
+        # Front 0.5/0.25 m; back -0.5/0.124833 m and -0.5/0.090821 m; the radii are those of -2.00 -1.50 x 30 to 6 digits.
+        self.assertEqual(document["front"]["principal_powers_D"], [2.0, 2.0])
+        self.assertIsNone(document["front"]["axis_deg"])
+        for got, expected in zip(document["back"]["principal_powers_D"], (-0.5 / 0.124833, -0.5 / 0.090821)):
+            self.assertAlmostEqual(got, expected, delta=1e-12)
+        for key, expected in (("sphere_D", -2.0), ("cylinder_D", -1.5), ("axis_deg", 30.0)):
+            self.assertAlmostEqual(document["back_vertex"][key], expected, delta=1e-4)
+        # Sagittas at 35 mm: of the front 250 - sqrt(250^2 - 35^2), of the back along either meridian alone.
+        front, flat, steep = (r - math.sqrt(r * r - 35.0 * 35.0) for r in (250.0, 124.833, 90.821))
+        thickness = document["thickness"]
+        self.assertEqual((thickness["center_mm"], thickness["edge_status"], thickness["usable_diameter_mm"]), (2.0, "ok", 70.0))
+        self.assertAlmostEqual(thickness["edge_min_mm"], 2.0 + flat - front, delta=1e-12)
+        self.assertAlmostEqual(thickness["edge_max_mm"], 2.0 + steep - front, delta=1e-12)
+        self.assertEqual([g["gaze_deg"] for g in document["gazes"]], [[a, e] for e in range(-40, 50, 10) for a in range(-40, 50, 10)])
+        middle = document["gazes"][40]
+        self.assertEqual(middle["prism"], {"deviation_deg": 0.0, "prism_cm_per_m": 0.0, "base_deg": None})
+        for got, expected in zip(middle["power"]["matrix_D"], document["back_vertex"]["matrix_D"]):
+            self.assertAlmostEqual(got, expected, delta=1e-12)
+        # Where the corners of the map miss the lens there are no numbers.
+        for gaze in document["gazes"]:
+            self.assertEqual(gaze["status"] == "ok", gaze["power"] is not None)
+
+    def test_a_lens_that_cannot_be_cut(self):
+        lens = {"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5, "base_curve_D": 10, "prescription": {"sphere_D": 8}}}
+        document = report(lens, "--set", "/single_vision/diameter_mm=60", "--azimuth-deg", "60", "--elevation-deg", "0:50:50")
+        self.assertEqual(document["thickness"]["edge_status"], "surfaces_cross")
+        self.assertIsNone(document["thickness"]["edge_min_mm"])
+        self.assertTrue(10.0 < document["thickness"]["usable_diameter_mm"] < 60.0)
+        self.assertEqual([(g["status"], g["prism"], g["power"], g["error"]) for g in document["gazes"]], [("missed_lens", None, None, None)] * 2)
+        self.succeed("validate", self.write("report.json", document))
+
+    def test_grids(self):
+        lens = json.loads(LENS.read_text())
+        gazes = report(lens, "--azimuth-deg", "-1:1:0.1", "--elevation-deg=-5")["gazes"]
+        self.assertEqual(len(gazes), 21)
+        self.assertEqual((gazes[0]["gaze_deg"], gazes[-1]["gaze_deg"]), ([-1.0, -5.0], [1.0, -5.0]))
+        self.assertEqual([g["gaze_deg"][0] for g in report(lens, "--azimuth-deg", "0:10:4", "--elevation-deg", "0")["gazes"]], [0.0, 4.0, 8.0])
+
+    def test_wrong_input(self):
+        lens = self.write("lens.json", {"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}})
+        query = self.write("query.json", documents.query())
+        before = snapshot(self.folder)
+        for arguments, *named in [
+            ([lens], "lens.json", "/single_vision", "prescription"),
+            ([query], "query.json", "/format", "sturm.spectacles/1"),
+            ([LENS, "--set", "/refractive_index=0.5"], "/refractive_index", "0.5"),
+            ([LENS, "--azimuth-deg", "0:10"], "--azimuth-deg", "0:10"),
+            ([LENS, "--azimuth-deg", "10:0:1"], "--azimuth-deg", "10:0:1"),
+            ([LENS, "--elevation-deg", "0:90:10"], "--elevation-deg", "0:90:10"),
+            ([LENS, "--elevation-deg", "0:10:0"], "--elevation-deg", "0:10:0"),
+            ([LENS, "--elevation-deg", "0:80:1e-9"], "--elevation-deg", "721"),
+            ([LENS, "--elevation-deg", "nan"], "--elevation-deg", "nan"),
+            ([LENS, "--elevation-deg", "1:2:3x"], "--elevation-deg", "3x"),
+            ([LENS, "--rotation-center-mm", "-1"], "--rotation-center-mm"),
+        ]:
+            with self.subTest(arguments):
+                process = sturm("lens", *arguments, "-o", self.folder / "report.json")
+                self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""), process.stderr)
+                for text in named:
+                    self.assertIn(text, process.stderr)
+        self.assertEqual(snapshot(self.folder), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
