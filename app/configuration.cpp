@@ -2,8 +2,10 @@
 
 #include <tbb/info.h>
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "io/atomic_file.h"
 #include "io/json_pointer_set.h"
 
 namespace sturm {
@@ -13,6 +15,14 @@ Json load_configuration(const CommonOptions& options) {
   for (const std::string& assignment : options.assignments) apply_set(document, assignment);
   if (options.seed && document.is_object()) document["seed"] = *options.seed;
   return document;
+}
+
+void write_result(const Json& result, const std::string& output) {
+  const std::string text = result.dump(1) + "\n";
+  if (output.empty())
+    std::cout << text;
+  else
+    write_file_atomically(output, text);
 }
 
 int thread_count(const CommonOptions& options) {

@@ -7,6 +7,9 @@ namespace sturm {
 /// Loads the configuration that a command was given and applies --set and --seed to it. It is not validated yet.
 Json load_configuration(const CommonOptions& options);
 
+/// Writes a command's result: to `output`, or to standard output where that is empty.
+void write_result(const Json& result, const std::string& output);
+
 /// Threads that a command will use: as asked for, else one per processor.
 int thread_count(const CommonOptions& options);
 

@@ -51,9 +51,10 @@ View view_of(const Target& target, const EllipseQuery& query) {
     v.accommodation_D = accommodation_through(*v.conoid, eye, v.vergence_D);
     v.chief = v.conoid->chief_ray;
     // The rays' own chief ray: nothing of what they are measured by comes from the conoid.
-    const LightRay exit = WornLens(*query.spectacles, gaze, eye.rotation_center_m).chief_ray().exit;
+    const WornLens worn(*query.spectacles, gaze, eye.rotation_center_m);
+    const LightRay exit = worn.chief_ray().exit;
     const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, exit.direction);
-    v.lens = LensView{WornLens(*query.spectacles, gaze, eye.rotation_center_m), exit, across.col(0), across.col(1)};
+    v.lens = LensView{worn, exit, across.col(0), across.col(1)};
   }
   return v;
 }

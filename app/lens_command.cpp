@@ -1,12 +1,10 @@
 #include <charconv>
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/configuration.h"
 #include "app/lens_stage.h"
-#include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/schema.h"
 #include "io/spectacles_spec.h"
@@ -62,11 +60,7 @@ int lens_command(const CommonOptions& options, const LensOptions& lens, const st
   query.elevations_deg = angles(lens.elevations_deg, "--elevation-deg");
   query.rotation_center_m = metres_per_millimetre * lens.rotation_center_mm;
   query.lens = read_lens(load_configuration(options), options.file);
-  const std::string text = lens_report(query).dump(1) + "\n";
-  if (output.empty())
-    std::cout << text;
-  else
-    write_file_atomically(output, text);
+  write_result(lens_report(query), output);
   return 0;
 }
 

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,29 +1,16 @@
 #include "app/render_stage.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/stopwatch.h"
 #include "io/error.h"
 #include "pathtrace/scene_import.h"
 
 namespace sturm {
 
 namespace {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Nearest and farthest planar depth of the scene's bounding box in front of the eye. What is nearer than 0.1 m counts as at 0.1 m:
 /// the guard band cannot grow without end, and the predictor reports what it had to clip.

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -6,6 +5,7 @@
 #include "app/experiment/sections.h"
 #include "app/image_files.h"
 #include "app/json_values.h"
+#include "app/stopwatch.h"
 #include "compare/metrics/relative_mse.h"
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
@@ -54,10 +54,6 @@ Json noise_floor_json(const Replicates& traced) {
   return {{"ssim_display", ssim_display(a, b)}, {"rmse_linear", rmse(a, b)}, {"relative_mse", relative_mse(a, b).plain}};
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed,
@@ -80,10 +76,10 @@ Json image_entries(const ImageExperiment& spec, const SceneDescription& descript
   for (std::size_t k = 0; k < spec.ray_models.size(); ++k) {
     RenderSettings settings;
     settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Replicates traced =
         render_replicates(scene, pose, spec.eye, *ray_model_named(spec.ray_models[k]), settings, seed, spec.replicates, part(k + 1));
-    const double seconds = seconds_since(start);
+    const double seconds = watch.seconds();
     const std::string traced_file = "images/" + spec.id + "_" + spec.ray_models[k];
     write_picture(folder / traced_file, traced.mean(), exposure);
     entries.push_back({{"id", spec.id},

@@ -1,6 +1,5 @@
 #include "app/experiment/runner.h"
 
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +7,7 @@
 #include "app/experiment/scene_fingerprint.h"
 #include "app/experiment/sections.h"
 #include "app/progress.h"
+#include "app/stopwatch.h"
 #include "compare/gates.h"
 #include "compare/junit.h"
 #include "compare/report_csv.h"
@@ -21,12 +21,6 @@
 namespace sturm {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// What a finished part depends on: the resolved spec, the program itself, and the scenes as they were loaded.
 std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) {
@@ -67,7 +61,7 @@ void append(Json& list, const Json& entries) {
 }  // namespace
 
 RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experiment_file, const RunOptions& options) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   const std::string started = utc_now();
   std::vector<std::string> inputs = spec.input_files;
   if (experiment_file != "-") inputs.insert(inputs.begin(), experiment_file);
@@ -109,7 +103,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
-  seconds["total"] = seconds_since(start);
+  seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
 
   write_file_atomically(folder.path() / "ellipses.csv", ellipses_csv(report));
