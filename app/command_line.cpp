@@ -43,6 +43,7 @@ struct CommandLine {
   CLI::App app{"Sturm: the blur of an astigmatic eye, path traced and predicted, and whether the two agree.", "sturm"};
   CommonOptions common;
   LensOptions lens;
+  BlurFieldOptions blurfield;
   CompareOptions compare;
   GateOptions gate;
   std::string output, folder, file, schema;
@@ -55,6 +56,7 @@ struct CommandLine {
     add_run();
     add_ellipse();
     add_lens();
+    add_blurfield();
     add_render();
     add_compare();
     add_gate();
@@ -92,6 +94,14 @@ struct CommandLine {
         ->capture_default_str();
     l->add_option("-o,--output", output, "file instead of standard output");
     l->callback([this] { action = [this] { return lens_command(common, lens, output); }; });
+  }
+
+  void add_blurfield() {
+    auto* b = app.add_subcommand("blurfield", "blur ellipses over the whole field of view and all distances: a multi-part EXR");
+    add_common_options(*b, common, "blur field (sturm.blurfield/1)");
+    b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it")->required();
+    b->add_option("--layers", blurfield.layers, "SVG file: the ellipses at the distances layers_m");
+    b->callback([this] { action = [this] { return blurfield_command(common, blurfield); }; });
   }
 
   void add_render() {

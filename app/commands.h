@@ -28,12 +28,19 @@ struct LensOptions {
   double rotation_center_mm = 13.5;                                      ///< behind the pupil
 };
 
+/// What `sturm blurfield` writes.
+struct BlurFieldOptions {
+  std::string output;  ///< EXR
+  std::string layers;  ///< SVG, "" = not drawn
+};
+
 struct GateOptions {
   std::string report, gates, baseline, junit, new_baseline;  ///< "" = not given
 };
 
 // Each command returns the exit status; errors are thrown as InputError (2) or RuntimeFailure (3).
 int ellipse_command(const CommonOptions& options, const std::string& output);
+int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const std::string& output);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
