@@ -165,6 +165,7 @@ Spectacles read_progressive(const Json& value, const Source& where, const Prescr
 Spectacles read_made(const std::string& maker, const Json& value, const Source& where, const Eye& eye, SpectaclesSpec& spec) {
   const SingleVisionDesign design = read_design(value, where, spec);
   const Prescription rx = lens_power(value, where, eye, design.vertex_distance_m);
+  spec.made_for = rx;
   try {
     return maker == "progressive" ? read_progressive(value, where, rx, design, spec) : single_vision(rx, design);
   } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error

@@ -24,6 +24,7 @@ struct FreeFormFit {
 struct SpectaclesSpec {
   std::optional<Spectacles> lens;        ///< none: the naked eye
   std::vector<std::string> input_files;  ///< absolute paths of the lens's own file and of its sag grids, if it has any
+  std::optional<Prescription> made_for;  ///< back vertex power that a single-vision or progressive lens was made for
   std::optional<LensMaterial> material;  ///< if it was named instead of its refractive index
   std::vector<FreeFormFit> fits;         ///< of the lens's free-form surfaces
 };
