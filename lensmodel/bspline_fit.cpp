@@ -64,7 +64,9 @@ Eigen::SparseMatrix<double> design_matrix(const KnotGrid& grid, std::span<const 
   return matrix;
 }
 
-FitResidual residual_of(const BSplineSurface& surface, std::span<const Eigen::Vector3d> points) {
+}  // namespace
+
+FitResidual residual_at(const BSplineSurface& surface, std::span<const Eigen::Vector3d> points) {
   const Eigen::Vector2d low = surface.grid().first, high = surface.grid().last();
   FitResidual residual;
   for (const Eigen::Vector3d& point : points) {
@@ -79,8 +81,6 @@ FitResidual residual_of(const BSplineSurface& surface, std::span<const Eigen::Ve
   residual.rms = std::sqrt(residual.rms / static_cast<double>(points.size()));
   return residual;
 }
-
-}  // namespace
 
 BSplineFit fitted_bspline(const KnotGrid& grid, std::span<const Eigen::Vector3d> points) {
   if (points.size() < 16) throw std::domain_error("fewer than 16 points do not determine a surface");
@@ -99,7 +99,7 @@ BSplineFit fitted_bspline(const KnotGrid& grid, std::span<const Eigen::Vector3d>
   for (int i = 0; i < 2; ++i) coefficients += solver.solve(matrix.transpose() * (heights - matrix * coefficients)).eval();
   const Eigen::MatrixXd table = coefficients.reshaped<Eigen::RowMajor>(grid.cells_x + 3, grid.cells_y + 3);
   BSplineSurface surface(grid, table);
-  const FitResidual residual = residual_of(surface, points);
+  const FitResidual residual = residual_at(surface, points);
   return {std::move(surface), residual};
 }
 

@@ -11,6 +11,9 @@ struct FitResidual {
   double rms = 0.0, max = 0.0;
 };
 
+/// Of points within the surface's grid, or outside of it by rounding.
+FitResidual residual_at(const BSplineSurface& surface, std::span<const Eigen::Vector3d> points);
+
 struct BSplineFit {
   BSplineSurface surface;
   FitResidual residual;

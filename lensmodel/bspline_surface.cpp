@@ -68,6 +68,10 @@ BSplineSurface::BSplineSurface(const KnotGrid& grid, const Eigen::MatrixXd& coef
   data_ = std::make_shared<const Data>(Data{grid, coefficients, coefficients.minCoeff(), coefficients.maxCoeff()});
 }
 
+BSplineSurface BSplineSurface::raised(double height) const {
+  return {data_->grid, data_->coefficients.array() + height};  // the splines add up to 1
+}
+
 std::optional<Sag> BSplineSurface::sag(double x, double y) const {
   const KnotGrid& grid = data_->grid;
   const double u = (x - grid.first.x()) / grid.spacing.x(), v = (y - grid.first.y()) / grid.spacing.y();

@@ -34,6 +34,9 @@ class BSplineSurface {
   /// z(x, y); none beyond the grid.
   std::optional<Sag> sag(double x, double y) const;
 
+  /// The same surface, higher by `height` [m].
+  BSplineSurface raised(double height) const;
+
   /// No point of the surface lies outside of these heights (that is the property of the coefficients' convex hull).
   double lowest() const { return data_->lowest; }
   double highest() const { return data_->highest; }
