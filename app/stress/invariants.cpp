@@ -217,8 +217,9 @@ void check_infinity(Outcomes& outcomes, const Traced& t) {
   const Eigen::Matrix2d limit = footprint(infinite);
   const double s0 = t.eye.correction.matrix().norm(), a0 = a + r.offset_from_slope.norm() * (s0 + s),
                b0 = b + r.slope_from_slope.norm() * (s0 + s);
+  const Eigen::Matrix2d offsets = r.offsets(t.eye.correction.matrix());
   for (const double distance_m : {1e3, 1e6, 1e12})
-    outcomes.record(Check::infinity, (footprint(distance_m) - limit).norm(), a0 / distance_m + formula_error * (b0 + a0 / distance_m),
+    outcomes.record(Check::infinity, (footprint(distance_m) - limit - offsets / distance_m).norm(), formula_error * (b0 + a0 / distance_m),
                     std::max(1e-300, b0));
   if (t.numbers.mode != CaseNumbers::Mode::best) return;
   // The least major axis over A changes with 1/d no faster than the footprints do.
