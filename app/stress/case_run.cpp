@@ -63,8 +63,9 @@ void run_through_lens(CaseRun& run, std::uint64_t seed, std::uint64_t index, dou
   const SpectacleConoid conoid = tracer(lens, run.gaze, center);
   run.conoid = conoid;
   std::optional<StartingPoints> start;
-  if (conoid.status == LensStatus::ok)
-    start = {trace(lens, {turned_pupil_center(run.gaze, center), run.gaze}).back_point, conoid.chief_ray.origin};
+  // Where the program met the surfaces the oracle only has to confirm it; a ray that it lost before is searched along its whole way.
+  const LensPath path = trace(lens, {turned_pupil_center(run.gaze, center), run.gaze});
+  if (path.status == LensStatus::ok || path.status == LensStatus::total_internal_reflection) start = {path.back_point, path.exit.origin};
   run.oracle = trace_extended(lens, run.gaze, center, start);
   run.bounds = error_bounds(lens, center, *run.oracle);
   check_status(run.outcomes, conoid.status, lens, *run.oracle, *run.bounds);

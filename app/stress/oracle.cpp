@@ -33,42 +33,52 @@ DualRay launched(const Vec3<Extended>& gaze, double rotation_center_m) {
   return {center + px * lifted(f.e1) + py * lifted(f.e2), normalized(lifted(gaze) + sx * lifted(f.e1) + sy * lifted(f.e2))};
 }
 
-/// Newton's iteration along the ray; none unless its last step is below 2^-58 of the way (64 bits less what evaluation loses).
+/// Newton's iteration along the ray; none unless its last step is below 2^-58 of the way and the coordinates (64 bits less what
+/// evaluation loses).
 std::optional<Extended> converged(const Surface& surface, const PlainRay& ray, Extended t) {
-  const Extended enough = std::ldexp(1.0L, -58);
+  const Extended enough = std::ldexp(1.0L, -58), size = std::sqrt(dot(ray.origin, ray.origin));
   for (int i = 0; i < 60; ++i) {
     const auto g = implicit(surface, ray.at(t));
     const Extended step = -g.value / dot(g.gradient, ray.direction);
     if (!std::isfinite(step)) return std::nullopt;
     t += step;
-    if (std::abs(step) <= enough * std::abs(t)) return t;
+    if (std::abs(step) <= enough * (std::abs(t) + size)) return t;
   }
   return std::nullopt;
 }
 
 /// The first outward crossing within the rim, searched in 256 steps, so two crossings closer than that stay unseen.
 std::optional<Extended> searched(const Surface& surface, const PlainRay& ray, Extended rim) {
-  // Beyond twice its diameter no lens reaches: |z| of each kind of surface within the rim is bounded by that, or the ray has left the rim.
+  // Within the rim |z| is bounded by the rim's diameter, or the ray leaves the rim before.
   const Extended reach = 4.0L * rim + std::abs(ray.origin.z) + std::sqrt(ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y);
   constexpr int steps = 256;
+  const auto outward = [&](Extended t) -> std::optional<Extended> {
+    const auto g = implicit(surface, ray.at(t));
+    return g.on_sheet ? std::optional(g.value) : std::nullopt;
+  };
+  const auto bisected = [](Extended low, Extended high, auto is_low) {
+    for (int k = 0; k < 64; ++k) {
+      const Extended middle = 0.5L * (low + high);
+      (is_low(middle) ? low : high) = middle;
+    }
+    return low;
+  };
   std::optional<Extended> before;
   Extended t_before = 0.0L;
   for (int i = 0; i <= steps; ++i) {
-    const Extended t = reach * i / steps;
-    const Vec3<Extended> p = ray.at(t);
-    const auto g = implicit(surface, p);
-    const bool valid = g.on_sheet && std::hypot(p.x, p.y) <= rim;
-    const std::optional<Extended> now = valid ? std::optional(g.value) : std::nullopt;
-    if (before && now && *before <= 0.0L && *now > 0.0L) {
-      Extended low = t_before, high = t;
-      for (int k = 0; k < 40; ++k) {
-        const Extended middle = 0.5L * (low + high);
-        (implicit(surface, ray.at(middle)).value <= 0.0L ? low : high) = middle;
-      }
-      return converged(surface, ray, 0.5L * (low + high));
+    const Extended next = reach * i / steps;
+    const std::optional<Extended> now = outward(next);
+    // Where the sheet ends between two steps, look at its last point.
+    const Extended t = before && !now ? bisected(t_before, next, [&](Extended at) { return outward(at).has_value(); }) : next;
+    const std::optional<Extended> there = now ? now : outward(t);
+    if (before && there && *before <= 0.0L && *there > 0.0L) {
+      const auto crossing = converged(surface, ray, bisected(t_before, t, [&](Extended at) { return outward(at).value_or(0.0L) <= 0.0L; }));
+      if (!crossing) return std::nullopt;
+      const Vec3<Extended> p = ray.at(*crossing);
+      if (std::sqrt(p.x * p.x + p.y * p.y) <= rim) return crossing;
     }
     before = now;
-    t_before = t;
+    t_before = next;
   }
   return std::nullopt;
 }

@@ -63,18 +63,18 @@ void check_against_oracle(Outcomes& outcomes, const SpectacleConoid& conoid, con
   outcomes.record(Check::exit_point, distance(conoid.chief_ray.origin, oracle.exit_point), bounds.exit_point, 1.0);
   outcomes.record(Check::exit_direction, distance(conoid.chief_ray.direction, oracle.direction), bounds.direction, 1.0);
   const RayTransfer& t = conoid.exit;
-  const auto compare = [&](const Eigen::Matrix2d& m, const Matrix& exact, double bound) {
-    outcomes.record(Check::footprint, difference(m, exact), bound, norm(exact));
+  const auto compare = [&](const Eigen::Matrix2d& m, const Matrix& exact, double bound, double smallest) {
+    outcomes.record(Check::footprint, difference(m, exact), bound, std::max(smallest, norm(exact)));
   };
-  compare(t.offset_from_offset, block(oracle.offset, 0), bounds.offset_p);
-  compare(t.offset_from_slope, block(oracle.offset, 2), bounds.offset_q);
-  compare(t.slope_from_slope, block(oracle.slope, 2), bounds.slope_q);
+  compare(t.offset_from_offset, block(oracle.offset, 0), bounds.offset_p, 1.0);
+  compare(t.offset_from_slope, block(oracle.offset, 2), bounds.offset_q, 0.0);
+  compare(t.slope_from_slope, block(oracle.slope, 2), bounds.slope_q, 1.0);
   // A lens without power has no size to compare this block with: the footprint's is taken.
   const double s = slopes.norm(), size = (vergence_D * t.offset_from_offset).norm() + t.slope_from_offset.norm() +
                                          (vergence_D * t.offset_from_slope.norm() + t.slope_from_slope.norm()) * s;
   outcomes.record(Check::footprint, difference(t.slope_from_offset, block(oracle.slope, 0)), bounds.slope_p, std::max(1.0, size));
   outcomes.record(Check::footprint, difference(conoid.angular_footprint(slopes, vergence_D), oracle.angular_footprint(slopes, vergence_D)),
-                  bounds.angular_footprint(s, vergence_D) + formula_error * size, size);
+                  bounds.angular_footprint(s, vergence_D) + formula_error * size, std::max(1.0, size));
   check_curvature(outcomes, conoid, oracle, bounds, slopes);
 }
 

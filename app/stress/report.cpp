@@ -142,6 +142,7 @@ Json report_of(const SuiteSummary& s) {
           {"seed", s.options.seed},
           {"passed", s.passed()},
           {"failed_cases", s.failed},
+          {"first_failed_cases", s.first_failed},
           {"formula_error", formula_error},
           {"checks", std::move(check_list)},
           {"families", std::move(family_list)},

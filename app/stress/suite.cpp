@@ -45,6 +45,7 @@ void SuiteSummary::add(std::uint64_t index, const CaseRun& run) {
   else
     ++family.statuses[static_cast<std::size_t>(run.conoid ? run.conoid->status : LensStatus::ok)];
   failed += wrong;
+  if (wrong && first_failed.size() < listed_failures) first_failed.push_back(index);
   published_tried += run.published_tried;
   published_failed += run.published_failed;
 }
@@ -58,6 +59,8 @@ void SuiteSummary::add(const SuiteSummary& later) {
     for (std::size_t s = 0; s < families[i].statuses.size(); ++s) families[i].statuses[s] += later.families[i].statuses[s];
   }
   failed += later.failed;
+  for (const std::uint64_t index : later.first_failed)
+    if (first_failed.size() < listed_failures) first_failed.push_back(index);
   published_tried += later.published_tried;
   published_failed += later.published_failed;
 }

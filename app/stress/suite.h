@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "app/stress/case_run.h"
 
@@ -28,6 +29,8 @@ struct SuiteSummary {
   SuiteOptions options;
   std::array<CheckSummary, check_count> checks{};
   std::array<FamilySummary, stress::families.size()> families{};
+  std::vector<std::uint64_t> first_failed;  ///< the first failed cases, at most `listed_failures`
+  static constexpr std::size_t listed_failures = 100;
   std::uint64_t failed = 0, published_tried = 0, published_failed = 0;
 
   void add(std::uint64_t index, const CaseRun& run);
