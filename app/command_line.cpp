@@ -112,7 +112,8 @@ struct CommandLine {
     s->add_option("--cases", stress.cases, "number of cases")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
         ->capture_default_str();
-    s->add_option("--case", stress.replayed, "print this case in full instead: input, results and checks");
+    s->add_option("--case", stress.replayed, "print this case in full instead: input, results and checks")
+        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40));
     add_run_options(*s, common);
     s->add_option("-o,--output", output, "file for the report (sturm.stress_report/1), or for the case");
     s->callback([this] { action = [this] { return stress_command(common, stress, output); }; });

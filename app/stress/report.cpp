@@ -40,10 +40,10 @@ std::string digits(Extended x) {
   return line("%.21Lg", x);
 }
 Json digits(const ExtendedMatrix& m) {
-  return {{digits(m[0][0]), digits(m[0][1])}, {digits(m[1][0]), digits(m[1][1])}};
+  return Json::array({Json::array({digits(m[0][0]), digits(m[0][1])}), Json::array({digits(m[1][0]), digits(m[1][1])})});
 }
 Json digits(const Vec3<Extended>& v) {
-  return {digits(v.x), digits(v.y), digits(v.z)};
+  return Json::array({digits(v.x), digits(v.y), digits(v.z)});
 }
 
 Json double_json(const CaseRun& run) {
