@@ -26,9 +26,9 @@ PublishedConoid transferred(const PublishedConoid& c, double distance) {
   return {transferred(c.wave, distance), (1.0 - distance * c.wave.kappa1) * c.epsilon1, (1.0 - distance * c.wave.kappa2) * c.epsilon2};
 }
 
-std::optional<PublishedConoid> through(const PublishedConoid& c, const Sag& surface, double index_before, double index_behind,
+std::optional<PublishedConoid> through(const PublishedConoid& c, const SurfaceElement& surface, double index_before, double index_behind,
                                        TangentAxes tangent) {
-  const Eigen::Vector3d normal = outward_normal(surface), t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
+  const Eigen::Vector3d normal = surface.normal, t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
   auto wave = refracted(c.wave, normal, principal(tangent_curvature(surface, t1, t2), t1, t2), index_before, index_behind);
   if (!wave) return std::nullopt;
   // Keep the numbers: e'₁ is the one that continues e₁.
@@ -71,9 +71,9 @@ std::optional<PublishedConoid> trace_published(const Eye& eye, double accommodat
   const Eigen::Vector3d center = turned_pupil_center(gaze, eye.rotation_center_m);
   const LensPath path = trace(*lens, {center, gaze});
   if (path.status != LensStatus::ok) return std::nullopt;
-  const auto inside = through(transferred(pupil, (path.back_point - center).norm()), path.back_sag, 1.0, lens->refractive_index, tangent);
+  const auto inside = through(transferred(pupil, (path.back_point - center).norm()), path.back, 1.0, lens->refractive_index, tangent);
   if (!inside) return std::nullopt;
-  return through(transferred(*inside, (path.exit.origin - path.back_point).norm()), path.front_sag, lens->refractive_index, 1.0, tangent);
+  return through(transferred(*inside, (path.exit.origin - path.back_point).norm()), path.front, lens->refractive_index, 1.0, tangent);
 }
 
 Eigen::Matrix2d angular_map(const PublishedConoid& c, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2, double vergence_D) {

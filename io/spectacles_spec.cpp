@@ -64,6 +64,15 @@ double diameter(const Json& value) {
   return metres_per_millimetre * value.value("diameter_mm", default_diameter_mm);
 }
 
+/// How the lens stands before the eye; straight if nothing is said.
+Mounting read_mounting(const Json& value) {
+  const auto stated = value.find("mounting");
+  if (stated == value.end()) return {};
+  const Json decentration = stated->value("decentration_mm", Json::array({0.0, 0.0}));
+  return {metres_per_millimetre * Eigen::Vector2d(decentration[0].get<double>(), decentration[1].get<double>()),
+          radians_per_degree * stated->value("pantoscopic_tilt_deg", 0.0), radians_per_degree * stated->value("wrap_deg", 0.0)};
+}
+
 Spectacles read_two_surfaces(const Json& value, const Source& where) {
   for (const char* side : {"front", "back"})
     if (!value.contains(side)) missing(side, where, "\"front\" and \"back\", or \"single_vision\"");
@@ -75,6 +84,7 @@ Spectacles read_two_surfaces(const Json& value, const Source& where) {
   lens.refractive_index = required(value, "refractive_index", where, "\"refractive_index\": a number from 1 to 4");
   lens.vertex_distance_m = vertex_distance(value);
   lens.diameter_m = diameter(value);
+  lens.mounting = read_mounting(value);
   return lens;
 }
 
@@ -84,10 +94,20 @@ Prescription lens_power(const Json& value, const Source& where, const Eye& eye, 
     const double cylinder = stated->value("cylinder_D", 0.0);
     if (cylinder != 0.0 && !stated->contains("axis_deg"))
       missing("axis_deg", where / "prescription", "the AXIS of the cylinder [deg], from 0 to 180");
-    return {stated->at("sphere_D").get<double>(), cylinder, stated->value("axis_deg", 180.0), vertex_distance_m};
+    if (stated->value("prism_cm_per_m", 0.0) != 0.0 && !stated->contains("prism_base_deg"))
+      missing("prism_base_deg", where / "prescription", "the base of the prism [deg], from 0 to 360");
+    return {.sphere_D = stated->at("sphere_D").get<double>(),
+            .cylinder_D = cylinder,
+            .axis_deg = stated->value("axis_deg", 180.0),
+            .vertex_distance_m = vertex_distance_m,
+            .prism_cm_per_m = stated->value("prism_cm_per_m", 0.0),
+            .prism_base_deg = stated->value("prism_base_deg", 0.0)};
   }
   if (eye.prescription.vertex_distance_m == vertex_distance_m) return eye.prescription;
-  return eye.correction.moved_towards_eye(-vertex_distance_m).as_prescription();
+  Prescription moved = eye.correction.moved_towards_eye(-vertex_distance_m).as_prescription();
+  moved.prism_cm_per_m = eye.prescription.prism_cm_per_m;
+  moved.prism_base_deg = eye.prescription.prism_base_deg;
+  return moved;
 }
 
 Spectacles read_single_vision(const Json& value, const Source& where, const Eye& eye) {
@@ -97,6 +117,7 @@ Spectacles read_single_vision(const Json& value, const Source& where, const Eye&
   design.refractive_index = value["refractive_index"].get<double>();
   design.vertex_distance_m = vertex_distance(value);
   design.diameter_m = diameter(value);
+  design.mounting = read_mounting(value);
   try {
     return single_vision(lens_power(value, where, eye, design.vertex_distance_m), design);
   } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lensmodel/prism.h"
+
 namespace sturm {
 
 namespace {
@@ -37,7 +39,8 @@ Spectacles single_vision(const Prescription& rx, const SingleVisionDesign& desig
   lens.refractive_index = design.refractive_index;
   lens.vertex_distance_m = design.vertex_distance_m;
   lens.diameter_m = design.diameter_m;
-  return lens;
+  lens.mounting = design.mounting;
+  return rx.prism_cm_per_m == 0.0 ? lens : with_prism(lens, rx.prism_cm_per_m, rx.prism_base_deg);
 }
 
 }  // namespace sturm

@@ -11,10 +11,12 @@ struct SingleVisionDesign {
   double refractive_index = 1.5;
   double vertex_distance_m = 12e-3;
   double diameter_m = 70e-3;
+  Mounting mounting{};
 };
 
 /// A lens with a spherical front and a spherical or toric back whose back vertex power is the prescription as written (its vertex
 /// distance is not used). The back is swept along the AXIS of the minus-cylinder form, so both ways of writing make the same lens.
+/// A prism turns the back surface (lensmodel/prism.h): the powers are those along its own axis then.
 /// Throws std::invalid_argument for an index of 1, which has no power, and std::domain_error where the front surface's focus lies in the
 /// back vertex.
 Spectacles single_vision(const Prescription& rx, const SingleVisionDesign& design);

@@ -2,6 +2,7 @@
 #include <optional>
 #include <variant>
 
+#include "lensmodel/bspline_surface.h"
 #include "lensmodel/conic_surface.h"
 #include "lensmodel/lens_status.h"
 #include "lensmodel/light_ray.h"
@@ -11,10 +12,14 @@
 namespace sturm {
 
 /// One side of a spectacle lens, in its surface frame (lensmodel/sag.h). A new kind of surface needs a member `sag`.
-using Surface = std::variant<SphereSurface, TorusSurface, ConicSurface>;
+using Surface = std::variant<SphereSurface, TorusSurface, ConicSurface, BSplineSurface>;
 
 /// Height and derivatives at (x, y) [m]; none where the surface does not reach.
 std::optional<Sag> sag(const Surface& surface, double x, double y);
+
+/// False where a ray certainly misses the surface within `rim_radius` [m] of its axis: a bound from the surface's heights, without
+/// looking for the point.
+bool may_meet(const Surface& surface, const LightRay& ray, double rim_radius);
 
 /// Where a ray that comes from the eye goes through a surface.
 struct SurfaceHit {
