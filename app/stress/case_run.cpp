@@ -56,6 +56,12 @@ void run_naked(CaseRun& run, double vergence_D) {
   run.outcomes.record(Check::correction, (run.footprint->angular - expected).norm(), formula_error * size, std::fmax(size, 1.0));
 }
 
+/// The points of a path that a lens standing straight gave: `trace` leaves those of a lost ray in the lens's frame.
+StartingPoints in_wearer_frame(const Spectacles& lens, const LensPath& path) {
+  const Eigen::Vector3d vertex = path.status == LensStatus::ok ? Eigen::Vector3d::Zero().eval() : lens.back_vertex();
+  return {vertex + path.back_point, vertex + path.exit.origin};
+}
+
 void run_through_lens(CaseRun& run, std::uint64_t seed, std::uint64_t index, double vergence_D, const ConoidTracer& tracer) {
   const Spectacles& lens = *run.lens;
   const Eye& eye = *run.eye;
@@ -65,7 +71,7 @@ void run_through_lens(CaseRun& run, std::uint64_t seed, std::uint64_t index, dou
   std::optional<StartingPoints> start;
   // Where the program met the surfaces the oracle only has to confirm it; a ray that it lost before is searched along its whole way.
   const LensPath path = trace(lens, {turned_pupil_center(run.gaze, center), run.gaze});
-  if (path.status == LensStatus::ok || path.status == LensStatus::total_internal_reflection) start = {path.back_point, path.exit.origin};
+  if (path.status == LensStatus::ok || path.status == LensStatus::total_internal_reflection) start = in_wearer_frame(lens, path);
   run.oracle = trace_extended(lens, run.gaze, center, start);
   run.bounds = error_bounds(lens, center, *run.oracle);
   check_status(run.outcomes, conoid.status, lens, *run.oracle, *run.bounds);

@@ -84,13 +84,13 @@ void check_split(Outcomes& outcomes, const Traced& t, double fraction) {
     return transferred(transferred(r, fraction * distance), (1.0 - fraction) * distance);
   };
   RayTransfer rays = moved(RayTransfer::start(t.gaze, turn.col(0), turn.col(1)), (path.back_point - pupil).norm());
-  const auto back = Interface::refracting(t.gaze, outward_normal(path.back_sag), 1.0, t.lens.refractive_index);
+  const auto back = Interface::refracting(t.gaze, path.back.normal, 1.0, t.lens.refractive_index);
   if (!back) return outcomes.expect(Check::split, false);
-  rays = moved(through(rays, *back, path.back_sag), (path.exit.origin - path.back_point).norm());
-  const auto front = Interface::refracting(rays.direction, outward_normal(path.front_sag), t.lens.refractive_index, 1.0);
+  rays = moved(through(rays, *back, path.back), (path.exit.origin - path.back_point).norm());
+  const auto front = Interface::refracting(rays.direction, path.front.normal, t.lens.refractive_index, 1.0);
   if (!front) return outcomes.expect(Check::split, false);
   const Eigen::Matrix3d out = smallest_rotation(ahead, path.exit.direction);
-  compare(outcomes, Check::split, t, t.conoid, on_frame(through(rays, *front, path.front_sag), out.col(0), out.col(1)), path.exit.origin);
+  compare(outcomes, Check::split, t, t.conoid, on_frame(through(rays, *front, path.front), out.col(0), out.col(1)), path.exit.origin);
 }
 
 void check_turned(Outcomes& outcomes, const Traced& t, const ConoidTracer& tracer, double angle_deg) {
@@ -164,7 +164,7 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
   double hit_before = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
     const Crossing& at = t.oracle.at[i];
-    const Sag& surface = i == 0 ? path.back_sag : path.front_sag;
+    const SurfaceElement& surface = i == 0 ? path.back : path.front;
     const double length = i == 0 ? (path.back_point - pupil).norm() : (path.exit.origin - path.back_point).norm();
     const double before = i == 0 ? 1.0 : n, behind = i == 0 ? n : 1.0;
     wave = transferred(wave, length);
@@ -172,7 +172,7 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
     const double k_in = largest(wave);
     arriving(before, at.offset_p_in, at.offset_q_in,
              formula_error * k_in + (t.bounds.hit[i] + hit_before + formula_error * length) * k_in * k_in);
-    const Eigen::Vector3d normal = outward_normal(surface), t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
+    const Eigen::Vector3d normal = surface.normal, t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
     const Eigen::Matrix2d bend = tangent_curvature(surface, t1, t2);
     const auto refracted_wave = refracted(wave, normal, principal(bend, t1, t2), before, behind);
     if (!refracted_wave) return outcomes.skip(Check::five_variables, Skip::at_the_edge);

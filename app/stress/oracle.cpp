@@ -151,8 +151,8 @@ ExtendedTrace trace_extended(const Spectacles& lens, const Eigen::Vector3d& gaze
   DualRay ray = launched(normalized(extended(gaze)), rotation_center_m);
   const double rim = 0.5 * lens.diameter_m, n = lens.refractive_index;
   const auto back = start ? std::optional(start->back) : std::nullopt, front = start ? std::optional(start->front) : std::nullopt;
-  if (!pass(trace, ray, lens.back, lens.back_vertex_z(), rim, 1.0, n, back)) return trace;
-  if (!pass(trace, ray, lens.front, lens.front_vertex_z(), rim, n, 1.0, front)) return trace;
+  if (!pass(trace, ray, lens.back, -lens.vertex_distance_m, rim, 1.0, n, back)) return trace;
+  if (!pass(trace, ray, lens.front, -lens.vertex_distance_m - lens.center_thickness_m, rim, n, 1.0, front)) return trace;
   trace.status = LensStatus::ok;
   trace.exit_point = value_of(ray.origin);
   trace.direction = value_of(ray.direction);

@@ -41,6 +41,7 @@ struct StartingPoints {
 
 /// Follows the eye's chief ray of the gaze, a vector of length 1 but for rounding. Without starting points each surface is searched along
 /// the whole ray, for rays of which the program says that they are lost. `no_convergence`: Newton's iteration did not settle to 2^-58.
+/// The lens stands straight, without prism, and its surfaces are spheres, conics or tori.
 ExtendedTrace trace_extended(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m,
                              const std::optional<StartingPoints>& start);
 
