@@ -31,11 +31,15 @@ void add_document(CLI::App& command, CommonOptions& options, const char* what) {
       ->allow_extra_args(false);
 }
 
-void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
-  add_document(command, options, what);
+void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "seed of all random numbers");
   command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
+  add_document(command, options, what);
+  add_run_options(command, options);
 }
 
 /// The commands with their options; `action` is what the chosen one does.
@@ -44,6 +48,7 @@ struct CommandLine {
   CommonOptions common;
   LensOptions lens;
   BlurFieldOptions blurfield;
+  StressOptions stress;
   CompareOptions compare;
   GateOptions gate;
   std::string output, folder, file, schema;
@@ -58,6 +63,7 @@ struct CommandLine {
     add_lens();
     add_blurfield();
     add_render();
+    add_stress();
     add_compare();
     add_gate();
     auto* validate = app.add_subcommand("validate", "check a configuration without running it");
@@ -117,6 +123,18 @@ struct CommandLine {
     add_common_options(*render, common, "view (sturm.render/1)");
     render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
     render->callback([this] { action = [this] { return render_command(common, output); }; });
+  }
+
+  void add_stress() {
+    auto* s = app.add_subcommand("stress", "numerical stability of conoid tracing over random and extreme cases");
+    s->add_option("--cases", stress.cases, "number of cases")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+        ->capture_default_str();
+    s->add_option("--case", stress.replayed, "print this case in full instead: input, results and checks")
+        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40));
+    add_run_options(*s, common);
+    s->add_option("-o,--output", output, "file for the report (sturm.stress_report/1), or for the case");
+    s->callback([this] { action = [this] { return stress_command(common, stress, output); }; });
   }
 
   void add_compare() {
