@@ -18,6 +18,7 @@
 #include "bench/timing.h"
 #include "conoid/blur_field/depth_analytic_field.h"
 #include "conoid/blur_field/voxel_fill.h"
+#include "lensmodel/progressive.h"
 #include "lensmodel/single_vision.h"
 
 namespace sturm::bench {
@@ -207,10 +208,12 @@ void print_table(const std::vector<Figure>& figures, const Options& options, std
 int run(const Options& options) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Setup toric{.name = "toric", .lens = single_vision({-4.0, -2.0, 30.0}, {})};
-  Setup free_form{.name = "free-form"};
-  free_form.lens = toric.lens;
+  ProgressiveDesign design;
+  design.zone_width_m = 10e-3;
+  const Setup free_form{.name = "free-form", .lens = progressive_lens({-4.0, -2.0, 30.0, 12e-3}, design).lens};
   std::vector<Figure> figures;
   bench_lens(toric, 5.0, options.repetitions, figures);
+  bench_lens(free_form, 15.0, options.repetitions, figures);
   bench_look_up(toric, options.repetitions, figures);
   bench_memory(toric, figures);
   bench_growth(toric, options.repetitions, figures);
