@@ -22,11 +22,11 @@ double ratio(double outside, double inside) {
 
 }  // namespace
 
-std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double accommodation_D, const Spectacles* lens,
-                                                          const Eigen::Vector3d& gaze, double distance_m) {
+std::optional<PreviousBlur> previous_blur(const Eye& eye, double accommodation_D, const Spectacles* lens, const Eigen::Vector3d& gaze,
+                                          double distance_m) {
   const double vergence = std::isinf(distance_m) ? 0.0 : 1.0 / distance_m;
   const Eigen::Matrix2d needed = eye.slope_matrix(accommodation_D).matrix(), spherical = -vergence * Eigen::Matrix2d::Identity();
-  if (!lens) return Eigen::Matrix2d(needed - spherical);
+  if (!lens) return PreviousBlur{needed - spherical, {1.0, 1.0}, 1.0};
 
   const Eigen::Vector3d pupil = turned_pupil_center(gaze, eye.rotation_center_m);
   const LensPath path = trace(*lens, {pupil, gaze});
@@ -45,7 +45,13 @@ std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double
   const Eigen::Vector2d out = angles(path.exit.direction), in = angles(gaze);
   const Eigen::Vector2d widening(ratio(out.x(), in.x()), ratio(out.y(), in.y()));
   const double length = 1.0 + vergence * (to_back + to_front);  // path from pupil to object over the distance from the exit point
-  return Eigen::Matrix2d(length * (widening.asDiagonal() * (needed - wave->on(turn.col(0), turn.col(1)).curvature)));
+  return PreviousBlur{needed - wave->on(turn.col(0), turn.col(1)).curvature, widening, length};
+}
+
+std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double accommodation_D, const Spectacles* lens,
+                                                          const Eigen::Vector3d& gaze, double distance_m) {
+  const auto blur = previous_blur(eye, accommodation_D, lens, gaze, distance_m);
+  return blur ? std::optional(blur->angular()) : std::nullopt;
 }
 
 }  // namespace sturm

@@ -85,6 +85,11 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
   return image;
 }
 
+FigureSpec read_figure(const Json& value, const Source& where) {
+  return {value["id"].get<std::string>(), value["title"].get<std::string>(), value.value("caption", ""), value.value("command", ""),
+          existing_file(value["file"], where / "file", "the path of an SVG file")};
+}
+
 Json resolved_experiment(const Json& document) {
   Json resolved = with_defaults(document, "experiment");
   resolved.erase("$schema");
@@ -119,6 +124,17 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     if (std::filesystem::is_regular_file(*spec.baseline)) add_files(spec.input_files, {spec.baseline->string()});
   }
   if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
+  if (document.contains("lens_study")) {
+    require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");
+    spec.lens_study = read_lens_study(document["lens_study"], root / "lens_study");
+    add_files(spec.input_files, spec.lens_study->input_files);
+  }
+  const Json figures = document.value("figures", Json::array());
+  require_unique_ids(figures, root / "figures");
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    spec.figures.push_back(read_figure(figures[i], root / "figures" / i));
+    add_files(spec.input_files, {spec.figures.back().file.string()});
+  }
   const Json psfs = document.value("psfs", Json::array()), images = document.value("images", Json::array());
   require_unique_ids(psfs, root / "psfs");
   require_unique_ids(images, root / "images");

@@ -22,10 +22,12 @@ namespace sturm {
 
 namespace {
 
-/// What a finished part depends on: the resolved spec, the program itself, and the scenes as they were loaded.
+/// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, and the lens files.
 std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) {
   std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
   for (const SceneDescription& scene : scenes) facts += scene_fingerprint(scene);
+  if (spec.lens_study)
+    for (const std::string& lens_file : spec.lens_study->input_files) facts += sha256_of_file(lens_file);
   return sha256(facts);
 }
 
@@ -53,6 +55,22 @@ class Parts {
   bool quiet_;
   double seconds_ = 0.0;
 };
+
+/// The accuracy study, one part per lens.
+Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
+  Json lenses = Json::array();
+  for (const StudyLens& lens : spec.lenses) {
+    lenses.push_back(parts("lens_" + lens.id, "lens " + lens.id,
+                           [&](const ProgressFunction& progress) { return lens_study_of(spec, lens, progress); }));
+    seconds += parts.seconds();
+  }
+  Json field = nullptr;
+  if (spec.field) {
+    field = parts("lens_field", "wide field", [&](const ProgressFunction&) { return field_study(spec, *spec.field); });
+    seconds += parts.seconds();
+  }
+  return lens_study_section(spec, lenses, field);
+}
 
 void append(Json& list, const Json& entries) {
   list.insert(list.end(), entries.begin(), entries.end());
@@ -100,9 +118,14 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
            }));
     seconds["images"] += parts.seconds();
   }
+  if (spec.lens_study) {
+    report["lens_study"] = lens_study(*spec.lens_study, parts, seconds["lens_study"]);
+    append(report["must_fail"], lens_study_mutants(report["lens_study"]));
+  }
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
+  report["verdict"]["lens_sentence"] = spec.lens_study ? lens_study_sentence(report["lens_study"]) : Json(nullptr);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
 
@@ -111,8 +134,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   write_file_atomically(folder.path() / "report.html", render_report_html(report, folder.path()));
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];
-  return {verdict.at("passed"), verdict.at("sentence"),
-          verdict.at("sin2_sentence").is_string() ? verdict.at("sin2_sentence").get<std::string>() : "", folder.path() / "report.html"};
+  std::vector<std::string> findings;
+  for (const char* sentence : {"sin2_sentence", "lens_sentence"})
+    if (verdict.at(sentence).is_string()) findings.push_back(verdict.at(sentence));
+  return {verdict.at("passed"), verdict.at("sentence"), std::move(findings), folder.path() / "report.html"};
 }
 
 }  // namespace sturm
