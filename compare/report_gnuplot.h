@@ -14,4 +14,7 @@ struct PlotFrame {
 /// no XML prolog, no namespace addresses, no fixed fonts. Throws RuntimeFailure if gnuplot is missing or complains.
 std::string gnuplot_svg(std::string_view script, const PlotFrame& frame);
 
+/// The same picture as an SVG file of its own.
+std::string gnuplot_file(std::string_view script, const PlotFrame& frame);
+
 }  // namespace sturm

@@ -16,6 +16,16 @@ namespace {
 /// Below this determinant eq. 11 has lost all but a few digits.
 constexpr double smallest_determinant = 1e-6;
 
+/// A difference of principal curvatures below this share of what it is the difference of is rounding.
+constexpr double relative_isotropy = 1e-10;
+
+/// A section whose semi-axes differ by less than this share is a circle and may have any axes.
+constexpr double relative_roundness = 1e-10;
+
+bool is_circle(const PublishedConoid& c) {
+  return std::abs(std::abs(c.epsilon1) - std::abs(c.epsilon2)) <= relative_roundness * std::max(std::abs(c.epsilon1), std::abs(c.epsilon2));
+}
+
 PrincipalCurvatures principal(const Eigen::Matrix2d& k, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2) {
   const PrincipalValues p = principal_values(k(0, 0), k(0, 1), k(1, 1));
   const Eigen::Vector2d& h = p.high_direction;
@@ -29,8 +39,14 @@ PublishedConoid transferred(const PublishedConoid& c, double distance) {
 std::optional<PublishedConoid> through(const PublishedConoid& c, const Sag& surface, double index_before, double index_behind,
                                        TangentAxes tangent, std::optional<Eq11Failure>& failure) {
   const Eigen::Vector3d normal = outward_normal(surface), t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
-  auto wave = refracted(c.wave, normal, principal(tangent_curvature(surface, t1, t2), t1, t2), index_before, index_behind);
+  const PrincipalCurvatures bend = principal(tangent_curvature(surface, t1, t2), t1, t2);
+  auto wave = refracted(c.wave, normal, bend, index_before, index_behind);
   if (!wave) return std::nullopt;
+  const double size = std::abs(c.wave.kappa1) + std::abs(c.wave.kappa2) + std::abs(bend.kappa1) + std::abs(bend.kappa2);
+  if (std::abs(wave->kappa1 - wave->kappa2) <= relative_isotropy * size && !is_circle(c)) {
+    failure = Eq11Failure::no_axes;
+    return std::nullopt;
+  }
   // Keep the numbers: e'₁ is the one that continues e₁.
   if (std::abs(wave->e1.dot(c.wave.e1)) < std::abs(wave->e2.dot(c.wave.e1))) {
     std::swap(wave->kappa1, wave->kappa2);

@@ -86,6 +86,8 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
 }
 
 FigureSpec read_figure(const Json& value, const Source& where) {
+  if (value["id"].get<std::string>().starts_with("lens_study_"))
+    (where / "id").fail(value["id"], "an id that does not start with \"lens_study_\": those are the run's own");
   return {value["id"].get<std::string>(), value["title"].get<std::string>(), value.value("caption", ""), value.value("command", ""),
           existing_file(value["file"], where / "file", "the path of an SVG file")};
 }

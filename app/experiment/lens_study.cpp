@@ -109,8 +109,14 @@ RealRays real_rays(const Sight& sight, const QuadratureSpec& rule, double vergen
   return result;
 }
 
+bool of_revolution(const Surface& surface) {
+  return std::holds_alternative<SphereSurface>(surface) || std::holds_alternative<ConicSurface>(surface);
+}
+
 const char* word_for(Eq11Failure failure) {
   switch (failure) {
+    case Eq11Failure::no_axes:
+      return "no_axes";
     case Eq11Failure::no_length:
       return "no_length";
     case Eq11Failure::singular:
@@ -143,7 +149,7 @@ Json first_order_json(const std::optional<Eigen::Matrix2d>& map, const Eigen::Ma
 
 /// How far the previous method is from the exact first order once its scaling to the object is replaced by the true one, Q.
 Json unscaled_error(const Sight& sight, const std::optional<PreviousBlur>& previous, const Eigen::Matrix2d& exact, double vergence_D) {
-  if (!previous || !(exact.norm() > 0.0)) return nullptr;
+  if (!previous) return nullptr;
   const Eigen::Matrix2d q = sight.conoid.angular_q(vergence_D);
   // Against the size of what the footprint is the difference of, where the blur itself nearly vanishes.
   return (q * previous->inside - exact).norm() / (exact.norm() + q.norm());
@@ -251,6 +257,7 @@ Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const Progr
   const Prescription& rx = lens.prescription;
   part["lens"] = {{"id", lens.id},
                   {"note", lens.note},
+                  {"lens_of_revolution", of_revolution(lens.lens.front) && of_revolution(lens.lens.back)},
                   {"sphere_D", rx.sphere_D},
                   {"cylinder_D", rx.cylinder_D},
                   {"axis_deg", rx.axis_deg},

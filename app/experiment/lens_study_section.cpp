@@ -40,7 +40,7 @@ double worst_defocus(const Json& section, const std::string& method) {
 
 }  // namespace
 
-Json lens_study_section(const LensStudySpec& spec, const Json& parts, const Json& field) {
+Json assembled_lens_study(const LensStudySpec& spec, const Json& parts, const Json& field) {
   Json section = {{"conditions",
                    {{"radial", spec.quadrature.radial},
                     {"azimuthal", spec.quadrature.azimuthal},

@@ -41,7 +41,7 @@ Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const Progr
 Json field_study(const LensStudySpec& spec, const FieldStudy& field);
 
 /// The section, put together from what the lenses gave; `field` may be null.
-Json lens_study_section(const LensStudySpec& spec, const Json& lenses, const Json& field);
+Json assembled_lens_study(const LensStudySpec& spec, const Json& lenses, const Json& field);
 
 /// The order of convergence again with footprints that are wrong on purpose; each must be noticed. From the finished section.
 Json lens_study_mutants(const Json& section);
