@@ -16,7 +16,8 @@ struct CovarianceError {
 CovarianceError covariance_error(const Eigen::Matrix2d& is, const Eigen::Matrix2d& should);
 
 /// p of an error that grows as size^p, from its values at two sizes. None where either value is not above `rounding`, or of another sign.
-std::optional<double> convergence_order(double error_small, double error_large, double size_small, double size_large, double rounding = 0.0);
+std::optional<double> convergence_order(double error_small, double error_large, double size_small, double size_large,
+                                        double rounding = 0.0);
 
 /// Real-ray covariances at two pupil radii against the first order that they should have.
 struct OrderFit {

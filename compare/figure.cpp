@@ -23,7 +23,8 @@ bool is_svg_file(std::string_view text) {
   const std::size_t element = text.find("<svg");
   if (element == std::string_view::npos || text.find("</svg>", element) == std::string_view::npos) return false;
   const std::string_view tag = text.substr(element, text.find('>', element) - element);
-  return tag.find("\"http://www.w3.org/2000/svg\"") != std::string_view::npos || tag.find("'http://www.w3.org/2000/svg'") != std::string_view::npos;
+  return tag.find("\"http://www.w3.org/2000/svg\"") != std::string_view::npos ||
+         tag.find("'http://www.w3.org/2000/svg'") != std::string_view::npos;
 }
 
 std::string figure_html(const Json& figure, const std::filesystem::path& run_folder) {

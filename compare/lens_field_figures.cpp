@@ -23,14 +23,23 @@ constexpr Series series[] = {{"real_rays", "real rays", "#333333"},
                              {"previous", "previous", "#b8860b"}};
 
 std::string conditions(const Json& field) {
-  return text_at(field, "lens") + ", target at " + (value_at(field, "distance_m") == "inf" ? std::string("infinity") : plain_number(number_at(field, "distance_m").value_or(0.0)) + " m") +
+  return text_at(field, "lens") + ", target at " +
+         (value_at(field, "distance_m") == "inf" ? std::string("infinity")
+                                                 : plain_number(number_at(field, "distance_m").value_or(0.0)) + " m") +
          ", pupil " + plain_number(number_at(field, "pupil_mm").value_or(0.0)) + " mm.";
+}
+
+/// Real rays are measured, so they are points: circles for the major axis, triangles for the minor one.
+std::string look_of(const Series& s, const std::string& dash) {
+  if (s.key != std::string_view("real_rays")) return "lines dt " + dash;
+  return dash == "1" ? "points pt 6 ps 0.8" : "points pt 8 ps 0.8";
 }
 
 std::string rows_of(const Json& field, const char* method, const char* axis) {
   std::string rows;
   for (const Json& point : array_at(field, "points")) {
-    const auto azimuth = number_at(point, "azimuth_deg"), length = number_at(value_at(point, method), std::string("semi_axes_arcmin/") + axis);
+    const auto azimuth = number_at(point, "azimuth_deg"),
+               length = number_at(value_at(point, method), std::string("semi_axes_arcmin/") + axis);
     if (azimuth && length) rows += plain_number(*azimuth, 9) + " " + plain_number(*length, 9) + "\n";
   }
   return rows;
@@ -42,9 +51,10 @@ std::optional<Ellipse> ellipse_of(const Json& entry) {
   return Ellipse{*major, *minor, number_at(entry, "orientation_deg")};
 }
 
-std::string svg_text(double x, double y, const std::string& text, const char* anchor = "start", int size = 13, const char* fill = "#333333") {
-  return "<text x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" font-size=\"" + std::to_string(size) + "\" text-anchor=\"" + anchor +
-         "\" fill=\"" + fill + "\">" + escaped(text) + "</text>\n";
+std::string svg_text(double x, double y, const std::string& text, const char* anchor = "start", int size = 13,
+                     const char* fill = "#333333") {
+  return "<text x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" font-size=\"" + std::to_string(size) + "\" text-anchor=\"" +
+         anchor + "\" fill=\"" + fill + "\">" + escaped(text) + "</text>\n";
 }
 
 }  // namespace
@@ -57,8 +67,8 @@ std::optional<Figure> field_curves(const Json& field) {
       if (rows.empty()) continue;
       const std::string name = std::string("$") + s.key + axis;
       blocks += name + " << END\n" + rows + "END\n";
-      plots += (plots.empty() ? "plot " : ", ") + name + " with " + (std::string(s.key) == "real_rays" ? "points pt 6 ps 0.7" : std::string("lines dt ") + dash) +
-               " lw 1.7 lc rgb '" + s.colour + "' title '" + s.name + ", " + axis_name + "'";
+      plots += (plots.empty() ? "plot " : ", ") + name + " with " + look_of(s, dash) + " lw 1.7 lc rgb '" + s.colour + "' title '" +
+               s.name + ", " + axis_name + "'";
     }
   if (plots.empty()) return std::nullopt;
   const std::string script = R"(
@@ -74,7 +84,9 @@ set key outside right top Left reverse samplen 2 spacing 1.3
   figure.id = "lens_study_field";
   figure.section = "lens_study";
   figure.title = "Wide field: semi-axes of the blur against the gaze";
-  figure.caption = conditions(field) + " The comparison of Kakimoto's Fig. 14, with real rays as the judge: the previous method scales a blur that is right inside by a wrong magnification.";
+  figure.caption = conditions(field) +
+                   " The comparison of Kakimoto's Fig. 14, with real rays as the judge: the previous method scales a blur that is right "
+                   "inside by a wrong magnification.";
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 1120, .height = 430});
   return figure;
 }
@@ -97,17 +109,21 @@ std::optional<Figure> field_ellipses(const Json& field) {
     body += svg_text(4.0, y + 4.0, series[row].name, "start", 13, series[row].colour);
     for (std::size_t column = 0; column < points.size(); ++column) {
       const double x = label_width + cell * (static_cast<double>(column) + 0.5);
-      if (row == 0) body += svg_text(x, head - 14.0, plain_number(number_at(points[column], "azimuth_deg").value_or(0.0)) + "°", "middle", 12, "#5c6670");
+      if (row == 0)
+        body +=
+            svg_text(x, head - 14.0, plain_number(number_at(points[column], "azimuth_deg").value_or(0.0)) + "°", "middle", 12, "#5c6670");
       const auto truth = ellipse_of(value_at(points[column], "real_rays")), e = ellipse_of(value_at(points[column], series[row].key));
       if (truth && row > 0) body += element("g", "fill=\"#d9dde2\" stroke=\"none\"", svg_ellipse(*truth, scale, x, y, "truth"));
       if (e)
-        body += element("g", std::string("fill=\"none\" stroke-width=\"1.8\" stroke=\"") + series[row].colour + "\"", svg_ellipse(*e, scale, x, y, series[row].key));
+        body += element("g", std::string("fill=\"none\" stroke-width=\"1.8\" stroke=\"") + series[row].colour + "\"",
+                        svg_ellipse(*e, scale, x, y, series[row].key));
       else
         body += svg_text(x, y + 4.0, "–", "middle");
     }
   }
   const double bar = round_length_below(0.9 * cell / scale), y = height - 16.0;
-  body += "<path d=\"M" + plain_number(label_width) + " " + plain_number(y) + "h" + plain_number(bar * scale) + "\" stroke=\"#333333\" stroke-width=\"2\"/>\n" +
+  body += "<path d=\"M" + plain_number(label_width) + " " + plain_number(y) + "h" + plain_number(bar * scale) +
+          "\" stroke=\"#333333\" stroke-width=\"2\"/>\n" +
           svg_text(label_width + bar * scale + 8.0, y + 4.0, plain_number(bar) + " arcmin", "start", 12);
   Figure figure;
   figure.id = "lens_study_field_ellipses";

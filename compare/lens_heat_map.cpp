@@ -19,8 +19,8 @@ constexpr SequentialScale scale{1.0, 3.0};
 std::string fill_of(double defocus_D) {
   const DisplayColour colour = sequential_colour(1.0 - 0.85 * position_on(scale, defocus_D));
   char hex[8];
-  std::snprintf(hex, sizeof hex, "#%02x%02x%02x", static_cast<int>(std::lround(255 * colour[0])), static_cast<int>(std::lround(255 * colour[1])),
-                static_cast<int>(std::lround(255 * colour[2])));
+  std::snprintf(hex, sizeof hex, "#%02x%02x%02x", static_cast<int>(std::lround(255 * colour[0])),
+                static_cast<int>(std::lround(255 * colour[1])), static_cast<int>(std::lround(255 * colour[2])));
   return hex;
 }
 
@@ -31,18 +31,20 @@ std::string number_text(double defocus_D) {
   return text;
 }
 
-std::string text(double x, double y, const std::string& content, const char* fill = "#333333", const char* anchor = "middle", int size = 12) {
-  return "<text x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" text-anchor=\"" + anchor + "\" font-size=\"" + std::to_string(size) + "\" fill=\"" +
-         fill + "\">" + escaped(content) + "</text>\n";
+std::string text(double x, double y, const std::string& content, const char* fill = "#333333", const char* anchor = "middle",
+                 int size = 12) {
+  return "<text x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" text-anchor=\"" + anchor + "\" font-size=\"" +
+         std::to_string(size) + "\" fill=\"" + fill + "\">" + escaped(content) + "</text>\n";
 }
 
 std::string cell(double x, double y, const WorstError& worst) {
   const bool matters = worst.defocus_D && *worst.defocus_D > defocus_that_matters_D;
   const double inset = matters ? 1.0 : 0.0;
-  std::string svg = "<rect x=\"" + plain_number(x + inset) + "\" y=\"" + plain_number(y + inset) + "\" width=\"" + plain_number(cell_width - 2.0 * inset) + "\" height=\"" +
-                    plain_number(cell_height - 2.0 * inset) + "\" fill=\"" + (worst.defocus_D ? fill_of(*worst.defocus_D) : "#eceff2") + "\"" +
-                    (matters ? " stroke=\"#b3261e\" stroke-width=\"2\"" : "") + "/>\n";
-  const bool dark = worst.defocus_D && position_on(scale, *worst.defocus_D) > 0.55;
+  std::string svg = "<rect x=\"" + plain_number(x + inset) + "\" y=\"" + plain_number(y + inset) + "\" width=\"" +
+                    plain_number(cell_width - 2.0 * inset) + "\" height=\"" + plain_number(cell_height - 2.0 * inset) + "\" fill=\"" +
+                    (worst.defocus_D ? fill_of(*worst.defocus_D) : "#eceff2") + "\"" +
+                    (matters ? " stroke=\"#000000\" stroke-width=\"2\"" : "") + "/>\n";
+  const bool dark = worst.defocus_D && position_on(scale, *worst.defocus_D) > 0.42;
   return svg + text(x + 0.5 * cell_width, y + 0.5 * cell_height + 4.0,
                     worst.defocus_D ? number_text(*worst.defocus_D) + (worst.without > 0 ? "*" : "") : "–", dark ? "#ffffff" : "#1f2328");
 }
@@ -51,7 +53,8 @@ std::string cell(double x, double y, const WorstError& worst) {
 
 Figure heat_map(const LensStudyErrors& errors, const std::string& lens) {
   const auto &gazes = errors.eccentricities_deg(), &pupils = errors.pupils_mm();
-  const double panel = cell_width * static_cast<double>(pupils.size()), height = top + cell_height * static_cast<double>(gazes.size()) + 40.0;
+  const double panel = cell_width * static_cast<double>(pupils.size()),
+               height = top + cell_height * static_cast<double>(gazes.size()) + 40.0;
   const double width = left + std::size(study_methods) * (panel + gap);
   std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   for (std::size_t m = 0; m < std::size(study_methods); ++m) {
@@ -66,8 +69,10 @@ Figure heat_map(const LensStudyErrors& errors, const std::string& lens) {
         body += cell(x0 + cell_width * static_cast<double>(p), y, errors.at(lens, study_methods[m].key, gazes[g], pupils[p]));
     }
   }
-  body += text(left, height - 14.0,
-               "Largest error against real rays [D] over directions and distances. Red frame: above 0.05 D. *: some views without an ellipse.", "#5c6670", "start");
+  body += text(
+      left, height - 14.0,
+      "Largest error against real rays [D] over directions and distances. Black frame: above 0.05 D. *: some views without an ellipse.",
+      "#5c6670", "start");
   Figure figure;
   figure.id = "lens_study_heat_" + lens;
   figure.section = "lens_study";

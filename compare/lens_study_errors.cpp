@@ -15,7 +15,8 @@ void add_new(std::vector<T>& list, const T& value) {
   if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
 }
 
-void raise(WorstError& worst, const std::optional<double>& defocus_D, const std::optional<double>& half_width_arcmin, const std::string& view) {
+void raise(WorstError& worst, const std::optional<double>& defocus_D, const std::optional<double>& half_width_arcmin,
+           const std::string& view) {
   if (defocus_D && (!worst.defocus_D || *defocus_D > *worst.defocus_D)) {
     worst.defocus_D = defocus_D;
     worst.defocus_view = view;

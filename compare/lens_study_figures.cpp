@@ -1,8 +1,8 @@
 #include "compare/lens_study_figures.h"
 
+#include "compare/lens_convergence_figure.h"
 #include "compare/lens_field_figures.h"
 #include "compare/lens_heat_map.h"
-#include "compare/lens_convergence_figure.h"
 #include "compare/report_json.h"
 
 namespace sturm {

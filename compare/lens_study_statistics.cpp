@@ -18,7 +18,8 @@ void add_orders(const Json& views, Statistics& out) {
   Extreme order, relative, limit;
   for (const Json& view : views) {
     const std::string name = view_name(view);
-    const bool oblique = number_at(view, "eccentricity_deg").value_or(1.0) > 0.0, blurred = number_at(view, "blur_D/0").value_or(1.0) >= least_blur_D;
+    const bool oblique = number_at(view, "eccentricity_deg").value_or(1.0) > 0.0,
+               blurred = number_at(view, "blur_D/0").value_or(1.0) >= least_blur_D;
     if (oblique) order.add(distance_from(number_at(view, "order"), 4.0), name);
     if (oblique && blurred) relative.add(distance_from(number_at(view, "relative_order"), 2.0), name);
     if (blurred) limit.add(number_at(view, "limit_relative"), name);

@@ -93,7 +93,8 @@ constexpr CsvColumn pupil_columns[] = {{"pupil_mm", "pupil_mm"},
                                        {"real_semi_major_arcmin", "real_semi_axes_arcmin/0"},
                                        {"real_semi_minor_arcmin", "real_semi_axes_arcmin/1"}};
 
-constexpr CsvColumn first_order_columns[] = {{"first_order_relative_frobenius", "relative_frobenius"}, {"first_order_defocus_D", "defocus_D"}};
+constexpr CsvColumn first_order_columns[] = {{"first_order_relative_frobenius", "relative_frobenius"},
+                                             {"first_order_defocus_D", "defocus_D"}};
 
 constexpr CsvColumn error_columns[] = {{"relative_frobenius", "relative_frobenius"},
                                        {"semi_major_error_arcmin", "semi_axes_arcmin/0"},

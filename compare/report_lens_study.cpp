@@ -22,20 +22,21 @@ compared with <i>a</i>²/4 <i>X X</i><sup>T</sup> of each method. The error fall
 <tr><th scope="row">first order</th><td>method − ray transfer</td><td>grows as <i>a</i>², stays at every pupil in dioptres</td></tr>
 <tr><th scope="row">truncation</th><td>ray transfer − real rays</td><td>grows as <i>a</i>⁴, the lens's aberration</td></tr></tbody></table>
 <p>Errors are the largest difference of the blur's half-width in any direction, in minutes of arc, or divided by the pupil's radius, in
-dioptres. Quadrature: )" +
+dioptres. The previous method's scaling to the object is our reading of a paper that gives no formula for it; before that scaling it is
+exact. Quadrature: )" +
          count_html(number_at(conditions, "radial")) + " rings of " + count_html(number_at(conditions, "azimuthal")) + " rays.</p>\n";
 }
 
-/// "from 20°" for the smallest eccentricity from which on an error is above its bound; "never".
+/// A bound on the error; the table gives the smallest eccentricity at which it is exceeded.
 struct Threshold {
   const char *title, *unit;
   double bound;
-  std::optional<double> WorstError::* value;
+  std::optional<double> WorstError::*value;
 };
 
 constexpr Threshold thresholds[] = {
-    {"Gaze from which on the error is above 0.05 D", "D", defocus_that_matters_D, &WorstError::defocus_D},
-    {"Gaze from which on the error is above 1 arcmin", "arcmin", blur_that_matters_arcmin, &WorstError::half_width_arcmin}};
+    {"Smallest gaze angle at which the error is above 0.05 D", "D", defocus_that_matters_D, &WorstError::defocus_D},
+    {"Smallest gaze angle at which the error is above 1 arcmin", "arcmin", blur_that_matters_arcmin, &WorstError::half_width_arcmin}};
 
 Cell threshold_cell(const LensStudyErrors& errors, const std::string& lens, const StudyMethod& method, double pupil, const Threshold& t) {
   for (const double eccentricity : errors.eccentricities_deg()) {
@@ -120,17 +121,19 @@ std::string order_table(const Json& section) {
     table.add_row({escaped(id), text_html(text_at(lens, "note")), order.html(), relative.html(), number_html(limit.high, 2),
                    number_html(published.high, 2), number_html(previous.high, 2)});
   }
-  return table.html() + element("p", "", "Relative orders and the limit: views whose larger principal blur is at least " +
-                                             exact_html(least_blur_D) + " D; nearer to focus the first order has next to no width.");
+  return table.html() + element("p", "",
+                                "Relative orders and the limit: views whose larger principal blur is at least " + exact_html(least_blur_D) +
+                                    " D; nearer to focus the first order has next to no width.");
 }
 
 std::string eq11_table(const Json& section) {
-  constexpr const char* outcomes[] = {"no_axes", "singular", "negative", "no_length", "lost"};
+  constexpr const char* outcomes[] = {"no_axes", "singular", "negative", "no_length"};
   std::vector<Column> columns = {{"Gaze from the axis"}, {"Lines of sight"}, {"Chief ray lost"}};
   for (const char* reading : {"axes along e′<sub>1</sub>", "axes in the plane of incidence"})
-    for (const char* outcome : {"no axes", "singular", "E′ not positive", "no length", "lost"})
+    for (const char* outcome : {"no axes", "singular", "E′ not positive", "no length"})
       columns.push_back({std::string(outcome) + "<small>" + reading + "</small>"});
-  HtmlTable table("Where conoid tracing as published has no ellipse: lines of sight by reading of the tangent plane's axes", "compact", columns);
+  HtmlTable table("Where conoid tracing as published has no ellipse: lines of sight by reading of the tangent plane's axes", "compact",
+                  columns);
   std::map<double, std::map<std::string, int>> counts;
   for (const Json& gaze : array_at(section, "gazes")) {
     auto& row = counts[number_at(gaze, "eccentricity_deg").value_or(0.0)];
@@ -145,10 +148,10 @@ std::string eq11_table(const Json& section) {
       for (const char* outcome : outcomes) cells.push_back(count_html(row[std::string(reading) + outcome]));
     table.add_row(cells);
   }
-  return table.html() +
-         element("p", "",
-                 "“No axes”: the wave behind the lens is a plane or a sphere, without principal directions for the ellipse to lie along. It is what a "
-                 "relaxed eye sends out on the axis of the lens that corrects it.");
+  return table.html() + element("p", "",
+                                "“No axes”: the wave behind the lens is a plane or a sphere, without principal directions for the ellipse "
+                                "to lie along. It is what a "
+                                "relaxed eye sends out on the axis of the lens that corrects it.");
 }
 
 }  // namespace
@@ -157,14 +160,15 @@ std::string lens_study_section(const Json& report, const std::filesystem::path& 
   const Json& section = value_at(report, "lens_study");
   if (!section.is_object()) return "";
   const LensStudyErrors errors(section);
-  std::string html = element("h2", "", "Conoid tracing through spectacles against real rays") + explanation(value_at(section, "conditions")) +
-                     largest_table(errors);
-  for (const Threshold& t : thresholds) html += threshold_table(errors, t);
-  html += order_table(section) + eq11_table(section);
-  std::string maps;
+  std::string plots, maps, tables;
   for (const Json& figure : figures_of(report, "lens_study"))
-    (text_at(figure, "id").starts_with("lens_study_heat_") ? maps : html) += figure_html(figure, run_folder);
-  if (!maps.empty()) html += folded("Error by gaze and pupil, one map per lens", maps, true);
+    (text_at(figure, "id").starts_with("lens_study_heat_") ? maps : plots) += figure_html(figure, run_folder);
+  for (const Threshold& t : thresholds)
+    tables += folded(std::string(t.title) + ", by lens, method and pupil", threshold_table(errors, t), true);
+  if (!maps.empty()) maps = folded("Error by gaze and pupil, one map per lens", maps, true);
+  const std::string html = element("h2", "", "Conoid tracing through spectacles against real rays") +
+                           explanation(value_at(section, "conditions")) + largest_table(errors) + tables + maps + order_table(section) +
+                           eq11_table(section) + plots;
   return element("section", "id=\"lens_study\"", html);
 }
 

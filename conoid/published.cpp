@@ -96,8 +96,8 @@ PublishedTrace trace_published_or_why(const Eye& eye, double accommodation_D, co
   const LensPath path = trace(*lens, {center, gaze});
   PublishedTrace result;
   if (path.status != LensStatus::ok) return result;
-  const auto inside = through(transferred(pupil, (path.back_point - center).norm()), path.back_sag, 1.0, lens->refractive_index, tangent,
-                              result.failure);
+  const auto inside =
+      through(transferred(pupil, (path.back_point - center).norm()), path.back_sag, 1.0, lens->refractive_index, tangent, result.failure);
   if (!inside) return result;
   result.conoid = through(transferred(*inside, (path.exit.origin - path.back_point).norm()), path.front_sag, lens->refractive_index, 1.0,
                           tangent, result.failure);

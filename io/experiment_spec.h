@@ -66,8 +66,8 @@ struct ExperimentSpec {
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> reference;  ///< absolute
   std::optional<EllipseExperiment> ellipses;
-  std::vector<PsfExperiment> psfs;                ///< ids are unique
-  std::vector<ImageExperiment> images;            ///< ids are unique
+  std::vector<PsfExperiment> psfs;      ///< ids are unique
+  std::vector<ImageExperiment> images;  ///< ids are unique
   std::optional<LensStudySpec> lens_study;
   std::vector<FigureSpec> figures;                ///< ids are unique
   std::filesystem::path gates;                    ///< absolute

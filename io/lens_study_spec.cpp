@@ -77,7 +77,8 @@ LensStudySpec read_lens_study(const Json& value, const Source& where) {
   if (value.contains("accommodation")) study.accommodation = read_accommodation(value["accommodation"], where / "accommodation");
   if (std::holds_alternative<BestAccommodation>(study.accommodation))
     (where / "accommodation")
-        .fail(value["accommodation"], "\"relaxed\" or \"fixed\": methods that accommodate differently cannot be told from methods that trace differently");
+        .fail(value["accommodation"],
+              "\"relaxed\" or \"fixed\": methods that accommodate differently cannot be told from methods that trace differently");
   const Json rule = value.value("quadrature", Json::object());
   study.quadrature = {rule.value("radial", 10), rule.value("azimuthal", 40)};
   const Json& lenses = value["lenses"];

@@ -61,7 +61,7 @@ struct Sight {
   double accommodation_D;
   Eigen::Vector3d gaze;
   SpectacleConoid conoid;
-  std::optional<LensView> lens;  ///< where the chief ray comes through
+  std::optional<LensView> lens;             ///< where the chief ray comes through
   std::array<PublishedTrace, 2> published;  ///< by TangentAxes::principal and ::incidence
 
   /// Maps X/d [rad/m] of the three methods on the conoid's axes across the outgoing chief ray.
@@ -156,8 +156,8 @@ Json unscaled_error(const Sight& sight, const std::optional<PreviousBlur>& previ
 }
 
 /// What the same pair of covariances says about footprints that are wrong on purpose.
-Json mutant_orders(const Sight& sight, const Eigen::Matrix2d& mirrored, double vergence_D, const Eigen::Matrix2d& small, double small_radius_m,
-                   const Eigen::Matrix2d& large, double large_radius_m) {
+Json mutant_orders(const Sight& sight, const Eigen::Matrix2d& mirrored, double vergence_D, const Eigen::Matrix2d& small,
+                   double small_radius_m, const Eigen::Matrix2d& large, double large_radius_m) {
   const auto order = [&](const std::optional<Eigen::Matrix2d>& x) -> Json {
     return x ? number_or_null(fit_orders(*x, small, small_radius_m, large, large_radius_m).absolute) : Json(nullptr);
   };
@@ -186,13 +186,14 @@ Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& si
     const auto against_rays = [&](const std::optional<Eigen::Matrix2d>& map) -> Json {
       return map && rays.covariance ? error_json(covariance_of_disc_image(*map, a), *rays.covariance, a) : Json(nullptr);
     };
-    pupils.push_back({{"pupil_mm", 1e3 * diameter},
-                      {"rays_lost", rays.lost},
-                      {"real_semi_axes_arcmin", rays.covariance ? semi_axes_json(Ellipse::of_second_moments(*rays.covariance), arcminutes_per_radian)
-                                                                : Json(nullptr)},
-                      {"ray_transfer", against_rays(exact)},
-                      {"published", against_rays(published)},
-                      {"previous", against_rays(previous ? std::optional(previous->angular()) : std::nullopt)}});
+    pupils.push_back(
+        {{"pupil_mm", 1e3 * diameter},
+         {"rays_lost", rays.lost},
+         {"real_semi_axes_arcmin",
+          rays.covariance ? semi_axes_json(Ellipse::of_second_moments(*rays.covariance), arcminutes_per_radian) : Json(nullptr)},
+         {"ray_transfer", against_rays(exact)},
+         {"published", against_rays(published)},
+         {"previous", against_rays(previous ? std::optional(previous->angular()) : std::nullopt)}});
   }
   OrderFit fit;
   Json mutants = {{"published_as_exact", nullptr}, {"mirrored_gaze", nullptr}};
@@ -281,8 +282,8 @@ Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
       point["real_rays"] = ellipse_json(real_rays(sight, spec.quadrature, vergence, a).covariance);
       point["ray_transfer"] = ellipse_json(covariance(sight.exact(vergence)));
       point["published"] = ellipse_json(covariance(sight.as_published(vergence)));
-      point["previous"] = ellipse_json(
-          covariance(previous_angular_footprint(sight.eye, sight.accommodation_D, &lens.lens, sight.gaze, field.distance_m)));
+      point["previous"] =
+          ellipse_json(covariance(previous_angular_footprint(sight.eye, sight.accommodation_D, &lens.lens, sight.gaze, field.distance_m)));
     }
     points.push_back(std::move(point));
   }

@@ -58,8 +58,10 @@ Json assembled_lens_study(const LensStudySpec& spec, const Json& parts, const Js
 }
 
 Json lens_study_mutants(const Json& section) {
-  return {mutant(section, "published_as_exact", "eq. 11 was passed off as the exact first order in the fit of the order", "mutant_orders/published_as_exact"),
-          mutant(section, "mirrored_gaze", "the footprint was traced for the gaze mirrored left to right; the real rays were not", "mutant_orders/mirrored_gaze")};
+  return {mutant(section, "published_as_exact", "eq. 11 was passed off as the exact first order in the fit of the order",
+                 "mutant_orders/published_as_exact"),
+          mutant(section, "mirrored_gaze", "the footprint was traced for the gaze mirrored left to right; the real rays were not",
+                 "mutant_orders/mirrored_gaze")};
 }
 
 Json lens_study_sentence(const Json& section) {
@@ -78,12 +80,14 @@ Json lens_study_sentence(const Json& section) {
     failed += !word.empty() && word != "ok";
   }
   char text[768];
-  std::snprintf(text, sizeof text,
-                "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its truncation alone, which falls with the pupil to the "
-                "power %.2f to %.2f and is at most %.2g D at the widest pupil; eq. 11 as published has no solution in %zu of %zu gazes and errs by "
-                "up to %.2g D in the others, the previous method by up to %.2g D.",
-                array_at(section, "lenses").size(), array_at(section, "views").size(), lowest, highest, worst_defocus(section, "ray_transfer"), failed,
-                traced, worst_defocus(section, "published"), worst_defocus(section, "previous"));
+  std::snprintf(
+      text, sizeof text,
+      "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its truncation alone, which falls with "
+      "the pupil to the "
+      "power %.2f to %.2f and is at most %.2g D at the widest pupil; eq. 11 as published has no solution in %zu of %zu gazes and errs by "
+      "up to %.2g D in the others, the previous method by up to %.2g D.",
+      array_at(section, "lenses").size(), array_at(section, "views").size(), lowest, highest, worst_defocus(section, "ray_transfer"),
+      failed, traced, worst_defocus(section, "published"), worst_defocus(section, "previous"));
   return text;
 }
 

@@ -64,8 +64,8 @@ class Parts {
 Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
   Json lenses = Json::array();
   for (const StudyLens& lens : spec.lenses) {
-    lenses.push_back(parts("lens_" + lens.id, "lens " + lens.id,
-                           [&](const ProgressFunction& progress) { return lens_study_of(spec, lens, progress); }));
+    lenses.push_back(
+        parts("lens_" + lens.id, "lens " + lens.id, [&](const ProgressFunction& progress) { return lens_study_of(spec, lens, progress); }));
     seconds += parts.seconds();
   }
   Json field = nullptr;
