@@ -39,9 +39,9 @@ struct Statistic {
 /// | lens_order_max_deviation | lens study, oblique views: largest abs(order of the absolute covariance error in the pupil − 4) |
 /// | lens_relative_order_max_deviation | there, views whose larger blur is at least 0.5 D: largest abs(relative order − 2) |
 /// | lens_limit_max_relative | views of at least 0.5 D: real rays extrapolated to the pupil 0 against ray transfer, relative Frobenius |
-/// | lens_published_revolution_max_D | `published` against exact first order on the axis of lenses of revolution, and everywhere where the
-/// | | | eye has no cylinder either | | lens_published_min_of_largest_D | smallest over the other lenses of the largest first-order error
-/// of `published` | | lens_previous_unscaled_max | `previous` with the true magnification in place of its own, against exact first order |
+/// | lens_published_revolution_max_D | first-order error of `published`: on the axis of lenses of revolution, all views of a round eye's |
+/// | lens_published_min_of_largest_D | smallest over the other lenses of the largest first-order error of `published` |
+/// | lens_previous_unscaled_max | `previous` with the true magnification in place of its own, against exact first order |
 /// | lens_previous_min_of_largest_D | smallest over all lenses of the largest first-order error of `previous` |
 /// | must_fail/ID | the statistic that mutant ID was to spoil |
 /// | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one says that it did not fail |
