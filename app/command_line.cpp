@@ -90,6 +90,14 @@ struct CommandLine {
     l->add_option("--rotation-center-mm", lens.rotation_center_mm, "the eye's centre of rotation behind its pupil [mm]")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
+    l->add_option("--map", lens.map_file, "picture of mean power error and cylinder over the lens, as worn (.svg or .png)");
+    l->add_option("--defocus-map", lens.defocus_map_file, "picture of what the eye lacks for targets at given distances (.svg or .png)");
+    l->add_option("--target-distance-m", lens.target_distances_m, "of the defocus map, up to four [m]; inf = far away")
+        ->expected(1, 4)
+        ->capture_default_str();
+    l->add_option("--amplitude-D", lens.amplitude_D, "of the eye's accommodation, for the defocus map [D]")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
     l->add_option("-o,--output", output, "file instead of standard output");
     l->callback([this] { action = [this] { return lens_command(common, lens, output); }; });
   }

@@ -26,6 +26,9 @@ struct CompareOptions {
 struct LensOptions {
   std::string azimuths_deg = "-40:40:10", elevations_deg = "-40:40:10";  ///< FIRST:LAST:STEP, or one angle
   double rotation_center_mm = 13.5;                                      ///< behind the pupil
+  std::string map_file, defocus_map_file;                                ///< .svg or .png; "" = none
+  std::vector<std::string> target_distances_m{"0.4"};                    ///< of the defocus map: > 0 or "inf"
+  double amplitude_D = 0.0;                                              ///< of accommodation, for the defocus map
 };
 
 struct GateOptions {

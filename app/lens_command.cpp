@@ -1,14 +1,18 @@
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/lens_maps.h"
 #include "app/lens_stage.h"
+#include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/schema.h"
 #include "io/spectacles_spec.h"
 #include "lensmodel/units.h"
+#include "lensmodel/vertex_power.h"
 
 namespace sturm {
 
@@ -44,12 +48,44 @@ std::vector<double> angles(const std::string& text, const char* option) {
   return result;
 }
 
-Spectacles read_lens(const Json& document, const std::string& file) {
+SpectaclesSpec read_lens(const Json& document, const std::string& file) {
   if (format_of(document, file) != "spectacles") Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");
   validate(document, "spectacles", file);
-  if (const auto made = document.find("single_vision"); made != document.end() && !made->contains("prescription"))
-    throw InputError(file, "/single_vision", "no \"prescription\"", "\"prescription\": there is no eye here to take it from");
-  return read_spectacles(document, {file, ""}, Eye{}).lens.value();
+  for (const char* maker : {"single_vision", "progressive"})
+    if (const auto made = document.find(maker); made != document.end() && !made->contains("prescription"))
+      throw InputError(file, std::string("/") + maker, "no \"prescription\"", "\"prescription\": there is no eye here to take it from");
+  return read_spectacles(document, {file, ""}, Eye{});
+}
+
+/// The power that the lens was made for, or has on its axis.
+PowerMatrix nominal_power(const SpectaclesSpec& spec, const std::string& file) {
+  if (spec.made_for) return PowerMatrix::from(*spec.made_for);
+  const auto power = vertex_power(*spec.lens).back_vertex;
+  if (!power)
+    throw InputError(file, "", "a lens whose focal line lies in its back vertex", "a lens with a back vertex power to compare a map with");
+  return *power;
+}
+
+/// Throws where a picture could not be written as named.
+void check_picture_name(const std::string& name, const char* option) {
+  if (!name.empty() && !name.ends_with(".svg") && !name.ends_with(".png"))
+    throw InputError("", option, "\"" + name + "\"", "a file name that ends in .svg or .png");
+}
+
+std::vector<double> distances(const std::vector<std::string>& texts) {
+  std::vector<double> result;
+  for (const std::string& text : texts) {
+    double value = std::numeric_limits<double>::infinity();
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text != "inf" && (error != std::errc() || stop != text.data() + text.size() || !(value >= 1e-3 && value <= 1e6)))
+      throw InputError("", "--target-distance-m", "\"" + text + "\"", "a distance from 0.001 to 1e6 m, or inf");
+    result.push_back(value);
+  }
+  return result;
+}
+
+void write_picture(const std::string& name, const std::vector<LensMap>& maps) {
+  write_file_atomically(name, name.ends_with(".png") ? lens_map_png_file(maps) : lens_map_svg_file(maps));
 }
 
 }  // namespace
@@ -59,7 +95,22 @@ int lens_command(const CommonOptions& options, const LensOptions& lens, const st
   query.azimuths_deg = angles(lens.azimuths_deg, "--azimuth-deg");
   query.elevations_deg = angles(lens.elevations_deg, "--elevation-deg");
   query.rotation_center_m = metres_per_millimetre * lens.rotation_center_mm;
-  query.lens = read_lens(load_configuration(options), options.file);
+  check_picture_name(lens.map_file, "--map");
+  check_picture_name(lens.defocus_map_file, "--defocus-map");
+  const std::vector<double> targets = distances(lens.target_distances_m);
+  const SpectaclesSpec spec = read_lens(load_configuration(options), options.file);
+  query.lens = spec.lens.value();
+  query.material = spec.material;
+  query.fits = spec.fits;
+  if (!lens.map_file.empty())
+    write_picture(lens.map_file, as_worn_maps(query.lens, nominal_power(spec, options.file), query.rotation_center_m));
+  if (!lens.defocus_map_file.empty()) {
+    const PowerMatrix correction = nominal_power(spec, options.file).moved_towards_eye(query.lens.vertex_distance_m);
+    std::vector<LensMap> maps;
+    for (const double distance : targets)
+      maps.push_back(defocus_map(query.lens, correction, query.rotation_center_m, distance, lens.amplitude_D));
+    write_picture(lens.defocus_map_file, maps);
+  }
   write_result(lens_report(query), output);
   return 0;
 }

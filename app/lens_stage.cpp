@@ -70,12 +70,32 @@ Json gaze_json(const LensQuery& query, const std::optional<PowerMatrix>& nominal
   }
   // Steep lenses can bend a ray by a right angle and more; it has no prism then.
   const bool forward = worn.deviation_rad < 90.0 * radians_per_degree;
-  result["prism"] = {{"deviation_deg", worn.deviation_rad / radians_per_degree},
-                     {"prism_cm_per_m", forward ? Json(worn.prism_cm_per_m()) : Json(nullptr)},
-                     {"base_deg", number_or_null(worn.base_deg)}};
+  result["prism"] = {
+      {"deviation_deg", worn.deviation_rad / radians_per_degree},
+      {"prism_cm_per_m", forward ? Json(worn.prism_cm_per_m()) : Json(nullptr)},
+      {"chromatic_cm_per_m", forward && query.material ? Json(worn.prism_cm_per_m() / query.material->abbe_number) : Json(nullptr)},
+      {"base_deg", number_or_null(worn.base_deg)}};
   result["power"] = power_json(worn.power);
   result["error"] = error_json(worn.power, nominal);
   if (!worn.power) result["status"] = "undefined";
+  return result;
+}
+
+Json material_json(const std::optional<LensMaterial>& material) {
+  if (!material) return nullptr;
+  return {{"name", material->name}, {"abbe_number", material->abbe_number}};
+}
+
+Json fits_json(const std::vector<FreeFormFit>& fits) {
+  constexpr double micrometres = 1e6;
+  Json result = Json::array();
+  for (const FreeFormFit& fit : fits)
+    result.push_back(
+        {{"side", fit.side},
+         {"knot_spacing_mm", {fit.knot_spacing.x() / metres_per_millimetre, fit.knot_spacing.y() / metres_per_millimetre}},
+         {"height_residual_um",
+          fit.height ? Json{{"rms", micrometres * fit.height->rms}, {"max", micrometres * fit.height->max}} : Json(nullptr)},
+         {"power_residual_D", fit.power ? Json{{"mean", fit.power->mean_D}, {"cylinder", fit.power->cylinder_D}} : Json(nullptr)}});
   return result;
 }
 
@@ -89,6 +109,7 @@ Json lens_report(const LensQuery& query) {
     for (const double azimuth : query.azimuths_deg) gazes.push_back(gaze_json(query, power.back_vertex, azimuth, elevation));
   return {{"format", "sturm.lens_report/1"},
           {"refractive_index", lens.refractive_index},
+          {"material", material_json(query.material)},
           {"vertex_distance_mm", lens.vertex_distance_m / metres_per_millimetre},
           {"diameter_mm", lens.diameter_m / metres_per_millimetre},
           {"rotation_center_mm", query.rotation_center_m / metres_per_millimetre},
@@ -96,6 +117,7 @@ Json lens_report(const LensQuery& query) {
           {"back", with_principal_powers(power.back)},
           {"back_vertex", with_principal_powers(power.back_vertex)},
           {"thickness", thickness_json(lens)},
+          {"free_form", fits_json(query.fits)},
           {"gazes", std::move(gazes)}};
 }
 

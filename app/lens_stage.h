@@ -2,14 +2,16 @@
 #include <vector>
 
 #include "io/json.h"
-#include "lensmodel/spectacles.h"
+#include "io/spectacles_spec.h"
 
 namespace sturm {
 
 /// A lens and the gazes to look through it: all pairs of azimuth (to the wearer's right) and elevation (up), |angle| ≤ 89°.
 struct LensQuery {
   Spectacles lens;
-  double rotation_center_m = 13.5e-3;  ///< behind the pupil
+  std::optional<LensMaterial> material;  ///< if known: for its dispersion
+  std::vector<FreeFormFit> fits;         ///< to be reported
+  double rotation_center_m = 13.5e-3;    ///< behind the pupil
   std::vector<double> azimuths_deg, elevations_deg;
 };
 

@@ -82,8 +82,9 @@ std::string for_inline_use(std::string svg, const PlotFrame& frame) {
   // gnuplot gives each curve an id, some of them twice; nothing refers to those. Several plots share the page, so the ids that are
   // needed must not meet.
   svg = std::regex_replace(svg, std::regex(R"re(\sid="gnuplot_[^"]*")re"), "");
-  svg = std::regex_replace(svg, std::regex(R"re((\sid=|href=)(['"])(#?))re"), "$1$2$3" + frame.id + "-");
+  svg = std::regex_replace(svg, std::regex(R"re((\sid=['"]|href=['"]#))re"), "$1" + frame.id + "-");
   svg = std::regex_replace(svg, std::regex(R"re(url\(#)re"), "url(#" + frame.id + "-");
+  svg = std::regex_replace(svg, std::regex("<title>gnuplot_plot_[^<]*</title>"), "");
   svg = std::regex_replace(svg, std::regex("<title>Gnuplot</title>\\s*<desc>[^<]*</desc>"), "");
   return svg.insert(4, " class=\"plot\" role=\"img\" aria-label=\"" + escaped(frame.label) + "\"") + "\n";
 }
@@ -98,6 +99,12 @@ std::string gnuplot_file(std::string_view script, const PlotFrame& frame) {
 
 std::string gnuplot_svg(std::string_view script, const PlotFrame& frame) {
   return for_inline_use(gnuplot_file(script, frame), frame);
+}
+
+std::string gnuplot_png(std::string_view script, const PlotFrame& frame) {
+  const std::string setup = "set encoding utf8\nset terminal pngcairo size " + std::to_string(2 * frame.width) + "," +
+                            std::to_string(2 * frame.height) + " enhanced font \"sans-serif,13\" fontscale 1.5 linewidth 2 pointscale 2\n";
+  return run_gnuplot(setup + std::string(script) + "\n");
 }
 
 }  // namespace sturm

@@ -17,4 +17,7 @@ std::string gnuplot_svg(std::string_view script, const PlotFrame& frame);
 /// The same picture as an SVG file of its own.
 std::string gnuplot_file(std::string_view script, const PlotFrame& frame);
 
+/// The same plot as a PNG file, at twice the natural size.
+std::string gnuplot_png(std::string_view script, const PlotFrame& frame);
+
 }  // namespace sturm

@@ -10,8 +10,8 @@ namespace sturm {
 namespace {
 
 /// A wave that comes in through a surface of the lens: normal and curvature are turned round.
-std::optional<Wavefront> inward(const Wavefront& wave, const Sag& surface, double index_before, double index_behind) {
-  const auto at = Interface::refracting(wave.direction, -outward_normal(surface), index_before, index_behind);
+std::optional<Wavefront> inward(const Wavefront& wave, const SurfaceElement& surface, double index_before, double index_behind) {
+  const auto at = Interface::refracting(wave.direction, -surface.normal, index_before, index_behind);
   if (!at) return std::nullopt;
   return through(wave, *at, -tangent_curvature(surface, at->u, at->tangent));
 }
@@ -35,9 +35,9 @@ std::optional<PreviousBlur> previous_blur(const Eye& eye, double accommodation_D
 
   const Eigen::Matrix3d outside = smallest_rotation({0.0, 0.0, -1.0}, path.exit.direction),
                         turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
-  auto wave = inward({-path.exit.direction, outside.col(0), outside.col(1), spherical}, path.front_sag, 1.0, lens->refractive_index);
+  auto wave = inward({-path.exit.direction, outside.col(0), outside.col(1), spherical}, path.front, 1.0, lens->refractive_index);
   if (wave) wave = transferred(*wave, to_front);
-  if (wave) wave = inward(*wave, path.back_sag, lens->refractive_index, 1.0);
+  if (wave) wave = inward(*wave, path.back, lens->refractive_index, 1.0);
   if (wave) wave = transferred(*wave, to_back);
   if (!wave) return std::nullopt;  // a focus exactly at a surface or the pupil, where V is infinite
 

@@ -36,9 +36,9 @@ PublishedConoid transferred(const PublishedConoid& c, double distance) {
   return {transferred(c.wave, distance), (1.0 - distance * c.wave.kappa1) * c.epsilon1, (1.0 - distance * c.wave.kappa2) * c.epsilon2};
 }
 
-std::optional<PublishedConoid> through(const PublishedConoid& c, const Sag& surface, double index_before, double index_behind,
+std::optional<PublishedConoid> through(const PublishedConoid& c, const SurfaceElement& surface, double index_before, double index_behind,
                                        TangentAxes tangent, std::optional<Eq11Failure>& failure) {
-  const Eigen::Vector3d normal = outward_normal(surface), t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
+  const Eigen::Vector3d normal = surface.normal, t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
   const PrincipalCurvatures bend = principal(tangent_curvature(surface, t1, t2), t1, t2);
   auto wave = refracted(c.wave, normal, bend, index_before, index_behind);
   if (!wave) return std::nullopt;
@@ -97,9 +97,9 @@ PublishedTrace trace_published_or_why(const Eye& eye, double accommodation_D, co
   PublishedTrace result;
   if (path.status != LensStatus::ok) return result;
   const auto inside =
-      through(transferred(pupil, (path.back_point - center).norm()), path.back_sag, 1.0, lens->refractive_index, tangent, result.failure);
+      through(transferred(pupil, (path.back_point - center).norm()), path.back, 1.0, lens->refractive_index, tangent, result.failure);
   if (!inside) return result;
-  result.conoid = through(transferred(*inside, (path.exit.origin - path.back_point).norm()), path.front_sag, lens->refractive_index, 1.0,
+  result.conoid = through(transferred(*inside, (path.exit.origin - path.back_point).norm()), path.front, lens->refractive_index, 1.0,
                           tangent, result.failure);
   return result;
 }

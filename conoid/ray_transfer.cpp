@@ -20,7 +20,7 @@ RayTransfer on_frame(const RayTransfer& rays, const Eigen::Vector3d& f1, const E
           change * rays.slope_from_slope};
 }
 
-RayTransfer through(const RayTransfer& rays, const Interface& at, const Sag& surface) {
+RayTransfer through(const RayTransfer& rays, const Interface& at, const SurfaceElement& surface) {
   const RayTransfer in = on_frame(rays, at.u, at.v);
   const Eigen::Matrix2d bend = at.gamma * tangent_curvature(surface, at.u, at.tangent);
   const Eigen::Vector2d c(1.0, at.cos_in), c_inverse(1.0, 1.0 / at.cos_in), out(1.0, at.cos_out), out_inverse(1.0, 1.0 / at.cos_out);

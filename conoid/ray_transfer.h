@@ -35,6 +35,6 @@ RayTransfer transferred(const RayTransfer& rays, double distance);
 RayTransfer on_frame(const RayTransfer& rays, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2);
 
 /// Behind a surface: A' = C'C⁻¹A, B' = C'⁻¹(μ C B − γ K_s C⁻¹A). The result stands on (u, v_out).
-RayTransfer through(const RayTransfer& rays, const Interface& at, const Sag& surface);
+RayTransfer through(const RayTransfer& rays, const Interface& at, const SurfaceElement& surface);
 
 }  // namespace sturm

@@ -27,15 +27,15 @@ SpectacleConoid trace_conoid(const Spectacles& lens, const Eigen::Vector3d& gaze
   conoid.chief_ray = path.exit;
 
   RayTransfer rays = transferred(RayTransfer::start(gaze, turn * x, turn * y), (path.back_point - pupil).norm());
-  const auto back = Interface::refracting(gaze, outward_normal(path.back_sag), 1.0, lens.refractive_index);
-  rays = transferred(through(rays, back.value(), path.back_sag), (path.exit.origin - path.back_point).norm());
-  const auto front = Interface::refracting(rays.direction, outward_normal(path.front_sag), lens.refractive_index, 1.0);
+  const auto back = Interface::refracting(gaze, path.back.normal, 1.0, lens.refractive_index);
+  rays = transferred(through(rays, back.value(), path.back), (path.exit.origin - path.back_point).norm());
+  const auto front = Interface::refracting(rays.direction, path.front.normal, lens.refractive_index, 1.0);
   if (!front) {  // within rounding of the critical angle, where the chief ray just passed
     conoid.status = LensStatus::total_internal_reflection;
     return conoid;
   }
   const Eigen::Matrix3d out = smallest_rotation(ahead, path.exit.direction);
-  conoid.exit = on_frame(through(rays, *front, path.front_sag), out * x, out * y);
+  conoid.exit = on_frame(through(rays, *front, path.front), out * x, out * y);
   return conoid;
 }
 

@@ -24,7 +24,7 @@ Wavefront through(const Wavefront& wave, const Interface& at, const Eigen::Matri
   return {at.direction_out, at.u, at.v_out, out.asDiagonal() * on_surface * out.asDiagonal()};
 }
 
-Wavefront through(const Wavefront& wave, const Interface& at, const Sag& surface) {
+Wavefront through(const Wavefront& wave, const Interface& at, const SurfaceElement& surface) {
   return through(wave, at, tangent_curvature(surface, at.u, at.tangent));
 }
 

@@ -23,7 +23,7 @@ std::optional<Wavefront> transferred(const Wavefront& wave, double distance);
 
 /// Behind a surface whose frames and directions are `at`: C'K'C' = μ C K C + γ K_s; also a reflection. The result stands on
 /// (u, v_out). [Kakimoto2010] eqs. 2–6 in matrix form
-Wavefront through(const Wavefront& wave, const Interface& at, const Sag& surface);
+Wavefront through(const Wavefront& wave, const Interface& at, const SurfaceElement& surface);
 
 /// The same with the surface's curvature given on (u, n × u) [1/m], positive where its centre lies ahead of the wave.
 Wavefront through(const Wavefront& wave, const Interface& at, const Eigen::Matrix2d& surface_curvature);

@@ -46,6 +46,10 @@ Prescription read_prescription(const Json& value, const Source& where) {
     throw InputError(where.file, where.pointer, "no \"axis_deg\"", "the AXIS of the cylinder [deg], from 0 to 180");
   rx.axis_deg = value.value("axis_deg", rx.axis_deg);
   rx.vertex_distance_m = metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm);
+  rx.prism_cm_per_m = value.value("prism_cm_per_m", 0.0);
+  rx.prism_base_deg = value.value("prism_base_deg", 0.0);
+  if (rx.prism_cm_per_m != 0.0 && !value.contains("prism_base_deg"))
+    throw InputError(where.file, where.pointer, "no \"prism_base_deg\"", "the base of the prism [deg], from 0 to 360");
   try {
     validate(rx);
     power_at_cornea(rx);

@@ -7,14 +7,28 @@ namespace sturm {
 
 namespace {
 
-constexpr int meridians = 360;  // over half a turn: every surface looks the same after the other half
+constexpr int meridians = 720;  // over a whole turn: free-form surfaces and prisms look the same only after that
+
+/// Height of the back surface in the lens's frame: where the parallel to the lens's axis meets it, turned or not.
+std::optional<double> back_height(const Spectacles& lens, double x, double y) {
+  if (!lens.mounting.has_wedge()) {
+    const auto there = sag(lens.back, x, y);
+    return there ? std::optional(there->value) : std::nullopt;
+  }
+  const Eigen::Matrix3d turn = lens.mounting.lens_from_back().transpose();
+  const double start = lens.diameter_m;  // on the eye's side of any back surface within its rim
+  const SurfaceHit hit =
+      intersect(lens.back, {turn * Eigen::Vector3d(x, y, start), turn * Eigen::Vector3d(0.0, 0.0, -1.0)}, 0.75 * lens.diameter_m);
+  return hit.status == LensStatus::ok ? std::optional(start - hit.distance) : std::nullopt;
+}
 
 /// None where a surface does not reach.
 std::optional<double> thickness_at(const Spectacles& lens, double radius, double angle) {
   const double x = radius * std::cos(angle), y = radius * std::sin(angle);
-  const auto back = sag(lens.back, x, y), front = sag(lens.front, x, y);
+  const auto back = back_height(lens, x, y);
+  const auto front = sag(lens.front, x, y);
   if (!back || !front) return std::nullopt;
-  return lens.center_thickness_m + back->value - front->value;  // z > 0 lies towards the eye
+  return lens.center_thickness_m + *back - front->value;  // z > 0 lies towards the eye
 }
 
 /// Least value of f in [low, high], where it has one minimum, by golden section to the rounding of its argument.
@@ -38,7 +52,7 @@ double least(Function&& f, double low, double high) {
 }  // namespace
 
 std::optional<ThicknessRange> thickness_around(const Spectacles& lens, double radius) {
-  constexpr double step = std::numbers::pi / meridians;
+  constexpr double step = 2.0 * std::numbers::pi / meridians;
   ThicknessRange range{HUGE_VAL, -HUGE_VAL};
   int thinnest = 0, thickest = 0;
   for (int i = 0; i < meridians; ++i) {

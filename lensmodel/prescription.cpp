@@ -20,12 +20,18 @@ double folded_axis_deg(double axis_deg) {
 }
 
 Prescription transposed(const Prescription& rx) {
-  return {rx.sphere_D + rx.cylinder_D, -rx.cylinder_D, folded_axis_deg(rx.axis_deg + 90.0), rx.vertex_distance_m};
+  Prescription result = rx;
+  result.sphere_D = rx.sphere_D + rx.cylinder_D;
+  result.cylinder_D = -rx.cylinder_D;
+  result.axis_deg = folded_axis_deg(rx.axis_deg + 90.0);
+  return result;
 }
 
 Prescription in_minus_cylinder_form(const Prescription& rx) {
   if (rx.cylinder_D > 0.0) return transposed(rx);
-  return {rx.sphere_D, rx.cylinder_D, rx.cylinder_D == 0.0 ? 180.0 : folded_axis_deg(rx.axis_deg), rx.vertex_distance_m};
+  Prescription result = rx;
+  result.axis_deg = rx.cylinder_D == 0.0 ? 180.0 : folded_axis_deg(rx.axis_deg);
+  return result;
 }
 
 void validate(const Prescription& rx) {
@@ -33,6 +39,8 @@ void validate(const Prescription& rx) {
   require_range("cylinder [D]", rx.cylinder_D, -40.0, 40.0);
   require_range("axis [deg]", rx.axis_deg, 0.0, 180.0);
   require_range("vertex distance [m]", rx.vertex_distance_m, 0.0, 0.05);
+  require_range("prism [cm/m]", rx.prism_cm_per_m, 0.0, 40.0);
+  require_range("base of the prism [deg]", rx.prism_base_deg, 0.0, 360.0);
 }
 
 }  // namespace sturm

@@ -9,6 +9,8 @@ struct Prescription {
   double cylinder_D = 0.0;         ///< cylinder [D], either sign; acts across the AXIS
   double axis_deg = 180.0;         ///< TABO (ISO 8429) [°], counter-clockwise as an examiner faces the wearer; 0 means 180
   double vertex_distance_m = 0.0;  ///< distance from lens to cornea [m]; 0 = stated at the cornea
+  double prism_cm_per_m = 0.0;     ///< prism [Δ], ≥ 0; without effect on the power
+  double prism_base_deg = 0.0;     ///< its base, 0 ≤ base < 360, counter-clockwise as an examiner faces the wearer
 
   double spherical_equivalent_D() const { return sphere_D + 0.5 * cylinder_D; }
 };
@@ -23,7 +25,7 @@ Prescription in_minus_cylinder_form(const Prescription& rx);
 double folded_axis_deg(double axis_deg);
 
 /// Throws std::invalid_argument unless every number is finite, |sphere| and |cylinder| are at most 40 D,
-/// 0 ≤ AXIS ≤ 180 and 0 ≤ vertex distance ≤ 50 mm.
+/// 0 ≤ AXIS ≤ 180, 0 ≤ vertex distance ≤ 50 mm, 0 ≤ prism ≤ 40 Δ and 0 ≤ base ≤ 360.
 void validate(const Prescription& rx);
 
 }  // namespace sturm

@@ -14,8 +14,22 @@ struct Sag {
 /// Unit normal that points outward, away from the eye: (∂z/∂x, ∂z/∂y, −1)/√(1 + |∇z|²).
 Eigen::Vector3d outward_normal(const Sag& sag);
 
+/// A surface to second order about one of its points, in any frame.
+struct SurfaceElement {
+  Eigen::Vector3d normal;     ///< unit, outward
+  Eigen::Matrix3d curvature;  ///< [1/m]; on tangent vectors t, w: tᵀ · curvature · w, positive where the centre lies outward
+
+  SurfaceElement() = default;
+
+  /// In the surface's own frame.
+  SurfaceElement(const Sag& sag);
+
+  /// In a frame in which the surface stands turned.
+  SurfaceElement turned(const Eigen::Matrix3d& rotation) const;
+};
+
 /// Curvature matrix of the surface on two tangent vectors u, w [1/m], positive where the centre of curvature lies outward of the
 /// surface: ahead of a wave that leaves the eye (physics.md §6). K(t, t) = −tᵀ∇∇z t/√(1 + |∇z|²).
-Eigen::Matrix2d tangent_curvature(const Sag& sag, const Eigen::Vector3d& u, const Eigen::Vector3d& w);
+Eigen::Matrix2d tangent_curvature(const SurfaceElement& element, const Eigen::Vector3d& u, const Eigen::Vector3d& w);
 
 }  // namespace sturm

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lensmodel/prism.h"
+
 namespace sturm {
 
 namespace {
@@ -16,6 +18,11 @@ double carried_to_back(double front_power_D, double thickness_m, double index) {
 
 }  // namespace
 
+double usual_base_curve_D(const Prescription& rx) {
+  const double mean = rx.sphere_D + 0.5 * rx.cylinder_D;
+  return std::fmax(0.0, mean < 0.0 ? 0.5 * mean + 6.0 : mean + 6.0);
+}
+
 double back_vertex_power(double front_power_D, double back_power_D, double thickness_m, double refractive_index) {
   return back_power_D + carried_to_back(front_power_D, thickness_m, refractive_index);
 }
@@ -24,11 +31,12 @@ Spectacles single_vision(const Prescription& rx, const SingleVisionDesign& desig
   const double excess = design.refractive_index - 1.0;
   if (!(excess > 0.0)) throw std::invalid_argument("a refractive index of " + std::to_string(design.refractive_index) + " makes no lens");
   const Prescription minus = in_minus_cylinder_form(rx);
-  const double carried = carried_to_back(design.base_curve_D, design.center_thickness_m, design.refractive_index);
+  const double base_curve_D = design.base_curve_D.value_or(usual_base_curve_D(rx));
+  const double carried = carried_to_back(base_curve_D, design.center_thickness_m, design.refractive_index);
   // Light from outside meets the front as +F = (n − 1)/R and the back as −(n − 1)/R, R > 0 towards the eye.
   const auto back_curvature = [&](double power_D) { return (carried - power_D) / excess; };
   Spectacles lens;
-  lens.front = SphereSurface{design.base_curve_D / excess};
+  lens.front = SphereSurface{base_curve_D / excess};
   if (minus.cylinder_D == 0.0)
     lens.back = SphereSurface{back_curvature(minus.sphere_D)};
   else
@@ -37,7 +45,8 @@ Spectacles single_vision(const Prescription& rx, const SingleVisionDesign& desig
   lens.refractive_index = design.refractive_index;
   lens.vertex_distance_m = design.vertex_distance_m;
   lens.diameter_m = design.diameter_m;
-  return lens;
+  lens.mounting = design.mounting;
+  return rx.prism_cm_per_m == 0.0 ? lens : with_prism(lens, rx.prism_cm_per_m, rx.prism_base_deg);
 }
 
 }  // namespace sturm

@@ -6,41 +6,59 @@ namespace sturm {
 
 namespace {
 
-/// The ray in the frame of the surface whose vertex lies at (0, 0, vertex_z).
-LightRay in_surface_frame(const LightRay& ray, double vertex_z) {
-  return {ray.origin - Eigen::Vector3d(0.0, 0.0, vertex_z), ray.direction};
-}
-
-}  // namespace
-
-LensPath trace(const Spectacles& lens, const LightRay& ray) {
+LensPath trace_in_lens_frame(const Spectacles& lens, const LightRay& ray) {
   LensPath path;
   const double rim_radius = 0.5 * lens.diameter_m;
 
-  const SurfaceHit back = intersect(lens.back, in_surface_frame(ray, lens.back_vertex_z()), rim_radius);
+  const Eigen::Matrix3d& turn = lens.mounting.lens_from_back();
+  const bool wedge = lens.mounting.has_wedge();
+  const LightRay at_back = wedge ? LightRay{turn.transpose() * ray.origin, turn.transpose() * ray.direction} : ray;
+  const SurfaceHit back = intersect(lens.back, at_back, rim_radius);
   path.status = back.status;
   if (path.status != LensStatus::ok) return path;
-  path.back_sag = back.sag;
-  path.back_point = back.position + Eigen::Vector3d(0.0, 0.0, lens.back_vertex_z());
-  const auto inside = refracted(ray.direction, outward_normal(back.sag), 1.0, lens.refractive_index);
+  path.back = wedge ? SurfaceElement(back.sag).turned(turn) : SurfaceElement(back.sag);
+  path.back_point = wedge ? Eigen::Vector3d(turn * back.position) : back.position;
+  const auto inside = refracted(ray.direction, path.back.normal, 1.0, lens.refractive_index);
   if (!inside) {  // into the denser medium only light that grazes the surface is lost
     path.status = LensStatus::missed_lens;
     return path;
   }
   path.inside_direction = *inside;
 
-  const SurfaceHit front =
-      intersect(lens.front, in_surface_frame({path.back_point, path.inside_direction}, lens.front_vertex_z()), rim_radius);
+  const Eigen::Vector3d front_vertex(0.0, 0.0, -lens.center_thickness_m);
+  const SurfaceHit front = intersect(lens.front, {path.back_point - front_vertex, path.inside_direction}, rim_radius);
   path.status = front.status;
   if (path.status != LensStatus::ok) return path;
-  path.front_sag = front.sag;
-  path.exit.origin = front.position + Eigen::Vector3d(0.0, 0.0, lens.front_vertex_z());
-  const auto direction = refracted(path.inside_direction, outward_normal(front.sag), lens.refractive_index, 1.0);
+  path.front = front.sag;
+  path.exit.origin = front.position + front_vertex;
+  const auto direction = refracted(path.inside_direction, path.front.normal, lens.refractive_index, 1.0);
   if (!direction) {
     path.status = LensStatus::total_internal_reflection;
     return path;
   }
   path.exit.direction = *direction;
+  return path;
+}
+
+}  // namespace
+
+LensPath trace(const Spectacles& lens, const LightRay& ray) {
+  const Eigen::Vector3d vertex = lens.back_vertex();
+  if (lens.mounting.straight()) {
+    LensPath path = trace_in_lens_frame(lens, {ray.origin - vertex, ray.direction});
+    if (path.status != LensStatus::ok) return path;
+    path.back_point += vertex;
+    path.exit.origin += vertex;
+    return path;
+  }
+  const Eigen::Matrix3d& turn = lens.mounting.wearer_from_lens();
+  LensPath path = trace_in_lens_frame(lens, {turn.transpose() * (ray.origin - vertex), turn.transpose() * ray.direction});
+  if (path.status != LensStatus::ok) return path;
+  path.back_point = vertex + turn * path.back_point;
+  path.inside_direction = turn * path.inside_direction;
+  path.exit = {vertex + turn * path.exit.origin, turn * path.exit.direction};
+  path.back = path.back.turned(turn);
+  path.front = path.front.turned(turn);
   return path;
 }
 

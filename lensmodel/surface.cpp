@@ -17,8 +17,8 @@ struct Interval {
   double low, high;
 };
 
-/// The part t ≥ 0 of the ray within the cylinder of radius `rim_radius` about the axis and between the planes |z| ≤ height.
-std::optional<Interval> inside(const LightRay& ray, double rim_radius, double height) {
+/// The part t ≥ 0 of the ray within the cylinder of radius `rim_radius` about the axis and between two heights.
+std::optional<Interval> inside(const LightRay& ray, double rim_radius, const Interval& heights) {
   Interval in{0.0, std::numeric_limits<double>::infinity()};
   const Eigen::Vector2d o = ray.origin.head<2>(), d = ray.direction.head<2>();
   const double a = d.squaredNorm(), b = o.dot(d), c = o.squaredNorm() - rim_radius * rim_radius;
@@ -30,10 +30,10 @@ std::optional<Interval> inside(const LightRay& ray, double rim_radius, double he
     in.high = (-b + root) / a;
   }
   if (ray.direction.z() != 0.0) {
-    const double first = (height - ray.origin.z()) / ray.direction.z(), second = (-height - ray.origin.z()) / ray.direction.z();
+    const double first = (heights.low - ray.origin.z()) / ray.direction.z(), second = (heights.high - ray.origin.z()) / ray.direction.z();
     in.low = std::max(in.low, std::min(first, second));
     in.high = std::min(in.high, std::max(first, second));
-  } else if (std::abs(ray.origin.z()) > height) {
+  } else if (!(ray.origin.z() >= heights.low && ray.origin.z() <= heights.high)) {
     return std::nullopt;
   }
   return in.low < in.high ? std::optional(in) : std::nullopt;
@@ -91,18 +91,24 @@ SurfaceHit intersect_shape(const SphereSurface& sphere, const LightRay& ray, dou
   return hit_at(ray, *t, sphere.sag(p.x(), p.y()), rim_radius);
 }
 
-/// No point of the surface within the rim is higher than this: |z| ≤ |c| r² for a conic, less for the rest.
-double height_bound(const ConicSurface& conic, double r) {
-  return std::abs(conic.curvature) * r * r;
+/// No point of the surface within the rim lies outside of these heights.
+Interval height_bounds(const ConicSurface& conic, double r) {
+  const double height = std::abs(conic.curvature) * r * r;
+  return {-height, height};
 }
-double height_bound(const TorusSurface&, double r) {
-  return 2.0 * r;
-}  // each of the two arcs rises by at most its half chord
+Interval height_bounds(const TorusSurface&, double r) {
+  return {-2.0 * r, 2.0 * r};  // each of the two arcs rises by at most its half chord
+}
+Interval height_bounds(const BSplineSurface& spline, double) {
+  return {spline.lowest(), spline.highest()};
+}
 
 template <class Shape>
 SurfaceHit intersect_shape(const Shape& shape, const LightRay& ray, double rim_radius) {
   constexpr double slack = 1.0 + 1e-9;  // bounds only; the rim itself is tested in hit_at
-  const auto way = inside(ray, rim_radius * slack, height_bound(shape, rim_radius) * slack + 1e-6 * rim_radius);
+  const Interval bounds = height_bounds(shape, rim_radius);
+  const double margin = (bounds.high - bounds.low) * (slack - 1.0) + 1e-6 * rim_radius;
+  const auto way = inside(ray, rim_radius * slack, {bounds.low - margin, bounds.high + margin});
   if (!way) return {};
   const auto piece = bracket(shape, ray, *way);
   if (!piece) return {};

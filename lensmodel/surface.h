@@ -2,6 +2,7 @@
 #include <optional>
 #include <variant>
 
+#include "lensmodel/bspline_surface.h"
 #include "lensmodel/conic_surface.h"
 #include "lensmodel/lens_status.h"
 #include "lensmodel/light_ray.h"
@@ -11,7 +12,7 @@
 namespace sturm {
 
 /// One side of a spectacle lens, in its surface frame (lensmodel/sag.h). A new kind of surface needs a member `sag`.
-using Surface = std::variant<SphereSurface, TorusSurface, ConicSurface>;
+using Surface = std::variant<SphereSurface, TorusSurface, ConicSurface, BSplineSurface>;
 
 /// Height and derivatives at (x, y) [m]; none where the surface does not reach.
 std::optional<Sag> sag(const Surface& surface, double x, double y);

@@ -113,6 +113,15 @@ bool of_revolution(const Surface& surface) {
   return std::holds_alternative<SphereSurface>(surface) || std::holds_alternative<ConicSurface>(surface);
 }
 
+bool of_revolution(const Spectacles& lens) {
+  return of_revolution(lens.front) && of_revolution(lens.back) && lens.mounting.straight() && !lens.mounting.has_wedge();
+}
+
+/// Splines have jumps in their third derivative: where a knot lies in the pupil's footprint no power of the pupil is exact.
+bool analytic(const Spectacles& lens) {
+  return !std::holds_alternative<BSplineSurface>(lens.front) && !std::holds_alternative<BSplineSurface>(lens.back);
+}
+
 const char* word_for(Eq11Failure failure) {
   switch (failure) {
     case Eq11Failure::no_axes:
@@ -258,7 +267,8 @@ Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const Progr
   const Prescription& rx = lens.prescription;
   part["lens"] = {{"id", lens.id},
                   {"note", lens.note},
-                  {"lens_of_revolution", of_revolution(lens.lens.front) && of_revolution(lens.lens.back)},
+                  {"lens_of_revolution", of_revolution(lens.lens)},
+                  {"analytic_surfaces", analytic(lens.lens)},
                   {"sphere_D", rx.sphere_D},
                   {"cylinder_D", rx.cylinder_D},
                   {"axis_deg", rx.axis_deg},

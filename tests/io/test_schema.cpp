@@ -118,7 +118,7 @@ TEST(Schema, UnknownKeysComeFirstAndWithASuggestion) {
   document["eye"].erase("pupil_diameter_mm");  // also wrong, but the misspelt key tells more
   EXPECT_EQ(
       error_of(document),
-      "q.json: /eye/prescription/spere_D: got an unknown key (did you mean \"sphere_D\"?), expected one of \"axis_deg\", \"cylinder_D\", "
+      "q.json: /eye/prescription/spere_D: got an unknown key (did you mean \"sphere_D\"?), expected one of \"axis_deg\", \"cylinder_D\", \"prism_base_deg\", \"prism_cm_per_m\", "
       "\"sphere_D\", \"vertex_distance_mm\"");
   EXPECT_THAT(error_with("/targets/1/distance_mm", 3),
               HasSubstr("/targets/1/distance_mm: got an unknown key (did you mean \"distance_m\"?)"));

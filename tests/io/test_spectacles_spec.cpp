@@ -46,6 +46,27 @@ std::string error_without(const std::string& parent, const std::string& key) {
   return input_error([&] { read_ellipse_query(document, "q.json"); });
 }
 
+TEST(SpectaclesSpec, MountingInSi) {
+  EXPECT_TRUE(read_with({}).spectacles->mounting.straight());
+  const Mounting m =
+      read_with({R"(/spectacles/mounting={"decentration_mm": [2, -3], "pantoscopic_tilt_deg": 8, "wrap_deg": -5})"}).spectacles->mounting;
+  EXPECT_DOUBLE_EQ(m.decentration_m().x(), 2 * mm);
+  EXPECT_DOUBLE_EQ(m.decentration_m().y(), -3 * mm);
+  EXPECT_NEAR(m.pantoscopic_tilt(), 0.13962634015954636, 1e-16);
+  EXPECT_NEAR(m.wrap(), -0.087266462599716474, 1e-16);
+  EXPECT_THAT(error_with({R"(/spectacles/mounting={"tilt_deg": 8})"}), HasSubstr("/spectacles/mounting"));
+  EXPECT_THAT(error_with({R"(/spectacles/mounting={"wrap_deg": 60})"}), AllOf(HasSubstr("/spectacles/mounting/wrap_deg"), HasSubstr("60")));
+}
+
+TEST(SpectaclesSpec, PrismOfThePrescription) {
+  const std::string lens = R"({"single_vision": {"center_thickness_mm": 3, "refractive_index": 1.5, "base_curve_D": 5}})";
+  EXPECT_FALSE(read_with({"/spectacles=" + lens}).spectacles->mounting.has_wedge());
+  const auto prism = read_with({"/spectacles=" + lens, "/eye/prescription/prism_cm_per_m=2", "/eye/prescription/prism_base_deg=180"});
+  // Base at the examiner's 180°, the wearer's right: the back surface falls away towards the eye there. Thin wedge: slope 0.02/(n − 1).
+  EXPECT_NEAR(prism.spectacles->mounting.wedge().x(), 0.04, 0.002);
+  EXPECT_THAT(error_with({"/eye/prescription/prism_cm_per_m=2"}), HasSubstr("prism_base_deg"));
+}
+
 TEST(SpectaclesSpec, TwoSurfacesInSi) {
   const Spectacles lens = read_with({}).spectacles.value();
   EXPECT_DOUBLE_EQ(lens.vertex_distance_m, 14 * mm);
