@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "compare/report_json.h"
 #include "compare/report_numbers.h"
@@ -14,12 +15,17 @@ Number distance_from(const Number& value, double expected) {
   return value ? Number(std::abs(*value - expected)) : std::nullopt;
 }
 
-void add_orders(const Json& views, Statistics& out) {
-  Extreme order, relative, limit;
-  for (const Json& view : views) {
+void add_orders(const Json& section, Statistics& out) {
+  Extreme order, relative, limit, spline(Extreme::Of::Smallest);
+  const std::set<std::string> splines = spline_lenses(section);
+  for (const Json& view : array_at(section, "views")) {
     const std::string name = view_name(view);
     const bool oblique = number_at(view, "eccentricity_deg").value_or(1.0) > 0.0,
                blurred = number_at(view, "blur_D/0").value_or(1.0) >= least_blur_D;
+    if (splines.contains(text_at(view, "lens"))) {
+      if (oblique && blurred) spline.add(number_at(view, "relative_order"), name);
+      continue;
+    }
     if (oblique) order.add(distance_from(number_at(view, "order"), 4.0), name);
     if (oblique && blurred) relative.add(distance_from(number_at(view, "relative_order"), 2.0), name);
     if (blurred) limit.add(number_at(view, "limit_relative"), name);
@@ -27,6 +33,7 @@ void add_orders(const Json& views, Statistics& out) {
   out["lens_order_max_deviation"] = order.result();
   out["lens_relative_order_max_deviation"] = relative.result();
   out["lens_limit_max_relative"] = limit.result();
+  out["lens_spline_relative_order_min"] = spline.result();
 }
 
 /// The largest first-order error of a method in the views of one lens; views where it has none are left out: they are counted elsewhere.
@@ -51,7 +58,7 @@ void add_methods(const Json& section, Statistics& out) {
       if (round_lens && (on_axis || round_eye)) revolution.add(number_at(view, "first_order/published/defocus_D"), view_name(view));
       unscaled.add(number_at(view, "previous_unscaled_error"), view_name(view));
     }
-    if (!(round_lens && round_eye)) published.add(largest_first_order_error(views, id, "published").result().value, id);
+    if (!round_eye) published.add(largest_first_order_error(views, id, "published").result().value, id);
     previous.add(largest_first_order_error(views, id, "previous").result().value, id);
   }
   out["lens_published_revolution_max_D"] = revolution.result();
@@ -61,6 +68,13 @@ void add_methods(const Json& section, Statistics& out) {
 }
 
 }  // namespace
+
+std::set<std::string> spline_lenses(const Json& section) {
+  std::set<std::string> ids;
+  for (const Json& lens : array_at(section, "lenses"))
+    if (!boolean_at(lens, "analytic_surfaces").value_or(true)) ids.insert(text_at(lens, "id"));
+  return ids;
+}
 
 std::string view_name(const Json& view) {
   const auto number = [&](const char* path) {
@@ -73,7 +87,7 @@ std::string view_name(const Json& view) {
 }
 
 void add_lens_study(const Json& report, Statistics& out) {
-  add_orders(array_at(report, "lens_study/views"), out);
+  add_orders(value_at(report, "lens_study"), out);
   add_methods(value_at(report, "lens_study"), out);
 }
 

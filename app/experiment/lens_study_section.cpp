@@ -2,8 +2,11 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 #include "app/experiment/sections.h"
+#include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
 
 namespace sturm {
@@ -12,20 +15,30 @@ namespace {
 
 constexpr double order_tolerance = 0.05;  // of the gates that the mutants must violate
 
-/// Largest |order − 4| over the oblique views of a number at `path`; null where no view has one.
-Json worst_order_deviation(const Json& views, const std::string& path) {
-  Json worst = nullptr;
-  for (const Json& view : views) {
+/// Orders in the oblique views through analytic surfaces, as they stand at `path`.
+std::vector<double> oblique_orders(const Json& section, const std::string& path) {
+  std::vector<double> orders;
+  const std::set<std::string> splines = spline_lenses(section);
+  for (const Json& view : array_at(section, "views")) {
     const auto order = number_at(view, path);
-    if (!order || !(number_at(view, "eccentricity_deg").value_or(0.0) > 0.0)) continue;
-    const double deviation = std::abs(*order - 4.0);
+    const bool oblique = number_at(view, "eccentricity_deg").value_or(0.0) > 0.0;
+    if (order && oblique && !splines.contains(text_at(view, "lens"))) orders.push_back(*order);
+  }
+  return orders;
+}
+
+/// Largest |order − 4| of them; null where there is none.
+Json worst_order_deviation(const Json& section, const std::string& path) {
+  Json worst = nullptr;
+  for (const double order : oblique_orders(section, path)) {
+    const double deviation = std::abs(order - 4.0);
     if (worst.is_null() || deviation > worst.get<double>()) worst = deviation;
   }
   return worst;
 }
 
 Json mutant(const Json& section, const char* id, const char* what, const std::string& path) {
-  const Json value = worst_order_deviation(array_at(section, "views"), path);
+  const Json value = worst_order_deviation(section, path);
   const bool noticed = value.is_number() && value.get<double>() > order_tolerance;
   return {{"id", id}, {"what", what}, {"failed_as_it_must", noticed}, {"value", value}, {"bound", order_tolerance}};
 }
@@ -66,12 +79,11 @@ Json lens_study_mutants(const Json& section) {
 
 Json lens_study_sentence(const Json& section) {
   if (section.is_null() || array_at(section, "views").empty()) return nullptr;
-  double lowest = 1e9, highest = -1e9;
-  for (const Json& view : array_at(section, "views")) {
-    const auto order = number_at(view, "order");
-    if (!order || !(number_at(view, "eccentricity_deg").value_or(0.0) > 0.0)) continue;
-    lowest = std::min(lowest, *order);
-    highest = std::max(highest, *order);
+  const std::vector<double> orders = oblique_orders(section, "order");
+  char order_text[64] = "–";
+  if (!orders.empty()) {
+    const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
+    std::snprintf(order_text, sizeof order_text, "%.2f to %.2f", *lowest, *highest);
   }
   std::size_t traced = 0, failed = 0;
   for (const Json& gaze : array_at(section, "gazes")) {
@@ -84,10 +96,10 @@ Json lens_study_sentence(const Json& section) {
       text, sizeof text,
       "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its truncation alone, which falls with "
       "the pupil to the "
-      "power %.2f to %.2f and is at most %.2g D at the widest pupil; eq. 11 as published has no solution in %zu of %zu gazes and errs by "
+      "power %s and is at most %.2g D at the widest pupil; eq. 11 as published has no solution in %zu of %zu gazes and errs by "
       "up to %.2g D in the others, the previous method by up to %.2g D.",
-      array_at(section, "lenses").size(), array_at(section, "views").size(), lowest, highest, worst_defocus(section, "ray_transfer"),
-      failed, traced, worst_defocus(section, "published"), worst_defocus(section, "previous"));
+      array_at(section, "lenses").size(), array_at(section, "views").size(), order_text, worst_defocus(section, "ray_transfer"), failed,
+      traced, worst_defocus(section, "published"), worst_defocus(section, "previous"));
   return text;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-/// A section "lens_study" with numbers made by hand: two lenses, straight ahead and 20° to the right, two pupils.
+/// A section "lens_study" with numbers made by hand: two lenses and a spline, straight ahead and 20° to the right, two pupils.
 namespace sturm::test {
 
 inline nlohmann::json pupil_error(double relative, double defocus_D, double pupil_mm) {
@@ -52,9 +52,14 @@ inline nlohmann::json study_gaze(const char* lens, double eccentricity_deg, cons
 }
 
 inline nlohmann::json study_lens(const char* id, bool revolution, double cylinder_D) {
-  return {
-      {"id", id},         {"note", "by hand"},         {"lens_of_revolution", revolution}, {"sphere_D", -3.0}, {"cylinder_D", cylinder_D},
-      {"axis_deg", 30.0}, {"vertex_distance_mm", 12.0}};
+  return {{"id", id},
+          {"note", "by hand"},
+          {"lens_of_revolution", revolution},
+          {"analytic_surfaces", true},
+          {"sphere_D", -3.0},
+          {"cylinder_D", cylinder_D},
+          {"axis_deg", 30.0},
+          {"vertex_distance_mm", 12.0}};
 }
 
 inline nlohmann::json synthetic_lens_study() {
@@ -63,11 +68,15 @@ inline nlohmann::json synthetic_lens_study() {
   };
   nlohmann::json section;
   section["conditions"] = {{"radial", 10}, {"azimuthal", 40}, {"order_pupils_mm", {0.5, 1.0}}, {"rotation_center_mm", 13.5}};
-  section["lenses"] = {study_lens("toric", false, -2.0), study_lens("round", true, 0.0)};
+  section["lenses"] = {study_lens("toric", false, -2.0), study_lens("round", true, 0.0), study_lens("free form", false, 0.0)};
+  section["lenses"][2]["analytic_surfaces"] = false;
   section["gazes"] = {study_gaze("toric", 0.0, "no_axes", "no_axes"), study_gaze("toric", 20.0, "ok", "negative"),
-                      study_gaze("round", 0.0, "ok", "ok"), study_gaze("round", 20.0, "ok", "ok")};
+                      study_gaze("round", 0.0, "ok", "ok"), study_gaze("round", 20.0, "ok", "ok"),
+                      study_gaze("free form", 20.0, "ok", "ok")};
   section["views"] = {study_view("toric", 0.0, 0.0, false), study_view("toric", 20.0, 0.2), study_view("round", 0.0, 1e-14),
-                      study_view("round", 20.0, 2e-14)};
+                      study_view("round", 20.0, 2e-14), study_view("free form", 20.0, 0.01)};
+  section["views"][4]["order"] = 3.0;
+  section["views"][4]["relative_order"] = 1.1;
   section["field"] = {{"lens", "toric"}, {"distance_m", "inf"}, {"pupil_mm", 4.0}};
   for (const double azimuth : {0.0, 25.0, 50.0})
     section["field"]["points"].push_back({{"azimuth_deg", azimuth},
