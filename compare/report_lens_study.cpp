@@ -43,7 +43,7 @@ Cell threshold_cell(const LensStudyErrors& errors, const std::string& lens, cons
     const auto value = errors.at(lens, method.key, eccentricity, pupil).*t.value;
     if (value && *value > t.bound) return {exact_html(eccentricity) + "°", eccentricity};
   }
-  return {"never", 999.0};
+  return {errors.over_gazes(lens, method.key, pupil).without > 0 ? "never*" : "never", 999.0};
 }
 
 std::vector<Column> pupil_columns(const LensStudyErrors& errors) {
@@ -60,7 +60,7 @@ std::string threshold_table(const LensStudyErrors& errors, const Threshold& t) {
       for (const double pupil : errors.pupils_mm()) cells.push_back(threshold_cell(errors, lens, method, pupil, t));
       table.add_row(cells);
     }
-  return table.html();
+  return table.html() + element("p", "", "*: some views have no ellipse by this method, or lost rays at the rim.");
 }
 
 std::string largest_table(const LensStudyErrors& errors) {
