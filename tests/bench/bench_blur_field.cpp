@@ -58,7 +58,7 @@ void fill_previous(const Setup& setup, std::vector<float>& voxels) {
       const PreviousMethod method(&setup.lens, setup.grid.line_of_sight(setup.grid.ndc_x(i), setup.grid.ndc_y(j)),
                                   setup.eye.rotation_center_m);
       for (int k = 0; k < setup.grid.nz; ++k, out += 4) {
-        const auto x = method.angular_footprint(needed, setup.grid.vergence(k)).value();
+        const auto x = method.blur(needed, setup.grid.vergence(k)).value().angular();
         for (int c = 0; c < 4; ++c) out[c] = static_cast<float>(x(c / 2, c % 2));
       }
     }
