@@ -47,16 +47,21 @@ std::optional<double> outward_distance(const Shape& shape, const LightRay& ray, 
   return s ? std::optional(s->value - p.z()) : std::nullopt;
 }
 
-/// A piece of the ray at whose low end it is on the eye's side and at whose high end it is outside.
+/// A piece of the ray at whose low end it is on the eye's side and at whose high end it is outside: the whole way if its ends will do.
 template <class Shape>
 std::optional<Interval> bracket(const Shape& shape, const LightRay& ray, const Interval& way) {
-  const auto at = [&](double t) { return outward_distance(shape, ray, t); };
-  const auto first = at(way.low), last = at(way.high);
+  const auto first = outward_distance(shape, ray, way.low), last = outward_distance(shape, ray, way.high);
   if (first && last && *first <= 0.0 && *last >= 0.0) return way;
-  // The surface ends before the rim does, or the ray crosses it twice.
+  return std::nullopt;
+}
+
+/// The same among 16 pieces of the way, where the surface ends before the rim does or is interrupted, or the ray crosses it twice.
+template <class Shape>
+std::optional<Interval> bracket_in_pieces(const Shape& shape, const LightRay& ray, const Interval& way) {
+  const auto at = [&](double t) { return outward_distance(shape, ray, t); };
   constexpr int pieces = 16;
   double low = way.low;
-  auto below = first;
+  auto below = at(way.low);
   for (int i = 1; i <= pieces; ++i) {
     double high = i == pieces ? way.high : way.low + (way.high - way.low) * i / pieces;
     auto above = at(high);
@@ -130,17 +135,24 @@ template <class Shape>
 SurfaceHit intersect_shape(const Shape& shape, const LightRay& ray, double rim_radius) {
   const auto way = reachable(shape, ray, rim_radius);
   if (!way) return {};
-  const auto piece = bracket(shape, ray, *way);
-  if (!piece) return {};
-  const auto t = bracketed_root(
-      [&](double at) {
-        const Eigen::Vector3d p = ray.at(at);
-        const auto s = shape.sag(p.x(), p.y());
-        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-        if (!s) return std::pair(nan, nan);
-        return std::pair(s->value - p.z(), s->gradient.dot(ray.direction.head<2>()) - ray.direction.z());
-      },
-      piece->low, piece->high);
+  const auto root = [&](const std::optional<Interval>& piece) -> std::optional<double> {
+    if (!piece) return std::nullopt;
+    return bracketed_root(
+        [&](double at) {
+          const Eigen::Vector3d p = ray.at(at);
+          const auto s = shape.sag(p.x(), p.y());
+          constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+          if (!s) return std::pair(nan, nan);
+          return std::pair(s->value - p.z(), s->gradient.dot(ray.direction.head<2>()) - ray.direction.z());
+        },
+        piece->low, piece->high);
+  };
+  auto t = root(bracket(shape, ray, *way));
+  if (!t) {  // also where the ends of the way will do but the surface is interrupted between them
+    const auto piece = bracket_in_pieces(shape, ray, *way);
+    if (!piece) return {};
+    t = root(piece);
+  }
   if (!t) return {LensStatus::no_convergence, 0.0, {}, {}};
   const Eigen::Vector3d p = ray.at(*t);
   return hit_at(ray, *t, shape.sag(p.x(), p.y()), rim_radius);

@@ -6,6 +6,7 @@
 
 #include "conoid/best_accommodation.h"
 #include "conoid/blur_field/depth_analytic_field.h"
+#include "conoid/blur_field/field_exr.h"
 #include "conoid/blur_field/voxel_fill.h"
 #include "conoid/previous.h"
 #include "conoid/published.h"
@@ -272,6 +273,41 @@ TEST(TracedDirections, OfTheNakedEye) {
   const double vergence = 3.0;
   const Footprint exact = naked_eye_footprint(eye, 1.0 / vergence);
   EXPECT_LT((field.angular_footprint(0.4, 0.3, vergence)->cast<double>() - exact.angular).norm(), 1e-5);
+}
+
+TEST(FieldExr, ReadsBackWhatWasWritten) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "sturm_conoid_field.exr";
+  Spectacles lens = single_vision({-4.0, -2.0, 30.0}, {});
+  lens.diameter_m = 24e-3;  // some directions miss it
+  const Eye eye = eye_with(RelaxedAccommodation{});
+  const TracedDirections directions = trace_directions(&lens, center, small);
+  const DepthAnalyticField analytic(small, directions, eye.correction);
+  VoxelMask mask(small);
+  for (const double x : {-0.95, 0.0, 0.3}) mask.add_look_up(x, 0.1, 1.3);
+  for (const VoxelMask* visible : {static_cast<const VoxelMask*>(nullptr), static_cast<const VoxelMask*>(&mask)}) {
+    const VoxelField voxels = fill_voxels(&lens, eye, small, directions, FieldMethod::ray_transfer, visible);
+    write_blur_field(file, small, directions, &analytic, &voxels, {{"note", "x"}});
+    const StoredBlurField read = read_blur_field(file);
+    EXPECT_EQ(read.grid, small);
+    EXPECT_EQ(read.metadata, (std::map<std::string, std::string>{{"note", "x"}}));
+    ASSERT_EQ(read.chief_rays.size(), small.directions());
+    for (std::size_t d = 0; d < small.directions(); ++d) {
+      ASSERT_EQ(read.chief_rays[d].status, directions.conoids[d].status);
+      if (read.chief_rays[d].status == LensStatus::ok) {
+        EXPECT_LT((read.chief_rays[d].ray.direction - directions.conoids[d].chief_ray.direction).norm(), 2 * single);
+      }
+    }
+    ASSERT_TRUE(read.analytic && read.voxels);
+    EXPECT_EQ(read.voxels->sparse(), visible != nullptr);
+    EXPECT_EQ(read.voxels->stored_voxels(), voxels.stored_voxels());
+    EXPECT_EQ(read.voxels->undefined_count(), voxels.undefined_count());
+    for (const double x : {-0.95, 0.0, 0.3, 0.9}) {
+      EXPECT_EQ(read.analytic->angular_footprint(static_cast<float>(x), 0.1f, 1.3f, 0.0f),
+                analytic.angular_footprint(static_cast<float>(x), 0.1f, 1.3f, 0.0f));
+      EXPECT_EQ(read.voxels->angular_footprint(x, 0.1, 1.3), voxels.angular_footprint(x, 0.1, 1.3));
+    }
+  }
+  std::filesystem::remove(file);
 }
 
 }  // namespace
