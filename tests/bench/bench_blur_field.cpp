@@ -18,7 +18,7 @@
 #include "bench/timing.h"
 #include "conoid/blur_field/depth_analytic_field.h"
 #include "conoid/blur_field/voxel_fill.h"
-#include "lensmodel/single_vision.h"
+#include "lensmodel/progressive.h"
 
 namespace sturm::bench {
 namespace {
@@ -141,7 +141,8 @@ void bench_look_up(const Setup& setup, int repetitions, std::vector<Figure>& fig
   figures.push_back({setup.name + ": look-up in the voxels", "ns", 1e9 * median(voxel_s) / count});
 }
 
-/// Least times of chief rays [ms] and of voxels [ms], which a busy machine disturbs least, and the median of the time of a plain fill of the same memory over that of the voxels.
+/// Least times of chief rays [ms] and of voxels [ms], which a busy machine disturbs least, and the median of the time of a plain fill of
+/// the same memory over that of the voxels.
 struct GridTimes {
   double rays, voxels, plain_ratio;
 };
@@ -208,9 +209,11 @@ int run(const Options& options) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Setup toric{.name = "toric", .lens = single_vision({-4.0, -2.0, 30.0}, {})};
   Setup free_form{.name = "free-form"};
-  free_form.lens = toric.lens;
+  free_form.lens =
+      progressive_lens({-4.0, -2.0, 30.0}, {.lens = {}, .addition_D = 2.0, .near_shift_m = -2.5e-3, .zone_width_m = 10e-3}).lens;
   std::vector<Figure> figures;
   bench_lens(toric, 5.0, options.repetitions, figures);
+  bench_lens(free_form, 15.0, options.repetitions, figures);
   bench_look_up(toric, options.repetitions, figures);
   bench_memory(toric, figures);
   bench_growth(toric, options.repetitions, figures);
