@@ -124,7 +124,7 @@ void check_transposed(Outcomes& outcomes, const Prescription& rx, const SingleVi
   if (!design || !(design->refractive_index > 1.0)) return;
   const Spectacles a = single_vision(rx, *design), b = single_vision(other, *design);
   const auto here = sag(a.back, 0.0, 0.0), there = sag(b.back, 0.0, 0.0);
-  const double powers = (size + std::abs(design->base_curve_D) * 2.0) / (design->refractive_index - 1.0);
+  const double powers = (size + std::abs(design->base_curve_D.value_or(usual_base_curve_D(rx))) * 2.0) / (design->refractive_index - 1.0);
   outcomes.record(Check::transposed, (here->hessian - there->hessian).norm(), formula_error * powers, std::max(1.0, powers));
 }
 
