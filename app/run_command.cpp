@@ -17,7 +17,7 @@ int run_command(const CommonOptions& options, const std::string& folder, bool re
   run.quiet = options.quiet;
   const RunOutcome outcome = run_experiment(spec, options.file, run);
   std::cout << outcome.verdict << "\n";
-  if (!outcome.sin2_verdict.empty()) std::cout << outcome.sin2_verdict << "\n";
+  for (const std::string& finding : outcome.findings) std::cout << finding << "\n";
   std::cout << "Report: " << outcome.report_html.string() << "\n";
   return outcome.passed ? 0 : 1;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/extreme_statistic.h"
+#include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
 #include "lensmodel/units.h"
 
@@ -12,36 +14,6 @@ namespace sturm {
 namespace {
 
 constexpr double least_cylinder_D = 0.5;  // below it the two ray models are too close for their difference to be a test
-
-using Number = std::optional<double>;
-
-/// The largest (or smallest) value over the cases; one case without a number leaves the whole statistic without.
-class Extreme {
- public:
-  enum class Of { Largest, Smallest };
-  explicit Extreme(Of of = Of::Largest) : of_(of) {}
-
-  void add(const Number& value, const std::string& name, const Number& uncertainty = std::nullopt) {
-    const bool first = statistic_.cases++ == 0;
-    if (spoilt_) return;
-    if (!value) {
-      statistic_ = {std::nullopt, std::nullopt, statistic_.cases, name};
-      spoilt_ = true;
-    } else if (first || (of_ == Of::Largest ? *value > *statistic_.value : *value < *statistic_.value)) {
-      statistic_ = {value, uncertainty, statistic_.cases, name};
-    }
-  }
-
-  /// The statistic; its number of cases keeps counting whatever happens.
-  const Statistic& result() const { return statistic_; }
-
- private:
-  Of of_;
-  bool spoilt_ = false;
-  Statistic statistic_;
-};
-
-using Statistics = std::map<std::string, Statistic>;
 
 void add_reference(const Json& report, Statistics& out) {
   const Number cases = number_at(report, "reference/cases");
@@ -217,6 +189,7 @@ std::map<std::string, Statistic> statistics_of(const Json& report) {
   add_psfs(report, out);
   add_images(report, out);
   add_mutants(report, out);
+  add_lens_study(report, out);
   return out;
 }
 

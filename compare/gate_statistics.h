@@ -36,6 +36,14 @@ struct Statistic {
 /// | image_ssim_gain_of_matrix_over_sin2_min | SSIM with `power_matrix` minus SSIM with `sin2_radial` |
 /// | image_matrix_rmse_over_noise_floor_max | RMSE of prediction and `power_matrix` image ÷ RMSE of two halves of the samples |
 /// | image_sin2_rmse_over_noise_floor_min | the same of prediction and `sin2_radial` image |
+/// | lens_order_max_deviation | lens study, oblique views, no spline: largest abs(order of the absolute covariance error − 4) |
+/// | lens_relative_order_max_deviation | there, views whose larger blur is at least 0.5 D: largest abs(relative order − 2) |
+/// | lens_limit_max_relative | views of at least 0.5 D: real rays extrapolated to the pupil 0 against ray transfer, relative Frobenius |
+/// | lens_spline_relative_order_min | smallest relative order in oblique views of at least 0.5 D through spline surfaces |
+/// | lens_published_revolution_max_D | first-order error of `published`: on the axis of lenses of revolution, all views of a round eye's |
+/// | lens_published_min_of_largest_D | smallest over the lenses of eyes with a cylinder of the largest first-order error of `published` |
+/// | lens_previous_unscaled_max | `previous` with the true magnification in place of its own, against exact first order |
+/// | lens_previous_min_of_largest_D | smallest over all lenses of the largest first-order error of `previous` |
 /// | must_fail/ID | the statistic that mutant ID was to spoil |
 /// | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one says that it did not fail |
 // clang-format on

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/lens_study_errors.h"
 #include "compare/report_json.h"
 
 namespace sturm {
@@ -76,7 +77,68 @@ constexpr CsvColumn ray_columns[] = {{"ray_model", "ray_model"},
                                      {"closed_form_z_max", "against_closed_form/z_max"},
                                      {"closed_form_relative_frobenius", "against_closed_form/relative_frobenius"}};
 
+constexpr CsvColumn view_columns[] = {{"lens", "lens"},
+                                      {"eccentricity_deg", "eccentricity_deg"},
+                                      {"direction_deg", "direction_deg"},
+                                      {"distance_m", "distance_m"},
+                                      {"blur_major_D", "blur_D/0"},
+                                      {"blur_minor_D", "blur_D/1"},
+                                      {"order", "order"},
+                                      {"relative_order", "relative_order"},
+                                      {"limit_relative", "limit_relative"},
+                                      {"previous_unscaled_error", "previous_unscaled_error"}};
+
+constexpr CsvColumn pupil_columns[] = {{"pupil_mm", "pupil_mm"},
+                                       {"rays_lost", "rays_lost"},
+                                       {"real_semi_major_arcmin", "real_semi_axes_arcmin/0"},
+                                       {"real_semi_minor_arcmin", "real_semi_axes_arcmin/1"}};
+
+constexpr CsvColumn first_order_columns[] = {{"first_order_relative_frobenius", "relative_frobenius"},
+                                             {"first_order_defocus_D", "defocus_D"}};
+
+constexpr CsvColumn error_columns[] = {{"relative_frobenius", "relative_frobenius"},
+                                       {"semi_major_error_arcmin", "semi_axes_arcmin/0"},
+                                       {"semi_minor_error_arcmin", "semi_axes_arcmin/1"},
+                                       {"half_width_error_arcmin", "half_width_arcmin"},
+                                       {"defocus_error_D", "defocus_D"}};
+
+template <std::size_t N>
+void add_headings(std::string& csv, const CsvColumn (&columns)[N]) {
+  for (const CsvColumn& column : columns) csv.append(csv.empty() ? "" : ",").append(column.heading);
+}
+
+template <std::size_t N>
+std::string fields(const Json& json, const CsvColumn (&columns)[N]) {
+  std::string text;
+  for (const CsvColumn& column : columns) text.append(",").append(field(json, column.path));
+  return text;
+}
+
 }  // namespace
+
+std::string lens_study_csv(const Json& section) {
+  std::string csv;
+  add_headings(csv, view_columns);
+  csv += ",status";
+  add_headings(csv, pupil_columns);
+  csv += ",method";
+  add_headings(csv, first_order_columns);
+  add_headings(csv, error_columns);
+  csv += end_of_line;
+  for (const Json& view : array_at(section, "views"))
+    for (const Json& pupil : array_at(view, "pupils"))
+      for (const StudyMethod& method : study_methods) {
+        const std::string first_order = std::string("first_order/") + method.key;
+        csv += fields(view, view_columns).substr(1) + ",ok" + fields(pupil, pupil_columns) + "," + method.key +
+               fields(value_at(view, first_order), first_order_columns) + fields(value_at(pupil, method.key), error_columns) + end_of_line;
+      }
+  for (const Json& gaze : array_at(section, "gazes")) {
+    if (text_at(gaze, "status") == "ok") continue;
+    csv += fields(gaze, view_columns).substr(1) + "," + quoted(text_at(gaze, "status")) +
+           std::string(std::size(pupil_columns) + 1 + std::size(first_order_columns) + std::size(error_columns), ',') + end_of_line;
+  }
+  return csv;
+}
 
 std::string ellipses_csv(const Json& report) {
   std::string csv;

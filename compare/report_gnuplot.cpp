@@ -91,10 +91,14 @@ std::string for_inline_use(std::string svg, const PlotFrame& frame) {
 
 }  // namespace
 
-std::string gnuplot_svg(std::string_view script, const PlotFrame& frame) {
+std::string gnuplot_file(std::string_view script, const PlotFrame& frame) {
   const std::string setup = "set encoding utf8\nset terminal svg size " + std::to_string(frame.width) + "," + std::to_string(frame.height) +
                             " dynamic enhanced font \"sans-serif,13\"\n";
-  return for_inline_use(run_gnuplot(setup + std::string(script) + "\n"), frame);
+  return run_gnuplot(setup + std::string(script) + "\n");
+}
+
+std::string gnuplot_svg(std::string_view script, const PlotFrame& frame) {
+  return for_inline_use(gnuplot_file(script, frame), frame);
 }
 
 std::string gnuplot_png(std::string_view script, const PlotFrame& frame) {

@@ -14,6 +14,9 @@ struct PlotFrame {
 /// no XML prolog, no namespace addresses, no fixed fonts. Throws RuntimeFailure if gnuplot is missing or complains.
 std::string gnuplot_svg(std::string_view script, const PlotFrame& frame);
 
+/// The same picture as an SVG file of its own.
+std::string gnuplot_file(std::string_view script, const PlotFrame& frame);
+
 /// The same plot as a PNG file, at twice the natural size.
 std::string gnuplot_png(std::string_view script, const PlotFrame& frame);
 

@@ -67,6 +67,10 @@ std::string verdict_section(const Json& report) {
   if (const std::string sentence = text_at(report, "verdict/sin2_sentence"); !sentence.empty()) {
     html += element("div", "class=\"finding\"", element("h2", "", "What was measured of sin²") + element("p", "", escaped(sentence)));
   }
+  if (const std::string sentence = text_at(report, "verdict/lens_sentence"); !sentence.empty()) {
+    html +=
+        element("div", "class=\"finding\"", element("h2", "", "What was measured of conoid tracing") + element("p", "", escaped(sentence)));
+  }
   return element("header", "id=\"verdict\"", html + conditions(report));
 }
 

@@ -21,18 +21,36 @@ enum class TangentAxes {
   principal   ///< along the projection of the refracted wave's e'₁
 };
 
+/// Why eq. 11 has no ellipse behind a surface.
+enum class Eq11Failure {
+  no_axes,    ///< the refracted wave is a plane or a sphere: it has no principal directions, though the section is not a circle
+  no_length,  ///< an axis in front of the surface has no length: E is infinite
+  singular,   ///< a refracted principal direction stands at 45° to the axes (to 1e-6 of the determinant)
+  negative    ///< the solution has a square ε'² = 1/E' that is not positive
+};
+
 /// Eq. 11: the semi-axes behind a surface from E = 1/ε² in front of it, matching xx and yy of the ellipses' quadratic forms on the
-/// tangent plane; xy is dropped. None where that is singular or turns E' negative, and where an axis has no length.
+/// tangent plane; xy is dropped. None where that is singular or turns E' negative, and where an axis has no length; `why` (if given) then
+/// says which.
 struct SemiAxes {
   double first, second;
 };
 std::optional<SemiAxes> refracted_semi_axes(const SemiAxes& axes, const FiveVariables& before, const FiveVariables& behind,
-                                            const Eigen::Vector3d& normal, TangentAxes tangent);
+                                            const Eigen::Vector3d& normal, TangentAxes tangent, Eq11Failure* why = nullptr);
 
 /// From the pupil of the eye turned to `gaze`, with the slopes S = F − A·I, to the exit point. None where the chief ray is lost or eq. 11
 /// fails. `spectacles` null: the naked eye, exact.
 std::optional<PublishedConoid> trace_published(const Eye& eye, double accommodation_D, const Spectacles* spectacles,
                                                const Eigen::Vector3d& gaze, TangentAxes tangent = TangentAxes::principal);
+
+/// The same with what stopped it: the failure of eq. 11, or none of the two where the chief ray was lost. A relaxed eye behind the lens
+/// that corrects it sends out a plane wave on the axis, so there an astigmat's ellipse has no axes to lie along.
+struct PublishedTrace {
+  std::optional<PublishedConoid> conoid;
+  std::optional<Eq11Failure> failure;
+};
+PublishedTrace trace_published_or_why(const Eye& eye, double accommodation_D, const Spectacles* spectacles, const Eigen::Vector3d& gaze,
+                                      TangentAxes tangent = TangentAxes::principal);
 
 /// The ellipse at 1/d as a symmetric map of the pupil's disc on (f1, f2), divided by d [rad/m]: Σ ε_i(d)/d e_i e_iᵀ.
 Eigen::Matrix2d angular_map(const PublishedConoid& conoid, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2, double vergence_D);

@@ -8,6 +8,7 @@
 
 #include "io/camera_spec.h"
 #include "io/eye_spec.h"
+#include "io/lens_study_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
 
@@ -53,14 +54,22 @@ struct ImageExperiment {
   int replicates = 0;                         ///< independently seeded path-traced images, ≥ 2
 };
 
+/// A picture that another command drew, to be shown in the report.
+struct FigureSpec {
+  std::string id, title, caption, command;
+  std::filesystem::path file;  ///< absolute; SVG
+};
+
 /// A validated document of format sturm.experiment/1.
 struct ExperimentSpec {
   std::string title;
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> reference;  ///< absolute
   std::optional<EllipseExperiment> ellipses;
-  std::vector<PsfExperiment> psfs;                ///< ids are unique
-  std::vector<ImageExperiment> images;            ///< ids are unique
+  std::vector<PsfExperiment> psfs;      ///< ids are unique
+  std::vector<ImageExperiment> images;  ///< ids are unique
+  std::optional<LensStudySpec> lens_study;
+  std::vector<FigureSpec> figures;                ///< ids are unique
   std::filesystem::path gates;                    ///< absolute
   std::optional<std::filesystem::path> baseline;  ///< absolute; need not exist yet
   std::vector<std::string> input_files;           ///< absolute paths of all further files that are named and exist

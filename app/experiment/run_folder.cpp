@@ -40,10 +40,10 @@ RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume)
     : folder_(std::move(folder)), parts_(folder_ / "parts" / key.substr(0, key_digits)) {
   try {
     fs::create_directories(folder_ / "parts");
-    for (const char* report : {"report.json", "report.html", "ellipses.csv", "junit.xml"}) fs::remove(folder_ / report);
+    for (const char* report : {"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}) fs::remove(folder_ / report);
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "parts"))
       if (holds_parts(entry.path()) && (!resume || entry.path() != parts_)) fs::remove_all(entry.path());
-    for (const char* name : {"psf", "images"}) fs::create_directories(folder_ / name);
+    for (const char* name : {"psf", "images", "figures"}) fs::create_directories(folder_ / name);
     fs::create_directories(parts_);
     AtomicFile probe(folder_ / "report.json");  // creating its temporary file shows that reports can be written
   } catch (const fs::filesystem_error& error) {

@@ -8,24 +8,30 @@
 #include "app/experiment/sections.h"
 #include "app/progress.h"
 #include "app/stopwatch.h"
+#include "compare/figure.h"
 #include "compare/gates.h"
 #include "compare/junit.h"
+#include "compare/lens_study_figures.h"
 #include "compare/report_csv.h"
 #include "compare/report_html.h"
 #include "io/atomic_file.h"
+#include "io/error.h"
 #include "io/gate_spec.h"
 #include "io/manifest.h"
 #include "io/sha256.h"
+#include "io/text_file.h"
 #include "pathtrace/scene_import.h"
 
 namespace sturm {
 
 namespace {
 
-/// What a finished part depends on: the resolved spec, the program itself, and the scenes as they were loaded.
+/// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, and the lens files.
 std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) {
   std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
   for (const SceneDescription& scene : scenes) facts += scene_fingerprint(scene);
+  if (spec.lens_study)
+    for (const std::string& lens_file : spec.lens_study->input_files) facts += sha256_of_file(lens_file);
   return sha256(facts);
 }
 
@@ -54,6 +60,43 @@ class Parts {
   double seconds_ = 0.0;
 };
 
+/// The accuracy study, one part per lens.
+Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
+  Json lenses = Json::array();
+  for (const StudyLens& lens : spec.lenses) {
+    lenses.push_back(
+        parts("lens_" + lens.id, "lens " + lens.id, [&](const ProgressFunction& progress) { return lens_study_of(spec, lens, progress); }));
+    seconds += parts.seconds();
+  }
+  Json field = nullptr;
+  if (spec.field) {
+    field = parts("lens_field", "wide field", [&](const ProgressFunction&) { return field_study(spec, *spec.field); });
+    seconds += parts.seconds();
+  }
+  return assembled_lens_study(spec, lenses, field);
+}
+
+/// The pictures that the experiment names. Throws InputError for a file that is not SVG.
+std::vector<Figure> given_figures(const std::vector<FigureSpec>& specs) {
+  std::vector<Figure> figures;
+  for (const FigureSpec& spec : specs) {
+    const auto svg = file_contents(spec.file);
+    if (!svg || !is_svg_file(*svg)) throw InputError(spec.file.string(), "", "", "an SVG file");
+    figures.push_back({spec.id, "", spec.title, spec.caption, spec.command, *svg});
+  }
+  return figures;
+}
+
+/// Writes the pictures into the run folder; the report's list of them.
+Json written(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  Json list = Json::array();
+  for (const Figure& figure : figures) {
+    write_file_atomically(folder / figure_file(figure.id), figure.svg);
+    list.push_back(figure_json(figure));
+  }
+  return list;
+}
+
 void append(Json& list, const Json& entries) {
   list.insert(list.end(), entries.begin(), entries.end());
 }
@@ -73,6 +116,8 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
   std::vector<SceneDescription> scenes;
   for (const ImageExperiment& image : spec.images) scenes.push_back(build_scene(image.scene));
+
+  std::vector<Figure> figures = given_figures(spec.figures);
 
   const RunFolder folder(options.folder, run_key(spec, scenes), options.resume);
   Parts parts(folder, options.quiet);
@@ -100,19 +145,29 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
            }));
     seconds["images"] += parts.seconds();
   }
+  if (spec.lens_study) {
+    report["lens_study"] = lens_study(*spec.lens_study, parts, seconds["lens_study"]);
+    append(report["must_fail"], lens_study_mutants(report["lens_study"]));
+    for (Figure& figure : lens_study_figures(report["lens_study"])) figures.push_back(std::move(figure));
+  }
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
+  report["verdict"]["lens_sentence"] = spec.lens_study ? lens_study_sentence(report["lens_study"]) : Json(nullptr);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
 
+  if (!figures.empty()) report["figures"] = written(figures, folder.path());
   write_file_atomically(folder.path() / "ellipses.csv", ellipses_csv(report));
+  if (spec.lens_study) write_file_atomically(folder.path() / "lens_study.csv", lens_study_csv(report["lens_study"]));
   write_file_atomically(folder.path() / "junit.xml", junit_xml(report["gates"], spec.title, seconds["total"]));
   write_file_atomically(folder.path() / "report.html", render_report_html(report, folder.path()));
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];
-  return {verdict.at("passed"), verdict.at("sentence"),
-          verdict.at("sin2_sentence").is_string() ? verdict.at("sin2_sentence").get<std::string>() : "", folder.path() / "report.html"};
+  std::vector<std::string> findings;
+  for (const char* sentence : {"sin2_sentence", "lens_sentence"})
+    if (verdict.at(sentence).is_string()) findings.push_back(verdict.at(sentence));
+  return {verdict.at("passed"), verdict.at("sentence"), std::move(findings), folder.path() / "report.html"};
 }
 
 }  // namespace sturm

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "io/experiment_spec.h"
 
@@ -16,7 +17,8 @@ struct RunOptions {
 
 struct RunOutcome {
   bool passed = false;
-  std::string verdict, sin2_verdict;  ///< sentences
+  std::string verdict;                ///< a sentence
+  std::vector<std::string> findings;  ///< further sentences: what was measured
   std::filesystem::path report_html;
 };
 

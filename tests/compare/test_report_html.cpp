@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/markup_defects.h"
 #include "compare/report_gnuplot.h"
 #include "compare/report_html.h"
 #include "compare/report_markup.h"
@@ -26,38 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-/// What is wrong with `page` as well-formed markup: tags that do not match, attributes without quotes, ids that occur twice. "" if nothing.
-std::string markup_defects(const std::string& page) {
-  std::vector<std::string> open;
-  std::set<std::string> ids;
-  std::string defects;
-  for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at)) {
-    const std::size_t end = page.find('>', at);
-    if (end == std::string::npos) return defects + "a tag is not closed\n";
-    std::string tag = page.substr(at + 1, end - at - 1);
-    at = end + 1;
-    if (tag[0] == '!') continue;
-    if (tag[0] == '/') {
-      if (open.empty() || open.back() != tag.substr(1))
-        return defects + "</" + tag.substr(1) + "> closes " + (open.empty() ? "nothing" : open.back()) + "\n";
-      open.pop_back();
-      continue;
-    }
-    const bool empty = tag.back() == '/';
-    if (empty) tag.pop_back();
-    static const std::regex whole(R"(^([a-zA-Z][a-zA-Z0-9]*)(\s+[a-zA-Z0-9:-]+\s*=\s*("[^"<]*"|'[^'<]*'))*\s*$)");
-    static const std::regex id(R"(\sid\s*=\s*["']([^"']*)["'])");
-    std::smatch match;
-    // Pictures are long and need no regular expression.
-    const bool picture = tag.find("data:image/png;base64,") != std::string::npos;
-    if (!picture && !std::regex_match(tag, match, whole)) defects += "not a tag: <" + tag.substr(0, 80) + ">\n";
-    if (!picture && std::regex_search(tag, match, id) && !ids.insert(match[1]).second) defects += "id twice: " + match[1].str() + "\n";
-    if (!empty) open.push_back(tag.substr(0, tag.find_first_of(" \t\r\n")));
-  }
-  for (const std::string& tag : open) defects += "<" + tag + "> stays open\n";
-  return defects;
-}
 
 /// What a reader sees: no tags, no script, no style.
 std::string visible_text(const std::string& page) {
@@ -102,15 +71,15 @@ TEST_F(ReportHtml, IsDrawnFromAReportThatFollowsTheSchema) {
 }
 
 TEST_F(ReportHtml, IsWellFormed) {
-  EXPECT_EQ(markup_defects(*page_), "");
+  EXPECT_EQ(test::markup_defects(*page_), "");
 }
 
 TEST(MarkupDefects, AreFound) {  // the checker above can fail
-  EXPECT_EQ(markup_defects("<p><b>x</b></p><br/>"), "");
-  EXPECT_NE(markup_defects("<p><b>x</p></b>"), "");
-  EXPECT_NE(markup_defects("<p>"), "");
-  EXPECT_NE(markup_defects("<p class=x></p>"), "");
-  EXPECT_NE(markup_defects("<p id=\"a\"></p><p id=\"a\"></p>"), "");
+  EXPECT_EQ(test::markup_defects("<p><b>x</b></p><br/>"), "");
+  EXPECT_NE(test::markup_defects("<p><b>x</p></b>"), "");
+  EXPECT_NE(test::markup_defects("<p>"), "");
+  EXPECT_NE(test::markup_defects("<p class=x></p>"), "");
+  EXPECT_NE(test::markup_defects("<p id=\"a\"></p><p id=\"a\"></p>"), "");
 }
 
 TEST_F(ReportHtml, LoadsNothingFromOutside) {
@@ -184,7 +153,7 @@ TEST_F(ReportHtml, NeverShowsANumberThatIsNone) {
   report["psfs"][0]["measured"]["semi_axes_arcmin"] = {nan, nan};
   report["images"][0]["metrics"]["ssim_display"]["value"] = std::numeric_limits<double>::infinity();
   const std::string page = render_report_html(report, folder_);
-  EXPECT_EQ(markup_defects(page), "");
+  EXPECT_EQ(test::markup_defects(page), "");
   EXPECT_FALSE(
       std::regex_search(visible_text(page), std::regex(R"(\b(nan|inf|null)\b(?!\|))", std::regex::icase)));  // "|inf|" is part of an id
 }
@@ -207,14 +176,14 @@ TEST_F(ReportHtml, EscapesHostileTexts) {
   report["spec"][script] = attribute;
   report["reference"]["max_relative_error"][script] = 1.0;
   const std::string page = render_report_html(report, folder_);
-  EXPECT_EQ(markup_defects(page), "");
+  EXPECT_EQ(test::markup_defects(page), "");
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
   EXPECT_THAT(page, HasSubstr("<code>&lt;script&gt;alert(1)&lt;/script&gt;</code>"));
 }
 
 TEST_F(ReportHtml, SectionsAreOptional) {
-  EXPECT_EQ(markup_defects(render_report_html(Json::object(), folder_)), "");
+  EXPECT_EQ(test::markup_defects(render_report_html(Json::object(), folder_)), "");
   Json small = *report_;  // few cases and pictures, and plots only where they matter: the page is drawn 50 times
   for (Json* list : {&small["ellipses"]["cases"], &small["sin2"]["table"], &small["psfs"], &small["images"]})
     list->erase(list->begin() + 1, list->end());
@@ -223,10 +192,10 @@ TEST_F(ReportHtml, SectionsAreOptional) {
     const bool plotted = key == "ellipses" || key == "sin2";
     if (!plotted) report["ellipses"] = report["sin2"] = nullptr;
     report.erase(key);
-    EXPECT_EQ(markup_defects(render_report_html(report, folder_)), "") << key;
+    EXPECT_EQ(test::markup_defects(render_report_html(report, folder_)), "") << key;
     for (const Json& foreign : {Json("text"), Json(3), Json::array({1, "x", nullptr}), Json{{"cases", {1, 2}}}}) {
       report[key] = foreign;
-      EXPECT_EQ(markup_defects(render_report_html(report, folder_)), "") << key << " = " << foreign;
+      EXPECT_EQ(test::markup_defects(render_report_html(report, folder_)), "") << key << " = " << foreign;
     }
   }
 }
@@ -237,7 +206,7 @@ TEST_F(ReportHtml, MissingAndBrokenPicturesLeaveANote) {
   std::ofstream(folder_ / "broken.exr") << "not an EXR";
   report["images"][0]["files"]["path_traced"] = "broken.exr";
   const std::string page = render_report_html(report, folder_);
-  EXPECT_EQ(markup_defects(page), "");
+  EXPECT_EQ(test::markup_defects(page), "");
   EXPECT_THAT(page, HasSubstr("No picture: "));
   EXPECT_THAT(page, HasSubstr("gone.exr"));
   EXPECT_THAT(page, HasSubstr("No pictures: "));

@@ -50,7 +50,8 @@ RC_GTEST_PROP(Published, IsExactOnTheAxisAlongTheMeridiansOfAToricLens, ()) {
   const double axis = 90.0 * *rc::gen::inRange(1, 3);
   const Eye eye = Eye::with({drawn(-24, 16, 0.25), drawn(-12, 12, 0.25), axis, 12e-3}, 4e-3);
   const Spectacles lens = single_vision({drawn(-24, 16, 0.25), drawn(-24, 24, 0.25), 180.0}, {});
-  const auto conoid = trace_published(eye, 0.0, &lens, ahead);
+  const auto [conoid, failure] = trace_published_or_why(eye, 0.0, &lens, ahead);
+  RC_PRE(failure != Eq11Failure::no_axes);  // the lens corrects the eye: tested on its own below
   RC_ASSERT(conoid.has_value());
   const SpectacleConoid exact = trace_conoid(lens, ahead, eye.rotation_center_m);
   RC_ASSERT((angular_map(*conoid, x, y, 1.3) - exact.angular_footprint(eye.correction.matrix(), 1.3)).norm() <= 1e-12);
@@ -78,9 +79,49 @@ TEST(Published, Equation11FailsWhereItIsSingular) {
   const Eigen::Vector3d d1 = (x + y).normalized(), d2 = (y - x).normalized();
   const Eigen::Vector3d tilted = (ahead + 0.3 * x).normalized();  // so that u lies along y
   const FiveVariables behind{ahead, 1.0, -1.0, d1, d2};
-  EXPECT_FALSE(refracted_semi_axes({2e-3, 1e-3}, {tilted, 1.0, -1.0, x, y}, behind, ahead, TangentAxes::incidence));
+  Eq11Failure why{};
+  EXPECT_FALSE(refracted_semi_axes({2e-3, 1e-3}, {tilted, 1.0, -1.0, x, y}, behind, ahead, TangentAxes::incidence, &why));
+  EXPECT_EQ(why, Eq11Failure::singular);
   EXPECT_TRUE(refracted_semi_axes({2e-3, 2e-3}, before, behind, ahead, TangentAxes::principal));
-  EXPECT_FALSE(refracted_semi_axes({0.0, 1e-3}, before, before, ahead, TangentAxes::principal));
+  EXPECT_FALSE(refracted_semi_axes({0.0, 1e-3}, before, before, ahead, TangentAxes::principal, &why));
+  EXPECT_EQ(why, Eq11Failure::no_length);
+}
+
+TEST(Published, Equation11FailsWhereItTurnsNegative) {
+  // Refracted directions at 30° to the axes, rows (¾, ¼) and (¼, ¾): E = (1, 9) on the axes needs E' = (−3, 13).
+  const Eigen::Vector3d d1 = 0.86602540378443865 * x + 0.5 * y, d2 = -0.5 * x + 0.86602540378443865 * y;
+  const Eigen::Vector3d tilted = (ahead + 0.3 * y).normalized();  // u lies along x
+  Eq11Failure why{};
+  EXPECT_FALSE(
+      refracted_semi_axes({1.0, 1.0 / 3.0}, {tilted, 1.0, -1.0, x, y}, {ahead, 1.0, -1.0, d1, d2}, ahead, TangentAxes::incidence, &why));
+  EXPECT_EQ(why, Eq11Failure::negative);
+}
+
+TEST(Published, HasNoAxesWhereTheLensSendsOutAPlaneWave) {
+  // A relaxed eye behind the lens that corrects it looks at infinity: the wave in front is plane, but the lens has magnified the pupil by
+  // its cylinder. Which axes such a wave gets is rounding; off the axis, or with any accommodation, it has axes of its own.
+  const Prescription rx{-1.5, -4.0, 55.0, 12e-3};
+  const Eye eye = Eye::with(rx, 4e-3);
+  const Spectacles lens = single_vision(rx, {});
+  for (const TangentAxes axes : {TangentAxes::incidence, TangentAxes::principal}) {
+    const PublishedTrace trace = trace_published_or_why(eye, 0.0, &lens, ahead, axes);
+    EXPECT_FALSE(trace.conoid);
+    EXPECT_EQ(trace.failure, Eq11Failure::no_axes);
+  }
+  EXPECT_TRUE(trace_published(eye, 0.5, &lens, ahead));
+  EXPECT_TRUE(trace_published(eye, 0.0, &lens, gaze_direction(1 * degree, 0.0)));
+  // Without a cylinder the section is a circle, which needs no axes.
+  const Prescription sphere{-3.0, 0.0, 180.0, 12e-3};
+  const Spectacles round = single_vision(sphere, {});
+  EXPECT_TRUE(trace_published(Eye::with(sphere, 4e-3), 0.0, &round, ahead));
+}
+
+TEST(Published, ALostChiefRayIsNoFailureOfEquation11) {
+  Spectacles small = single_vision({-3.0}, {});
+  small.diameter_m = 5e-3;
+  const PublishedTrace trace = trace_published_or_why(Eye::with({-3.0}, 4e-3), 0.0, &small, gaze_direction(40 * degree, 0.0));
+  EXPECT_FALSE(trace.conoid);
+  EXPECT_FALSE(trace.failure);
 }
 
 TEST(Published, Equation11ByHand) {
@@ -156,6 +197,20 @@ RC_GTEST_PROP(Previous, IsInFocusWhereTheConoidIs, ()) {
   Eye eye = Eye::with({0.0, 0.0, 180.0, 0.0}, 4e-3);
   eye.correction = PowerMatrix::from_components(needed(0, 0), needed(0, 1), needed(1, 1));
   RC_ASSERT(previous_angular_footprint(eye, 0.0, &lens, gaze, d)->norm() <= 1e-11);
+}
+
+RC_GTEST_PROP(Previous, IsExactInsideBeforeItsScaling, ()) {
+  // X = P + Q S, and the wave from the object point arrives with P + Q V = 0: X = Q (S − V), whatever the gaze and the lens's cylinder.
+  const Eye eye = any_eye();
+  const Spectacles lens = single_vision({drawn(-24, 16, 0.25), drawn(-12, 12, 0.25), drawn(0, 180, 1.0)}, {});
+  const double d = drawn(3, 40, 0.1);
+  const Eigen::Vector3d gaze = gaze_direction(drawn(-25, 25, degree), drawn(-25, 25, degree));
+  const SpectacleConoid c = trace_conoid(lens, gaze, eye.rotation_center_m);
+  RC_PRE(c.status == LensStatus::ok);
+  const auto blur = previous_blur(eye, 0.5, &lens, gaze, d);
+  RC_ASSERT(blur.has_value());
+  const Eigen::Matrix2d exact = c.angular_footprint(eye.slope_matrix(0.5).matrix(), 1.0 / d);
+  RC_ASSERT((c.angular_q(1.0 / d) * blur->inside - exact).norm() <= 1e-11);
 }
 
 }  // namespace

@@ -96,6 +96,64 @@ TEST_F(ExperimentSpecTest, ErrorsNameTheirPlace) {
   EXPECT_THAT(error_with("/ellipses/prescriptions/0={\"id\": \"a\", \"sphere_D\": 40, \"vertex_distance_mm\": 25}"), HasSubstr("/ellipses/prescriptions/0: got"));
 }
 
+class LensStudySpecTest : public ExperimentSpecTest {
+ protected:
+  LensStudySpecTest() {
+    write_text(folder_ / "lenses/l.json",
+               R"({"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.6}})");
+    write_text(folder_ / "map.svg", "<svg xmlns='http://www.w3.org/2000/svg'></svg>");
+    for (const char* part : {"ellipses", "psfs", "images"}) document_.erase(part);
+    document_["lens_study"] = parse_json(R"({
+      "lenses": [{"id": "a", "note": "n", "prescription": {"sphere_D": -2, "cylinder_D": -1, "axis_deg": 30}, "lens": "../lenses/l.json"},
+                 {"id": "b", "prescription": {"sphere_D": 0}, "lens": {"center_thickness_mm": 2, "refractive_index": 1.5, "front": {"type": "sphere", "radius_mm": 250}, "back": {"type": "sphere", "radius_mm": 250}}}],
+      "eccentricities_deg": [0, 20.5], "directions_deg": [0, 90], "distances_m": [0.25, "inf"], "pupil_diameters_mm": [0.5, 1, 6],
+      "accommodation": {"mode": "fixed", "power_D": 1},
+      "field": {"lens": "b", "azimuths_deg": [0, 50], "distance_m": 2, "pupil_diameter_mm": 4}
+    })",
+                                         "study");
+    document_["figures"] = parse_json(R"([{"id": "m", "title": "A map", "file": "../map.svg"}])", "figures");
+  }
+};
+
+TEST_F(LensStudySpecTest, IsRead) {
+  const ExperimentSpec spec = read_experiment(document_, file_);
+  ASSERT_TRUE(spec.lens_study);
+  const LensStudySpec& study = *spec.lens_study;
+  EXPECT_EQ(study.lenses[0].note, "n");
+  EXPECT_EQ(study.lenses[0].prescription.axis_deg, 30);
+  EXPECT_EQ(study.lenses[0].lens.refractive_index, 1.6);
+  EXPECT_TRUE(std::holds_alternative<TorusSurface>(study.lenses[0].lens.back));  // made for this eye
+  EXPECT_EQ(study.eccentricities_deg[1], 20.5);
+  EXPECT_TRUE(std::isinf(study.distances_m[1]));
+  EXPECT_DOUBLE_EQ(study.pupil_diameters_m[2], 6e-3);
+  EXPECT_DOUBLE_EQ(study.order_small_m, 0.5e-3);
+  EXPECT_DOUBLE_EQ(study.order_large_m, 1e-3);
+  EXPECT_DOUBLE_EQ(study.rotation_center_m, 13.5e-3);
+  EXPECT_EQ(std::get<FixedAccommodation>(study.accommodation).power_D, 1);
+  EXPECT_EQ(study.quadrature.radial, 10);
+  EXPECT_EQ(study.quadrature.azimuthal, 40);
+  ASSERT_TRUE(study.field);
+  EXPECT_EQ(study.field->lens, 1u);
+  EXPECT_EQ(study.field->azimuths_deg.back(), 50);
+  EXPECT_EQ(spec.figures[0].file, folder_ / "map.svg");
+  EXPECT_THAT(spec.input_files,
+              ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "lenses/l.json").string(), (folder_ / "map.svg").string()));
+  EXPECT_EQ((*spec.resolved)["lens_study"]["quadrature"]["radial"], 10);
+  EXPECT_EQ(*read_experiment(*spec.resolved, file_).resolved, *spec.resolved);
+}
+
+TEST_F(LensStudySpecTest, ErrorsNameTheirPlace) {
+  EXPECT_THAT(error_with("/lens_study/field/lens=c"), AllOf(HasSubstr("/lens_study/field/lens: got \"c\""), HasSubstr("\"a\", \"b\"")));
+  EXPECT_THAT(error_with("/lens_study/pupil_diameters_mm=[1, 0.5]"), HasSubstr("/lens_study/pupil_diameters_mm/1: got 0.5"));
+  EXPECT_THAT(error_with("/lens_study/order_pupil_diameters_mm=[0.5, 3]"), HasSubstr("/lens_study/order_pupil_diameters_mm/1: got 3"));
+  EXPECT_THAT(error_with("/lens_study/accommodation={\"mode\": \"best\", \"amplitude_D\": 1}"),
+              HasSubstr("/lens_study/accommodation: got"));
+  EXPECT_THAT(error_with("/lens_study/lenses/1/lens=null"), HasSubstr("/lens_study/lenses/1/lens: got null"));
+  EXPECT_THAT(error_with("/lens_study/lenses/1/id=a"), HasSubstr("/lens_study/lenses/1/id: got \"a\""));
+  EXPECT_THAT(error_with("/figures/0/file=none.svg"), HasSubstr("/figures/0/file: got \"none.svg\""));
+  EXPECT_THAT(error_with("/figures/0/id=lens_study_x"), HasSubstr("/figures/0/id: got \"lens_study_x\""));
+}
+
 TEST(GateSpec, ReadsAllComparisons) {
   const Json document = parse_json(R"({"format": "sturm.gates/1", "gates": [
     {"id": "a", "title": "t", "statistic": "s", "comparison": "at_most", "bound": 4, "unit": "σ", "reason": "r"},
