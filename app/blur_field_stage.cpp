@@ -118,6 +118,11 @@ Json voxel_summary(const VoxelField& field) {
 
 }  // namespace
 
+TracedDirections field_directions(const BlurFieldSpec& spec) {
+  return trace_directions(spec.spectacles ? &*spec.spectacles : nullptr, spec.eye.rotation_center_m, grid_of(spec),
+                          {spec.skip_rim, spec.skip_symmetry});
+}
+
 BlurField compute_blur_field(const BlurFieldSpec& spec) {
   const Spectacles* lens = spec.spectacles ? &*spec.spectacles : nullptr;
   BlurField field;
@@ -128,7 +133,7 @@ BlurField compute_blur_field(const BlurFieldSpec& spec) {
     visible = visible_voxels(spec, field.grid);
     field.seconds["visibility"] = watch.lap();
   }
-  field.directions = trace_directions(lens, spec.eye.rotation_center_m, field.grid, {spec.skip_rim, spec.skip_symmetry});
+  field.directions = field_directions(spec);
   field.seconds["chief_rays"] = watch.lap();
   if (spec.depth_analytic) {
     field.analytic.emplace(field.grid, field.directions, spec.eye.correction);

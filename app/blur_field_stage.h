@@ -23,6 +23,9 @@ struct BlurField {
 
 BlurField compute_blur_field(const BlurFieldSpec& spec);
 
+/// The conoids of all lines of sight of a blur field alone.
+TracedDirections field_directions(const BlurFieldSpec& spec);
+
 /// The ellipses of all lines of sight at the distances of the spec, as an SVG document ([Kakimoto2010] fig. 12). Each stands where its
 /// chief ray goes, on the picture plane; `best` accommodation is that of each ellipse.
 std::string layers_svg(const BlurFieldSpec& spec, const TracedDirections& directions, double drawn_scale = 3.0);

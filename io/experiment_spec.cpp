@@ -85,13 +85,6 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
   return image;
 }
 
-FigureSpec read_figure(const Json& value, const Source& where) {
-  if (value["id"].get<std::string>().starts_with("lens_study_"))
-    (where / "id").fail(value["id"], "an id that does not start with \"lens_study_\": those are the run's own");
-  return {value["id"].get<std::string>(), value["title"].get<std::string>(), value.value("caption", ""), value.value("command", ""),
-          existing_file(value["file"], where / "file", "the path of an SVG file")};
-}
-
 Json resolved_experiment(const Json& document) {
   Json resolved = with_defaults(document, "experiment");
   resolved.erase("$schema");
@@ -100,8 +93,10 @@ Json resolved_experiment(const Json& document) {
       if (!image.contains("sharp_samples_per_pixel")) image["sharp_samples_per_pixel"] = image["samples_per_pixel"];
   // Lenses stay as given: the schema's defaults of one kind of surface are refused for another.
   if (const auto study = resolved.find("lens_study"); study != resolved.end())
-    for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i)
-      (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
+    for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i) (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
+  if (const auto figures = resolved.find("figures"); figures != resolved.end())
+    for (std::size_t i = 0; i < figures->size(); ++i)
+      for (const auto& [key, given] : document["figures"][i].items()) (*figures)[i][key] = given;
   return resolved;
 }
 
@@ -139,7 +134,7 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   require_unique_ids(figures, root / "figures");
   for (std::size_t i = 0; i < figures.size(); ++i) {
     spec.figures.push_back(read_figure(figures[i], root / "figures" / i));
-    add_files(spec.input_files, {spec.figures.back().file.string()});
+    add_files(spec.input_files, spec.figures.back().input_files);
   }
   const Json psfs = document.value("psfs", Json::array()), images = document.value("images", Json::array());
   require_unique_ids(psfs, root / "psfs");

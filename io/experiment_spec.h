@@ -8,6 +8,7 @@
 
 #include "io/camera_spec.h"
 #include "io/eye_spec.h"
+#include "io/figure_spec.h"
 #include "io/lens_study_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
@@ -52,12 +53,6 @@ struct ImageExperiment {
   std::uint64_t samples_per_pixel = 0;
   std::uint64_t sharp_samples_per_pixel = 0;  ///< of the prediction's sharp view
   int replicates = 0;                         ///< independently seeded path-traced images, ≥ 2
-};
-
-/// A picture that another command drew, to be shown in the report.
-struct FigureSpec {
-  std::string id, title, caption, command;
-  std::filesystem::path file;  ///< absolute; SVG
 };
 
 /// A validated document of format sturm.experiment/1.

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/experiment/figures.h"
 #include "app/experiment/run_folder.h"
 #include "app/experiment/scene_fingerprint.h"
 #include "app/experiment/sections.h"
@@ -76,17 +77,6 @@ Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
   return assembled_lens_study(spec, lenses, field);
 }
 
-/// The pictures that the experiment names. Throws InputError for a file that is not SVG.
-std::vector<Figure> given_figures(const std::vector<FigureSpec>& specs) {
-  std::vector<Figure> figures;
-  for (const FigureSpec& spec : specs) {
-    const auto svg = file_contents(spec.file);
-    if (!svg || !is_svg_file(*svg)) throw InputError(spec.file.string(), "", "", "an SVG file");
-    figures.push_back({spec.id, "", spec.title, spec.caption, spec.command, *svg});
-  }
-  return figures;
-}
-
 /// Writes the pictures into the run folder; the report's list of them.
 Json written(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
   Json list = Json::array();
@@ -117,7 +107,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   std::vector<SceneDescription> scenes;
   for (const ImageExperiment& image : spec.images) scenes.push_back(build_scene(image.scene));
 
-  std::vector<Figure> figures = given_figures(spec.figures);
+  std::vector<Figure> figures = drawn_figures(spec.figures);
 
   const RunFolder folder(options.folder, run_key(spec, scenes), options.resume);
   Parts parts(folder, options.quiet);

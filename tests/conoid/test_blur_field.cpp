@@ -212,7 +212,8 @@ TEST(VoxelField, OnlyVisibleVoxelsAreStoredAndTheyAreTheSame) {
                        some = fill_voxels(&lens, eye, grid, directions, method, &mask);
       EXPECT_EQ(some.stored_voxels(), mask.count());
       EXPECT_LT(some.memory_bytes(), all.memory_bytes() / 10);
-      for (const Place& p : places) EXPECT_EQ(*some.angular_footprint(p.x, p.y, p.vergence), *all.angular_footprint(p.x, p.y, p.vergence));
+      for (const Place& p : places) EXPECT_EQ(some.angular_footprint(p.x, p.y, p.vergence), all.angular_footprint(p.x, p.y, p.vergence));
+      EXPECT_TRUE(some.angular_footprint(0.1, 0.2, 1.1));
       EXPECT_FALSE(some.angular_footprint(0.5, 0.5, 1.1));
     }
 }
