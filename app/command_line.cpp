@@ -31,11 +31,15 @@ void add_document(CLI::App& command, CommonOptions& options, const char* what) {
       ->allow_extra_args(false);
 }
 
-void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
-  add_document(command, options, what);
+void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "seed of all random numbers");
   command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
+  add_document(command, options, what);
+  add_run_options(command, options);
 }
 
 /// The commands with their options; `action` is what the chosen one does.
@@ -43,6 +47,8 @@ struct CommandLine {
   CLI::App app{"Sturm: the blur of an astigmatic eye, path traced and predicted, and whether the two agree.", "sturm"};
   CommonOptions common;
   LensOptions lens;
+  BlurFieldOptions blurfield;
+  StressOptions stress;
   CompareOptions compare;
   GateOptions gate;
   std::string output, folder, file, schema;
@@ -55,7 +61,9 @@ struct CommandLine {
     add_run();
     add_ellipse();
     add_lens();
+    add_blurfield();
     add_render();
+    add_stress();
     add_compare();
     add_gate();
     auto* validate = app.add_subcommand("validate", "check a configuration without running it");
@@ -102,11 +110,31 @@ struct CommandLine {
     l->callback([this] { action = [this] { return lens_command(common, lens, output); }; });
   }
 
+  void add_blurfield() {
+    auto* b = app.add_subcommand("blurfield", "blur ellipses over the whole field of view and all distances: a multi-part EXR");
+    add_common_options(*b, common, "blur field (sturm.blurfield/1)");
+    b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it")->required();
+    b->add_option("--layers", blurfield.layers, "SVG file: the ellipses at the distances layers_m");
+    b->callback([this] { action = [this] { return blurfield_command(common, blurfield); }; });
+  }
+
   void add_render() {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
     render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
     render->callback([this] { action = [this] { return render_command(common, output); }; });
+  }
+
+  void add_stress() {
+    auto* s = app.add_subcommand("stress", "numerical stability of conoid tracing over random and extreme cases");
+    s->add_option("--cases", stress.cases, "number of cases")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+        ->capture_default_str();
+    s->add_option("--case", stress.replayed, "print this case in full instead: input, results and checks")
+        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40));
+    add_run_options(*s, common);
+    s->add_option("-o,--output", output, "file for the report (sturm.stress_report/1), or for the case");
+    s->callback([this] { action = [this] { return stress_command(common, stress, output); }; });
   }
 
   void add_compare() {

@@ -31,15 +31,29 @@ struct LensOptions {
   double amplitude_D = 0.0;                                              ///< of accommodation, for the defocus map
 };
 
+/// What `sturm blurfield` writes.
+struct BlurFieldOptions {
+  std::string output;  ///< EXR
+  std::string layers;  ///< SVG, "" = not drawn
+};
+
+/// What `sturm stress` is asked for.
+struct StressOptions {
+  std::uint64_t cases = 1000000;
+  std::optional<std::uint64_t> replayed;  ///< one case in full instead of the suite
+};
+
 struct GateOptions {
   std::string report, gates, baseline, junit, new_baseline;  ///< "" = not given
 };
 
 // Each command returns the exit status; errors are thrown as InputError (2) or RuntimeFailure (3).
 int ellipse_command(const CommonOptions& options, const std::string& output);
+int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const std::string& output);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
+int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
 int gate_command(const GateOptions& options);
 int validate_command(const std::string& file);

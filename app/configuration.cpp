@@ -25,6 +25,10 @@ void write_result(const Json& result, const std::string& output) {
     write_file_atomically(output, text);
 }
 
+void require_writable(const std::filesystem::path& file) {
+  AtomicFile probe(file);
+}
+
 int thread_count(const CommonOptions& options) {
   return options.threads > 0 ? options.threads : tbb::info::default_concurrency();
 }

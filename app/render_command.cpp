@@ -13,15 +13,6 @@
 
 namespace sturm {
 
-namespace {
-
-/// The folder must be there and writable before the work starts, not after it.
-void require_writable(const std::filesystem::path& file) {
-  AtomicFile probe(file);
-}
-
-}  // namespace
-
 int render_command(const CommonOptions& options, const std::string& output) {
   const std::filesystem::path exr(output);
   if (exr.extension() != ".exr") throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .exr");

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "io/blur_field_spec.h"
 #include "io/ellipse_query.h"
 #include "io/experiment_spec.h"
 #include "io/gate_spec.h"
@@ -18,6 +19,8 @@ int validate_command(const std::string& file) {
   // The readers check more than the schema can say: files that must exist, values that depend on each other.
   if (name == "ellipse")
     read_ellipse_query(document, file);
+  else if (name == "blurfield")
+    read_blur_field_spec(document, file);
   else if (name == "render")
     read_render_spec(document, file);
   else if (name == "experiment")

@@ -20,38 +20,49 @@ double ratio(double outside, double inside) {
   return std::abs(inside) < 1e-12 ? 1.0 : outside / inside;
 }
 
+const Eigen::Vector3d ahead(0.0, 0.0, -1.0);
+
 }  // namespace
 
-std::optional<PreviousBlur> previous_blur(const Eye& eye, double accommodation_D, const Spectacles* lens, const Eigen::Vector3d& gaze,
-                                          double distance_m) {
-  const double vergence = std::isinf(distance_m) ? 0.0 : 1.0 / distance_m;
-  const Eigen::Matrix2d needed = eye.slope_matrix(accommodation_D).matrix(), spherical = -vergence * Eigen::Matrix2d::Identity();
-  if (!lens) return PreviousBlur{needed - spherical, {1.0, 1.0}, 1.0};
-
-  const Eigen::Vector3d pupil = turned_pupil_center(gaze, eye.rotation_center_m);
-  const LensPath path = trace(*lens, {pupil, gaze});
-  if (path.status != LensStatus::ok) return std::nullopt;
-  const double to_back = (path.back_point - pupil).norm(), to_front = (path.exit.origin - path.back_point).norm();
-
-  const Eigen::Matrix3d outside = smallest_rotation({0.0, 0.0, -1.0}, path.exit.direction),
-                        turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
-  auto wave = inward({-path.exit.direction, outside.col(0), outside.col(1), spherical}, path.front, 1.0, lens->refractive_index);
-  if (wave) wave = transferred(*wave, to_front);
-  if (wave) wave = inward(*wave, path.back, lens->refractive_index, 1.0);
-  if (wave) wave = transferred(*wave, to_back);
-  if (!wave) return std::nullopt;  // a focus exactly at a surface or the pupil, where V is infinite
-
+PreviousMethod::PreviousMethod(const Spectacles* lens, const Eigen::Vector3d& gaze, double rotation_center_m)
+    : naked_(!lens), inside_(smallest_rotation(ahead, gaze)), outside_(inside_) {
+  if (!lens) return;
+  const Eigen::Vector3d pupil = turned_pupil_center(gaze, rotation_center_m);
+  path_ = trace(*lens, {pupil, gaze});
+  status_ = path_.status;
+  if (status_ != LensStatus::ok) return;
+  index_ = lens->refractive_index;
+  to_back_ = (path_.back_point - pupil).norm();
+  to_front_ = (path_.exit.origin - path_.back_point).norm();
+  outside_ = smallest_rotation(ahead, path_.exit.direction);
   const auto angles = [](const Eigen::Vector3d& d) { return Eigen::Vector2d(std::atan2(d.x(), -d.z()), std::asin(d.y())); };
-  const Eigen::Vector2d out = angles(path.exit.direction), in = angles(gaze);
-  const Eigen::Vector2d widening(ratio(out.x(), in.x()), ratio(out.y(), in.y()));
-  const double length = 1.0 + vergence * (to_back + to_front);  // path from pupil to object over the distance from the exit point
-  return PreviousBlur{needed - wave->on(turn.col(0), turn.col(1)).curvature, widening, length};
+  const Eigen::Vector2d out = angles(path_.exit.direction), in = angles(gaze);
+  widening_ = {ratio(out.x(), in.x()), ratio(out.y(), in.y())};
+}
+
+std::optional<Eigen::Matrix2d> PreviousMethod::vergence_at_pupil(double target_vergence_D) const {
+  const Eigen::Matrix2d spherical = -target_vergence_D * Eigen::Matrix2d::Identity();
+  if (naked_) return spherical;
+  auto wave = inward({-path_.exit.direction, outside_.col(0), outside_.col(1), spherical}, path_.front, 1.0, index_);
+  if (wave) wave = transferred(*wave, to_front_);
+  if (wave) wave = inward(*wave, path_.back, index_, 1.0);
+  if (wave) wave = transferred(*wave, to_back_);
+  if (!wave) return std::nullopt;
+  return wave->on(inside_.col(0), inside_.col(1)).curvature;
+}
+
+std::optional<Eigen::Matrix2d> PreviousMethod::angular_footprint(const Eigen::Matrix2d& needed, double target_vergence_D) const {
+  const auto vergence = vergence_at_pupil(target_vergence_D);
+  if (!vergence) return std::nullopt;
+  const double length = 1.0 + target_vergence_D * inside_length();  // path from pupil to object over the distance from the exit point
+  return Eigen::Matrix2d(length * (widening_.asDiagonal() * (needed - *vergence)));
 }
 
 std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double accommodation_D, const Spectacles* lens,
                                                           const Eigen::Vector3d& gaze, double distance_m) {
-  const auto blur = previous_blur(eye, accommodation_D, lens, gaze, distance_m);
-  return blur ? std::optional(blur->angular()) : std::nullopt;
+  const PreviousMethod method(lens, gaze, eye.rotation_center_m);
+  if (method.status() != LensStatus::ok) return std::nullopt;
+  return method.angular_footprint(eye.slope_matrix(accommodation_D).matrix(), std::isinf(distance_m) ? 0.0 : 1.0 / distance_m);
 }
 
 }  // namespace sturm

@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "conoid/best_accommodation.h"
 #include "lensmodel/gaze.h"
-#include "lensmodel/symmetric2.h"
 
 namespace sturm {
 
@@ -40,18 +40,7 @@ SpectacleConoid trace_conoid(const Spectacles& lens, const Eigen::Vector3d& gaze
 }
 
 double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& correction, double vergence_D, double amplitude_D) {
-  const Eigen::Matrix2d q = conoid.angular_q(vergence_D), relaxed = conoid.angular_footprint(correction.matrix(), vergence_D);
-  // Slope of the larger singular value σ of X(A) = relaxed − A q: with Xᵀw = σ r it is −wᵀ q r, of which only the sign is wanted.
-  const auto grows_at = [&](double accommodation) {
-    const Eigen::Matrix2d x = relaxed - accommodation * q;
-    const Eigen::Vector2d w = singular_values(x).large_direction;
-    return (q.transpose() * w).dot(x.transpose() * w) <= 0.0;
-  };
-  if (grows_at(0.0)) return 0.0;
-  double low = 0.0, high = amplitude_D;
-  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-    (grows_at(middle) ? high : low) = middle;
-  return high;
+  return best_accommodation(conoid.angular_footprint(correction.matrix(), vergence_D), conoid.angular_q(vergence_D), amplitude_D);
 }
 
 double accommodation_through(const SpectacleConoid& conoid, const Eye& eye, double vergence_D) {

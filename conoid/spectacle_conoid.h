@@ -36,8 +36,8 @@ struct SpectacleConoid {
 /// through back and front surface. (e1, e2) is what the smallest rotation taking −z to the outgoing chief ray makes of (x, y).
 SpectacleConoid trace_conoid(const Spectacles& spectacles, const Eigen::Vector3d& gaze, double rotation_center_m);
 
-/// The accommodation A [D] in [0, amplitude_D] that makes the larger semi-axis of the footprint at 1/d least; the smallest one if there are
-/// several. The larger singular value of a matrix that is affine in A is convex, so its slope changes sign once: bisection to the last bit.
+/// The accommodation A [D] in [0, amplitude_D] that makes the larger semi-axis of the footprint at 1/d least
+/// (conoid/best_accommodation.h).
 double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& correction, double vergence_D, double amplitude_D);
 
 /// The eye's accommodation for a target at 1/d (from the exit point).

@@ -1,15 +1,11 @@
 #include "io/exr.h"
 
 #include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
-#include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfTestFile.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,27 +13,11 @@
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/exr_channels.h"
+#include "io/exr_header.h"
 
 namespace sturm {
 
 namespace {
-
-/// The slice of one channel of an interleaved image whose first pixel is at (left, top) in EXR coordinates.
-Imf::Slice slice_of(float* pixels, int width, int channels, int channel, int left = 0, int top = 0) {
-  const std::ptrdiff_t x_stride = std::ptrdiff_t{channels} * static_cast<std::ptrdiff_t>(sizeof(float)), y_stride = x_stride * width;
-  char* first = reinterpret_cast<char*>(pixels + channel);
-  return Imf::Slice(Imf::FLOAT, first - left * x_stride - top * y_stride, static_cast<std::size_t>(x_stride),
-                    static_cast<std::size_t>(y_stride));
-}
-
-void insert_metadata(Imf::Header& header, const std::map<std::string, std::string>& metadata) {
-  static const std::set<std::string> with_meaning = {"name", "type", "version", "view", "chunkCount", "tiles"};
-  for (const auto& [key, text] : metadata) {
-    if (key.empty() || key.size() > 255 || with_meaning.contains(key) || header.find(key) != header.end())
-      throw std::invalid_argument("\"" + key + "\" cannot be the name of an EXR text attribute");
-    header.insert(key, Imf::StringAttribute(text));
-  }
-}
 
 std::int64_t extent(int low, int high) {
   return std::int64_t{high} - low + 1;
@@ -78,15 +58,14 @@ LayeredImage read_pixels(Imf::InputFile& file, std::size_t max_bytes) {
     Image& pixels_of_layer = image.layers[layer] = Image(static_cast<int>(extent(data.min.x, data.max.x)),
                                                          static_cast<int>(extent(data.min.y, data.max.y)), static_cast<int>(names.size()));
     for (std::size_t c = 0; c < names.size(); ++c)
-      frame.insert(names[c], slice_of(pixels_of_layer.pixels.data(), pixels_of_layer.width, pixels_of_layer.channels, static_cast<int>(c),
-                                      data.min.x, data.min.y));
+      frame.insert(names[c], exr_slice(pixels_of_layer.pixels.data(), pixels_of_layer.width, pixels_of_layer.channels, static_cast<int>(c),
+                                       data.min.x, data.min.y));
   }
   file.setFrameBuffer(frame);
   file.readPixels(data.min.y, data.max.y);
   if (data != display)
     for (auto& [layer, stored] : image.layers) stored = in_window(stored, data, display);
-  for (auto a = header.begin(); a != header.end(); ++a)
-    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) image.metadata[a.name()] = text->value();
+  image.metadata = metadata_of(header);
   return image;
 }
 
@@ -108,7 +87,7 @@ void write_exr(const std::filesystem::path& path, const LayeredImage& image) {
       if (header.channels().findChannel(names[c])) throw std::invalid_argument("two layers have the channel " + names[c]);
       header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
       // OpenEXR only reads through the slices of an output file.
-      frame.insert(names[c], slice_of(const_cast<float*>(pixels.pixels.data()), width, pixels.channels, static_cast<int>(c)));
+      frame.insert(names[c], exr_slice(const_cast<float*>(pixels.pixels.data()), width, pixels.channels, static_cast<int>(c)));
     }
   }
   insert_metadata(header, image.metadata);

@@ -21,4 +21,17 @@ Eigen::Vector3d turned_pupil_center(const Eigen::Vector3d& direction, double rot
   return rotation_center_m * (direction + Eigen::Vector3d(0.0, 0.0, 1.0));
 }
 
+Eigen::Vector2d picture_point(const Eigen::Vector3d& direction) {
+  return direction.head<2>() / -direction.z();
+}
+
+Eigen::Matrix2d picture_jacobian(const Eigen::Vector3d& direction, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2) {
+  const auto moved = [&](const Eigen::Vector3d& e) -> Eigen::Vector2d {
+    return (e.head<2>() + picture_point(direction) * e.z()) / -direction.z();
+  };
+  Eigen::Matrix2d jacobian;
+  jacobian << moved(e1), moved(e2);
+  return jacobian;
+}
+
 }  // namespace sturm

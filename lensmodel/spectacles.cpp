@@ -6,14 +6,26 @@ namespace sturm {
 
 namespace {
 
+LightRay in_lens_frame(const Spectacles& lens, const LightRay& ray) {
+  const Eigen::Vector3d from_vertex = ray.origin - lens.back_vertex();
+  if (lens.mounting.straight()) return {from_vertex, ray.direction};
+  const Eigen::Matrix3d turn = lens.mounting.wearer_from_lens().transpose();
+  return {turn * from_vertex, turn * ray.direction};
+}
+
+LightRay in_back_frame(const Spectacles& lens, const LightRay& ray) {  // from the lens's frame
+  if (!lens.mounting.has_wedge()) return ray;
+  const Eigen::Matrix3d turn = lens.mounting.lens_from_back().transpose();
+  return {turn * ray.origin, turn * ray.direction};
+}
+
 LensPath trace_in_lens_frame(const Spectacles& lens, const LightRay& ray) {
   LensPath path;
   const double rim_radius = 0.5 * lens.diameter_m;
 
   const Eigen::Matrix3d& turn = lens.mounting.lens_from_back();
   const bool wedge = lens.mounting.has_wedge();
-  const LightRay at_back = wedge ? LightRay{turn.transpose() * ray.origin, turn.transpose() * ray.direction} : ray;
-  const SurfaceHit back = intersect(lens.back, at_back, rim_radius);
+  const SurfaceHit back = intersect(lens.back, in_back_frame(lens, ray), rim_radius);
   path.status = back.status;
   if (path.status != LensStatus::ok) return path;
   path.back = wedge ? SurfaceElement(back.sag).turned(turn) : SurfaceElement(back.sag);
@@ -42,18 +54,20 @@ LensPath trace_in_lens_frame(const Spectacles& lens, const LightRay& ray) {
 
 }  // namespace
 
+bool may_meet(const Spectacles& lens, const LightRay& ray) {
+  return may_meet(lens.back, in_back_frame(lens, in_lens_frame(lens, ray)), 0.5 * lens.diameter_m);
+}
+
 LensPath trace(const Spectacles& lens, const LightRay& ray) {
+  LensPath path = trace_in_lens_frame(lens, in_lens_frame(lens, ray));
+  if (path.status != LensStatus::ok) return path;
   const Eigen::Vector3d vertex = lens.back_vertex();
   if (lens.mounting.straight()) {
-    LensPath path = trace_in_lens_frame(lens, {ray.origin - vertex, ray.direction});
-    if (path.status != LensStatus::ok) return path;
     path.back_point += vertex;
     path.exit.origin += vertex;
     return path;
   }
   const Eigen::Matrix3d& turn = lens.mounting.wearer_from_lens();
-  LensPath path = trace_in_lens_frame(lens, {turn.transpose() * (ray.origin - vertex), turn.transpose() * ray.direction});
-  if (path.status != LensStatus::ok) return path;
   path.back_point = vertex + turn * path.back_point;
   path.inside_direction = turn * path.inside_direction;
   path.exit = {vertex + turn * path.exit.origin, turn * path.exit.direction};

@@ -26,6 +26,9 @@ struct LensPath {
   SurfaceElement back, front;  ///< the surfaces where the ray meets them
 };
 
+/// False where a ray that leaves the eye certainly passes outside of the rim of the back surface.
+bool may_meet(const Spectacles& spectacles, const LightRay& ray);
+
 /// Follows a ray that starts between eye and lens outwards. Points and directions behind the place where it was lost mean nothing.
 LensPath trace(const Spectacles& spectacles, const LightRay& ray);
 

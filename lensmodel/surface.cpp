@@ -47,16 +47,21 @@ std::optional<double> outward_distance(const Shape& shape, const LightRay& ray, 
   return s ? std::optional(s->value - p.z()) : std::nullopt;
 }
 
-/// A piece of the ray at whose low end it is on the eye's side and at whose high end it is outside.
+/// A piece of the ray at whose low end it is on the eye's side and at whose high end it is outside: the whole way if its ends will do.
 template <class Shape>
 std::optional<Interval> bracket(const Shape& shape, const LightRay& ray, const Interval& way) {
-  const auto at = [&](double t) { return outward_distance(shape, ray, t); };
-  const auto first = at(way.low), last = at(way.high);
+  const auto first = outward_distance(shape, ray, way.low), last = outward_distance(shape, ray, way.high);
   if (first && last && *first <= 0.0 && *last >= 0.0) return way;
-  // The surface ends before the rim does, or the ray crosses it twice.
+  return std::nullopt;
+}
+
+/// The same among 16 pieces of the way, where the surface ends before the rim does or is interrupted, or the ray crosses it twice.
+template <class Shape>
+std::optional<Interval> bracket_in_pieces(const Shape& shape, const LightRay& ray, const Interval& way) {
+  const auto at = [&](double t) { return outward_distance(shape, ray, t); };
   constexpr int pieces = 16;
   double low = way.low;
-  auto below = first;
+  auto below = at(way.low);
   for (int i = 1; i <= pieces; ++i) {
     double high = i == pieces ? way.high : way.low + (way.high - way.low) * i / pieces;
     auto above = at(high);
@@ -92,35 +97,62 @@ SurfaceHit intersect_shape(const SphereSurface& sphere, const LightRay& ray, dou
 }
 
 /// No point of the surface within the rim lies outside of these heights.
-Interval height_bounds(const ConicSurface& conic, double r) {
-  const double height = std::abs(conic.curvature) * r * r;
-  return {-height, height};
+Interval height_bounds(const SphereSurface& sphere, double r) {
+  const auto rim = sphere.sag(r, 0.0);
+  const double height = rim ? rim->value : std::copysign(r, sphere.curvature);  // a whole hemisphere rises by its radius ≤ r
+  return {std::min(0.0, height), std::max(0.0, height)};
 }
-Interval height_bounds(const TorusSurface&, double r) {
-  return {-2.0 * r, 2.0 * r};  // each of the two arcs rises by at most its half chord
+Interval height_bounds(const ConicSurface& conic, double r) {
+  const auto rim = conic.sag(r, 0.0);
+  const double height = rim ? rim->value : conic.curvature * r * r;  // (1 + √…) z = c r², wherever it ends
+  return {std::min(0.0, height), std::max(0.0, height)};
+}
+Interval height_bounds(const TorusSurface& torus, double r) {
+  // Along the sweep and along the generator the height rises or falls all the way outwards, so a box has its extremes in its corners.
+  const Eigen::Vector2d s = r * torus.sweep_direction(), g(-s.y(), s.x());
+  Interval bounds{0.0, 0.0};
+  for (const Eigen::Vector2d& corner : {s, g, Eigen::Vector2d(s + g)}) {
+    const auto there = torus.sag(corner.x(), corner.y());
+    if (!there) return {-2.0 * r, 2.0 * r};  // each of the two arcs rises by at most its half chord
+    bounds = {std::min(bounds.low, there->value), std::max(bounds.high, there->value)};
+  }
+  return bounds;
 }
 Interval height_bounds(const BSplineSurface& spline, double) {
   return {spline.lowest(), spline.highest()};
 }
 
+/// The part of a ray where it can meet the surface within the rim. Bounds only: the rim itself is tested in hit_at.
 template <class Shape>
-SurfaceHit intersect_shape(const Shape& shape, const LightRay& ray, double rim_radius) {
-  constexpr double slack = 1.0 + 1e-9;  // bounds only; the rim itself is tested in hit_at
+std::optional<Interval> reachable(const Shape& shape, const LightRay& ray, double rim_radius) {
+  constexpr double slack = 1.0 + 1e-9;
   const Interval bounds = height_bounds(shape, rim_radius);
   const double margin = (bounds.high - bounds.low) * (slack - 1.0) + 1e-6 * rim_radius;
-  const auto way = inside(ray, rim_radius * slack, {bounds.low - margin, bounds.high + margin});
+  return inside(ray, rim_radius * slack, {bounds.low - margin, bounds.high + margin});
+}
+
+template <class Shape>
+SurfaceHit intersect_shape(const Shape& shape, const LightRay& ray, double rim_radius) {
+  const auto way = reachable(shape, ray, rim_radius);
   if (!way) return {};
-  const auto piece = bracket(shape, ray, *way);
-  if (!piece) return {};
-  const auto t = bracketed_root(
-      [&](double at) {
-        const Eigen::Vector3d p = ray.at(at);
-        const auto s = shape.sag(p.x(), p.y());
-        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-        if (!s) return std::pair(nan, nan);
-        return std::pair(s->value - p.z(), s->gradient.dot(ray.direction.head<2>()) - ray.direction.z());
-      },
-      piece->low, piece->high);
+  const auto root = [&](const std::optional<Interval>& piece) -> std::optional<double> {
+    if (!piece) return std::nullopt;
+    return bracketed_root(
+        [&](double at) {
+          const Eigen::Vector3d p = ray.at(at);
+          const auto s = shape.sag(p.x(), p.y());
+          constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+          if (!s) return std::pair(nan, nan);
+          return std::pair(s->value - p.z(), s->gradient.dot(ray.direction.head<2>()) - ray.direction.z());
+        },
+        piece->low, piece->high);
+  };
+  auto t = root(bracket(shape, ray, *way));
+  if (!t) {  // also where the ends of the way will do but the surface is interrupted between them
+    const auto piece = bracket_in_pieces(shape, ray, *way);
+    if (!piece) return {};
+    t = root(piece);
+  }
   if (!t) return {LensStatus::no_convergence, 0.0, {}, {}};
   const Eigen::Vector3d p = ray.at(*t);
   return hit_at(ray, *t, shape.sag(p.x(), p.y()), rim_radius);
@@ -130,6 +162,10 @@ SurfaceHit intersect_shape(const Shape& shape, const LightRay& ray, double rim_r
 
 std::optional<Sag> sag(const Surface& surface, double x, double y) {
   return std::visit([&](const auto& shape) { return shape.sag(x, y); }, surface);
+}
+
+bool may_meet(const Surface& surface, const LightRay& ray, double rim_radius) {
+  return std::visit([&](const auto& shape) { return reachable(shape, ray, rim_radius).has_value(); }, surface);
 }
 
 SurfaceHit intersect(const Surface& surface, const LightRay& ray, double rim_radius) {

@@ -17,6 +17,10 @@ using Surface = std::variant<SphereSurface, TorusSurface, ConicSurface, BSplineS
 /// Height and derivatives at (x, y) [m]; none where the surface does not reach.
 std::optional<Sag> sag(const Surface& surface, double x, double y);
 
+/// False where a ray certainly misses the surface within `rim_radius` [m] of its axis: a bound from the surface's heights, without
+/// looking for the point.
+bool may_meet(const Surface& surface, const LightRay& ray, double rim_radius);
+
 /// Where a ray that comes from the eye goes through a surface.
 struct SurfaceHit {
   LensStatus status = LensStatus::missed_lens;

@@ -13,13 +13,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "bench/ray_recorder.h"
+#include "bench/timing.h"
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/embree_rays.h"
 #include "pathtrace/render.h"
@@ -43,18 +43,6 @@ struct Result {
 
   bool passed() const { return ratio >= required; }
 };
-
-double seconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
 
 /// `units` are done by one call of either function.
 Result compare(const Options& options, const std::string& name, const std::string& unit, double units, double required,

@@ -115,7 +115,7 @@ TEST(AsWorn, RealRaysLeaveParallel) {
 TEST(AsWorn, PrismBasesOfAPlusLens) {
   // Of a plus lens the base is its middle: looking to the right, up and right-down its base is to the left (examiner's right, 0°), down
   // (270°) and left-up (45°).
-  const Spectacles lens = single_vision({5.0, 0.0, 180.0}, {});
+  const Spectacles lens = single_vision({5.0, 0.0, 180.0}, {.base_curve_D = 4.0});
   const auto base = [&](double azimuth, double elevation) {
     return as_worn(lens, gaze_direction(azimuth, elevation), 13.5e-3).base_deg.value();
   };

@@ -99,7 +99,7 @@ TEST(Prism, DeviatesTowardsItsBaseByExactlySoMuch) {
 }
 
 TEST(Prism, IsThickestAtItsBase) {
-  const Spectacles straight = lens_with({.sphere_D = 0.0}, {});
+  const Spectacles straight = single_vision({.sphere_D = 0.0}, {.base_curve_D = 4.0});
   const Spectacles wedged = with_prism(straight, 3.0, 180.0);
   // A plane-parallel meniscus of index 1.5: 3 cm/m need a wedge of 0.06 rad, 60 mm across that are 3.6 mm of thickness, ± half of it about
   // the centre. (4 D of base curve move that by a few per cent.)

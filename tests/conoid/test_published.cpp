@@ -207,10 +207,10 @@ RC_GTEST_PROP(Previous, IsExactInsideBeforeItsScaling, ()) {
   const Eigen::Vector3d gaze = gaze_direction(drawn(-25, 25, degree), drawn(-25, 25, degree));
   const SpectacleConoid c = trace_conoid(lens, gaze, eye.rotation_center_m);
   RC_PRE(c.status == LensStatus::ok);
-  const auto blur = previous_blur(eye, 0.5, &lens, gaze, d);
-  RC_ASSERT(blur.has_value());
-  const Eigen::Matrix2d exact = c.angular_footprint(eye.slope_matrix(0.5).matrix(), 1.0 / d);
-  RC_ASSERT((c.angular_q(1.0 / d) * blur->inside - exact).norm() <= 1e-11);
+  const auto arriving = PreviousMethod(&lens, gaze, eye.rotation_center_m).vergence_at_pupil(1.0 / d);
+  RC_ASSERT(arriving.has_value());
+  const Eigen::Matrix2d slopes = eye.slope_matrix(0.5).matrix(), exact = c.angular_footprint(slopes, 1.0 / d);
+  RC_ASSERT((c.angular_q(1.0 / d) * (slopes - *arriving) - exact).norm() <= 1e-11);
 }
 
 }  // namespace

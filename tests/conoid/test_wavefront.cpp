@@ -9,6 +9,7 @@
 #include "conoid/five_variables.h"
 #include "conoid/ray_transfer.h"
 #include "conoid/wavefront.h"
+#include "lensmodel/sphere_surface.h"
 #include "lensmodel/symmetric2.h"
 #include "support/fixed_rapidcheck_seed.h"
 
@@ -111,6 +112,27 @@ TEST(Refraction, NormalIncidenceTakesAnyFrame) {
   const Wavefront out = through(Wavefront{forward, x, y, diagonal(1.0, -2.0)}, *at, diagonal(6.0, 6.0)).on(x, y);
   EXPECT_NEAR(out.curvature(0, 0), (1.0 + 0.5 * 6.0) / 1.5, 1e-15);
   EXPECT_NEAR(out.curvature(1, 1), (-2.0 + 0.5 * 6.0) / 1.5, 1e-15);
+}
+
+TEST(Refraction, NearlyNormalIncidenceKeepsItsFrameInTheTangentPlane) {
+  // N × n is rounded to 1e-16 whatever its length: at an incidence of 1e-8 it leaned out of the tangent plane by 1e-8, and the curvature of
+  // a surface inclined to the lens's axis was wrong by as much. A back surface nearly concentric with the eye's centre of rotation is met
+  // like that by every oblique gaze; sturm stress found it there.
+  const Eigen::Vector3d n = Eigen::Vector3d(0.4, -0.3, -0.8).normalized();
+  for (const double incidence : {1e-6, 1e-7, 1e-8, 2e-9}) {
+    const Eigen::Vector3d direction = (n + incidence * Eigen::Vector3d(0.7, 0.2, 0.35)).normalized();
+    const auto at = Interface::refracting(direction, n, 1.0, 1.5);
+    ASSERT_TRUE(at);
+    // A few roundings of numbers of size 1, whatever the incidence.
+    EXPECT_LT(std::abs(at->u.dot(n)), 1e-15) << incidence;
+    EXPECT_LT(std::abs(at->u.dot(direction)), 1e-15) << incidence;
+    EXPECT_NEAR(at->u.norm(), 1.0, 1e-15) << incidence;
+    // A sphere of 1 D about the axis z has that curvature on every tangent frame: K = -1 D, and no twist.
+    const Eigen::Vector3d p = -n;  // where the unit sphere's outward normal is n
+    const auto sphere = SphereSurface{1.0}.sag(p.x(), p.y());
+    ASSERT_TRUE(sphere);
+    EXPECT_LT((tangent_curvature(*sphere, at->u, at->tangent) + Eigen::Matrix2d::Identity()).norm(), 1e-14) << incidence;
+  }
 }
 
 TEST(Refraction, TotalReflectionIsNoInterface) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 
 #include "io/sag_grid.h"
 #include "io_testing.h"
@@ -133,7 +132,10 @@ TEST_F(SagGridFile, TheProgressiveReferenceComesBackFromItsOwnPoints) {
     worst = std::fmax(worst, std::abs(surface_power(*grid.surface.sag(p.x, p.y), 1.498).mean_D - p.mean_D));
   }
   EXPECT_EQ(count, 44);
-  std::printf("91 points: worst %g D, residual rms %g max %g um\n", worst, 1e6 * grid.residual.rms, 1e6 * grid.residual.max);
+  // Knots 3 mm apart in a corridor of 14 mm. Measured: 0.372 D; residual 0.25 um (rms), 1.32 um (max).
+  EXPECT_LT(worst, 0.38);
+  EXPECT_LT(grid.residual.rms, 0.3e-6);
+  EXPECT_LT(grid.residual.max, 1.4e-6);
 }
 
 TEST_F(SagGridFile, TheProgressiveReferenceComesBackFromAnExportOfHalfAMillimetre) {
@@ -142,14 +144,15 @@ TEST_F(SagGridFile, TheProgressiveReferenceComesBackFromAnExportOfHalfAMillimetr
   for (int i = -52; i <= 52; ++i)  // the reference's x runs down, its y sideways
     for (int j = -44; j <= 44; ++j) text += row(0.5 * i, 0.5 * j, surface.sag(0.5 * mm * j, -0.5 * mm * i)->value / mm, "%.1f,%.1f,%.6f\n");
   const SagGrid grid = read_sag_grid(file(text), std::nullopt, 20 * mm);
-  double worst = 0.0;
-  for (const ReferencePoint& p : reference_points())
-    worst = std::fmax(worst, std::abs(surface_power(*grid.surface.sag(p.x, p.y), 1.498).mean_D - p.mean_D));
-  double near = 0.0;
-  for (const ReferencePoint& p : reference_points())
-    if (p.y < 6 * mm) near = std::fmax(near, std::abs(surface_power(*grid.surface.sag(p.x, p.y), 1.498).mean_D - p.mean_D));
-  std::printf("near %g\n", near);
-  std::printf("0.5 mm: worst %g D\n", worst);
+  double worst = 0.0, near = 0.0;
+  for (const ReferencePoint& p : reference_points()) {
+    const double error = std::abs(surface_power(*grid.surface.sag(p.x, p.y), 1.498).mean_D - p.mean_D);
+    worst = std::fmax(worst, error);
+    if (p.y < 6 * mm) near = std::fmax(near, error);
+  }
+  // h²/12 of the power's second derivative. Measured: 0.0055 D within 5 mm of the umbilic; 0.061 D at 20 mm, where the cylinder is 20 D.
+  EXPECT_LT(near, 0.006);
+  EXPECT_LT(worst, 0.065);
 }
 
 }  // namespace

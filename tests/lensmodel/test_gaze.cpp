@@ -57,5 +57,27 @@ TEST(TurnedPupil, MovesTowardsTheGazeAboutTheRotationCentre) {
   EXPECT_NEAR((right - Eigen::Vector3d(0.0, 0.0, 13.5e-3)).norm(), 13.5e-3, 1e-15);
 }
 
+TEST(Gaze, PictureJacobianIsSecantSquaredAlongTheRadiusAndSecantAcross) {
+  // At 50° to the right: 2.4203 and 1.5557.
+  const Eigen::Vector3d gaze = gaze_direction(0.87266462599716477, 0.0);
+  const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
+  const Eigen::Matrix2d j = picture_jacobian(gaze, turn.col(0), turn.col(1));
+  EXPECT_NEAR(j(0, 0), 2.4202765, 1e-6);
+  EXPECT_NEAR(j(1, 1), 1.5557238, 1e-6);
+  EXPECT_NEAR(j(0, 1), 0.0, 1e-15);
+  EXPECT_NEAR(j(1, 0), 0.0, 1e-15);
+}
+
+TEST(Gaze, PictureJacobianIsADerivative) {
+  const Eigen::Vector3d gaze = gaze_direction(-0.5, 0.4);
+  const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
+  const Eigen::Matrix2d j = picture_jacobian(gaze, turn.col(0), turn.col(1));
+  constexpr double h = 1e-6;
+  for (int c : {0, 1}) {
+    const Eigen::Vector2d difference = (picture_point(gaze + h * turn.col(c)) - picture_point(gaze - h * turn.col(c))) / (2.0 * h);
+    EXPECT_LT((j.col(c) - difference).norm(), 1e-9);  // h² and 1e-16/h
+  }
+}
+
 }  // namespace
 }  // namespace sturm

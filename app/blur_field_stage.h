@@ -1,0 +1,30 @@
+#pragma once
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "conoid/blur_field/depth_analytic_field.h"
+#include "conoid/blur_field/voxel_fill.h"
+#include "io/blur_field_spec.h"
+#include "io/json.h"
+
+namespace sturm {
+
+/// A blur field and how it came about.
+struct BlurField {
+  FieldGrid grid;
+  TracedDirections directions;
+  std::optional<DepthAnalyticField> analytic;
+  std::optional<VoxelField> voxels;
+  Json summary;  ///< sizes, counters and the interpolation error: what does not depend on the run
+  std::map<std::string, double> seconds;
+};
+
+BlurField compute_blur_field(const BlurFieldSpec& spec);
+
+/// The ellipses of all lines of sight at the distances of the spec, as an SVG document ([Kakimoto2010] fig. 12). Each stands where its
+/// chief ray goes, on the picture plane; `best` accommodation is that of each ellipse.
+std::string layers_svg(const BlurFieldSpec& spec, const TracedDirections& directions, double drawn_scale = 3.0);
+
+}  // namespace sturm

@@ -1,0 +1,48 @@
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/blur_field_stage.h"
+#include "app/commands.h"
+#include "app/configuration.h"
+#include "app/stopwatch.h"
+#include "conoid/blur_field/field_exr.h"
+#include "io/atomic_file.h"
+#include "io/error.h"
+#include "io/manifest.h"
+
+namespace sturm {
+
+int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files) {
+  const std::filesystem::path exr(files.output);
+  if (exr.extension() != ".exr") throw InputError("", "--output", "\"" + files.output + "\"", "a name that ends in .exr");
+  const BlurFieldSpec spec = read_blur_field_spec(load_configuration(options), options.file);
+  require_writable(exr);
+  if (!files.layers.empty()) require_writable(files.layers);
+
+  const Stopwatch total;
+  RunFacts facts;
+  facts.threads = thread_count(options);
+  facts.started_utc = utc_now();
+  facts.input_files = spec.input_files;
+  if (options.file != "-") facts.input_files.insert(facts.input_files.begin(), options.file);
+  BlurField field = compute_blur_field(spec);
+  Stopwatch writing;
+  write_blur_field(exr, field.grid, field.directions, field.analytic ? &*field.analytic : nullptr, field.voxels ? &*field.voxels : nullptr,
+                   {{"sturm.spec", spec.resolved->dump()}});
+  if (!files.layers.empty()) write_file_atomically(files.layers, layers_svg(spec, field.directions));
+  facts.seconds = field.seconds;
+  facts.seconds["writing"] = writing.seconds();
+  facts.seconds["total"] = total.seconds();
+  std::filesystem::path beside = exr;
+  write_file_atomically(beside.replace_extension(".manifest.json"),
+                        manifest(facts, *spec.resolved, field.summary, spec.notes).dump(1) + "\n");
+
+  Json summary = {{"format", "sturm.blurfield_result/1"}};
+  summary.update(field.summary);
+  summary["seconds"] = facts.seconds;
+  std::cout << summary.dump(2) << "\n";
+  return 0;
+}
+
+}  // namespace sturm

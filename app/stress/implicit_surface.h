@@ -1,0 +1,50 @@
+#pragma once
+#include "app/stress/extended.h"
+#include "lensmodel/surface.h"
+
+namespace sturm::stress {
+
+/// A surface as the zero set of a function G with G ≈ −2z at the vertex: another description than the heights z(x, y) that the program
+/// works with. `gradient` points outward on the sheet through the vertex.
+template <class T>
+struct Implicit {
+  T value;
+  Vec3<T> gradient;
+  bool on_sheet;  ///< within the part that the heights describe
+};
+
+/// Sphere and conic: c (x² + y² + (1 + k) z²) − 2z.
+template <class T>
+Implicit<T> conic_function(Extended c, Extended one_plus_k, const Vec3<T>& p) {
+  const T bend = T(c * one_plus_k) * p.z - T(1.0L);
+  return {T(c) * (p.x * p.x + p.y * p.y + T(one_plus_k) * p.z * p.z) - T(2.0L) * p.z,
+          {T(2.0L * c) * p.x, T(2.0L * c) * p.y, T(2.0L) * bend},
+          value_of(bend) < 0.0L};
+}
+
+/// Torus: a point at (s, g, z) came from the height w = (1 − D)/c_s of the generator, D² = (1 − c_s z)² + c_s² s²: the sweep keeps the
+/// distance D/c_s from its axis. There c_g (g² + w²) − 2w = 0. Written so that both curvatures may vanish.
+template <class T>
+Implicit<T> torus_function(const TorusSurface& torus, const Vec3<T>& p) {
+  using std::sqrt;
+  const Extended cs = torus.sweep_curvature(), cg = torus.generator_curvature(), ax = torus.sweep_direction().x(),
+                 ay = torus.sweep_direction().y();
+  const T s = T(ax) * p.x + T(ay) * p.y, g = T(ax) * p.y - T(ay) * p.x;
+  const T m = T(1.0L) - T(cs) * p.z, distance = sqrt(m * m + T(cs * cs) * s * s);
+  const T w = (T(2.0L) * p.z - T(cs) * (p.z * p.z + s * s)) / (T(1.0L) + distance);
+  const T by_w = T(2.0L) * (T(cg) * w - T(1.0L)), by_s = by_w * (T(-cs) * s / distance), by_g = T(2.0L * cg) * g,
+          by_z = by_w * (m / distance);
+  return {T(cg) * (g * g + w * w) - T(2.0L) * w,
+          {T(ax) * by_s - T(ay) * by_g, T(ay) * by_s + T(ax) * by_g, by_z},
+          value_of(m) > 0.0L && value_of(by_w) < 0.0L};
+}
+
+template <class T>
+Implicit<T> implicit(const Surface& surface, const Vec3<T>& p) {
+  if (const auto* torus = std::get_if<TorusSurface>(&surface)) return torus_function(*torus, p);
+  if (const auto* conic = std::get_if<ConicSurface>(&surface))
+    return conic_function(conic->curvature, 1.0L + static_cast<Extended>(conic->conic_constant), p);
+  return conic_function(std::get<SphereSurface>(surface).curvature, 1.0L, p);
+}
+
+}  // namespace sturm::stress

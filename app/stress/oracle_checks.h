@@ -1,0 +1,21 @@
+#pragma once
+#include "app/stress/check.h"
+#include "app/stress/error_model.h"
+#include "conoid/spectacle_conoid.h"
+
+namespace sturm::stress {
+
+/// Chief ray, ray transfer, footprint at 1/d and curvature of a conoid that came through, against the oracle's trace.
+void check_against_oracle(Outcomes& outcomes, const SpectacleConoid& conoid, const ExtendedTrace& oracle, const ErrorBounds& bounds,
+                          const Eigen::Matrix2d& slopes, double vergence_D);
+
+/// What became of the chief ray. Where program and oracle differ within the error bounds of what decides, it is skipped.
+void check_status(Outcomes& outcomes, LensStatus status, const Spectacles& lens, const ExtendedTrace& oracle, const ErrorBounds& bounds);
+
+/// Power at the cornea, by power vectors and the inverse in extended precision; `eye` null where the program refused the prescription.
+void check_correction(Outcomes& outcomes, const Prescription& rx, const Eye* eye);
+
+/// Error bound of the power at the cornea [D].
+double correction_bound(const Prescription& rx);
+
+}  // namespace sturm::stress

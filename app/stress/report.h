@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "app/stress/suite.h"
+#include "io/json.h"
+
+namespace sturm::stress {
+
+/// The summary as a table for people.
+std::string table_of(const SuiteSummary& summary);
+
+/// A sturm.stress_report/1 document. Nothing in it depends on threads or time.
+Json report_of(const SuiteSummary& summary);
+
+/// One case in full: its sturm.ellipse/1 document, results in double and in extended precision, and every check.
+Json case_json(std::uint64_t seed, std::uint64_t index, const CaseRun& run);
+
+}  // namespace sturm::stress
