@@ -125,8 +125,6 @@ bool analytic(const Spectacles& lens) {
 
 const char* word_for(Eq11Failure failure) {
   switch (failure) {
-    case Eq11Failure::no_axes:
-      return "no_axes";
     case Eq11Failure::no_length:
       return "no_length";
     case Eq11Failure::singular:
@@ -137,7 +135,7 @@ const char* word_for(Eq11Failure failure) {
 }
 
 const char* word_for(const PublishedTrace& trace) {
-  if (trace.conoid) return "ok";
+  if (trace.conoid) return trace.free_axes ? "free_axes" : "ok";
   return trace.failure ? word_for(*trace.failure) : "lost";
 }
 
