@@ -51,18 +51,23 @@ std::optional<Eigen::Matrix2d> PreviousMethod::vergence_at_pupil(double target_v
   return wave->on(inside_.col(0), inside_.col(1)).curvature;
 }
 
-std::optional<Eigen::Matrix2d> PreviousMethod::angular_footprint(const Eigen::Matrix2d& needed, double target_vergence_D) const {
+std::optional<PreviousBlur> PreviousMethod::blur(const Eigen::Matrix2d& needed, double target_vergence_D) const {
   const auto vergence = vergence_at_pupil(target_vergence_D);
   if (!vergence) return std::nullopt;
-  const double length = 1.0 + target_vergence_D * inside_length();  // path from pupil to object over the distance from the exit point
-  return Eigen::Matrix2d(length * (widening_.asDiagonal() * (needed - *vergence)));
+  return PreviousBlur{needed - *vergence, widening_, 1.0 + target_vergence_D * inside_length()};
+}
+
+std::optional<PreviousBlur> previous_blur(const Eye& eye, double accommodation_D, const Spectacles* lens, const Eigen::Vector3d& gaze,
+                                          double distance_m) {
+  const PreviousMethod method(lens, gaze, eye.rotation_center_m);
+  if (method.status() != LensStatus::ok) return std::nullopt;
+  return method.blur(eye.slope_matrix(accommodation_D).matrix(), std::isinf(distance_m) ? 0.0 : 1.0 / distance_m);
 }
 
 std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double accommodation_D, const Spectacles* lens,
                                                           const Eigen::Vector3d& gaze, double distance_m) {
-  const PreviousMethod method(lens, gaze, eye.rotation_center_m);
-  if (method.status() != LensStatus::ok) return std::nullopt;
-  return method.angular_footprint(eye.slope_matrix(accommodation_D).matrix(), std::isinf(distance_m) ? 0.0 : 1.0 / distance_m);
+  const auto blur = previous_blur(eye, accommodation_D, lens, gaze, distance_m);
+  return blur ? std::optional(blur->angular()) : std::nullopt;
 }
 
 }  // namespace sturm

@@ -156,12 +156,11 @@ Json first_order_json(const std::optional<Eigen::Matrix2d>& map, const Eigen::Ma
 }
 
 /// How far the previous method is from the exact first order once its scaling to the object is replaced by the true one, Q.
-Json unscaled_error(const Sight& sight, const PreviousMethod& previous, const Eigen::Matrix2d& exact, double vergence_D) {
-  const auto arriving = previous.vergence_at_pupil(vergence_D);
-  if (!arriving) return nullptr;
-  const Eigen::Matrix2d q = sight.conoid.angular_q(vergence_D), inside = sight.slopes() - *arriving;
+Json unscaled_error(const Sight& sight, const std::optional<PreviousBlur>& previous, const Eigen::Matrix2d& exact, double vergence_D) {
+  if (!previous) return nullptr;
+  const Eigen::Matrix2d q = sight.conoid.angular_q(vergence_D);
   // Against the size of what the footprint is the difference of, where the blur itself nearly vanishes.
-  return (q * inside - exact).norm() / (exact.norm() + q.norm());
+  return (q * previous->inside - exact).norm() / (exact.norm() + q.norm());
 }
 
 /// What the same pair of covariances says about footprints that are wrong on purpose.
@@ -177,13 +176,13 @@ Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& si
   const double vergence = vergence_at(distance_m);
   const Eigen::Matrix2d exact = sight.exact(vergence);
   const std::optional<Eigen::Matrix2d> published = sight.as_published(vergence);
-  const PreviousMethod method(&lens.lens, sight.gaze, spec.rotation_center_m);
-  const std::optional<Eigen::Matrix2d> previous = method.angular_footprint(sight.slopes(), vergence);
+  const auto blur_inside = previous_blur(sight.eye, sight.accommodation_D, &lens.lens, sight.gaze, distance_m);
+  const std::optional<Eigen::Matrix2d> previous = blur_inside ? std::optional(blur_inside->angular()) : std::nullopt;
   const SingularValues blur = singular_values(exact);
   Json view = {{"distance_m", distance_json(distance_m)},
                {"blur_D", {blur.large, blur.small}},
                {"first_order", {{"published", first_order_json(published, exact)}, {"previous", first_order_json(previous, exact)}}},
-               {"previous_unscaled_error", unscaled_error(sight, method, exact, vergence)}};
+               {"previous_unscaled_error", unscaled_error(sight, blur_inside, exact, vergence)}};
   std::optional<Eigen::Matrix2d> small, large;
   Json pupils = Json::array();
   for (const double diameter : spec.pupil_diameters_m) {

@@ -69,7 +69,7 @@ ExrPart analytic_part(const DepthAnalyticField& field) {
   return part;
 }
 
-enum VoxelState { left_out = -1, undefined = 0, with_footprint = 1 };
+constexpr float left_out = -1.0f, undefined = 0.0f, with_footprint = 1.0f;  ///< states of a voxel
 
 ExrPart voxel_part(const VoxelField& field) {
   const FieldGrid& grid = field.grid();

@@ -145,7 +145,8 @@ class ColumnFill {
     const PreviousMethod previous(job_.lens, line_of_sight(), job_.eye.rotation_center_m);
     each([&](int k) {
       const double vergence = job_.grid.vergence(k), accommodation = job_.best ? best_at(conoid, vergence) : job_.fixed_D;
-      return previous.angular_footprint(job_.eye.slope_matrix(accommodation).matrix(), vergence);
+      const auto blur = previous.blur(job_.eye.slope_matrix(accommodation).matrix(), vergence);
+      return blur ? std::optional(blur->angular()) : std::nullopt;
     });
   }
 

@@ -19,6 +19,7 @@
 #include "conoid/blur_field/depth_analytic_field.h"
 #include "conoid/blur_field/voxel_fill.h"
 #include "lensmodel/progressive.h"
+#include "lensmodel/single_vision.h"
 
 namespace sturm::bench {
 namespace {
@@ -57,7 +58,7 @@ void fill_previous(const Setup& setup, std::vector<float>& voxels) {
       const PreviousMethod method(&setup.lens, setup.grid.line_of_sight(setup.grid.ndc_x(i), setup.grid.ndc_y(j)),
                                   setup.eye.rotation_center_m);
       for (int k = 0; k < setup.grid.nz; ++k, out += 4) {
-        const auto x = method.angular_footprint(needed, setup.grid.vergence(k)).value();
+        const auto x = method.blur(needed, setup.grid.vergence(k)).value().angular();
         for (int c = 0; c < 4; ++c) out[c] = static_cast<float>(x(c / 2, c % 2));
       }
     }
@@ -141,8 +142,7 @@ void bench_look_up(const Setup& setup, int repetitions, std::vector<Figure>& fig
   figures.push_back({setup.name + ": look-up in the voxels", "ns", 1e9 * median(voxel_s) / count});
 }
 
-/// Least times of chief rays [ms] and of voxels [ms], which a busy machine disturbs least, and the median of the time of a plain fill of
-/// the same memory over that of the voxels.
+/// Least times of chief rays [ms] and of voxels [ms], which a busy machine disturbs least, and the median of the time of a plain fill of the same memory over that of the voxels.
 struct GridTimes {
   double rays, voxels, plain_ratio;
 };
@@ -208,9 +208,9 @@ void print_table(const std::vector<Figure>& figures, const Options& options, std
 int run(const Options& options) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Setup toric{.name = "toric", .lens = single_vision({-4.0, -2.0, 30.0}, {})};
-  Setup free_form{.name = "free-form"};
-  free_form.lens =
-      progressive_lens({-4.0, -2.0, 30.0}, {.lens = {}, .addition_D = 2.0, .near_shift_m = -2.5e-3, .zone_width_m = 10e-3}).lens;
+  ProgressiveDesign design;
+  design.zone_width_m = 10e-3;
+  const Setup free_form{.name = "free-form", .lens = progressive_lens({-4.0, -2.0, 30.0, 12e-3}, design).lens};
   std::vector<Figure> figures;
   bench_lens(toric, 5.0, options.repetitions, figures);
   bench_lens(free_form, 15.0, options.repetitions, figures);

@@ -4,7 +4,7 @@
 namespace sturm::bench {
 
 /// The previous method with all that one direction has in common taken out of the loop over the depths: Snell's law, the frames and the
-/// surfaces' curvatures. It gives the numbers of PreviousMethod::angular_footprint; what is left per voxel are two refractions and two
+/// surfaces' curvatures. It gives the numbers of PreviousMethod::blur; what is left per voxel are two refractions and two
 /// transfers of 2×2 matrices.
 class HoistedPrevious {
  public:

@@ -78,6 +78,11 @@ TEST(Progressive, LookingDownThereIsMorePower) {
   EXPECT_NEAR(down - up, 3.0, 0.9);
 }
 
+TEST(Progressive, TheNearZoneLiesWhereItsShiftSays) {
+  const Spectacles lens = progressive_lens({-1.0}, design()).lens;  // shifted to the wearer's left
+  EXPECT_GT(sag(lens.front, -9 * mm, -13 * mm)->value, sag(lens.front, 9 * mm, -13 * mm)->value + 1e-5);
+}
+
 TEST(Progressive, WhatCannotBeMade) {
   ProgressiveDesign steep = design();
   steep.lens.base_curve_D = 30.0;  // a radius of 20 mm does not reach a rim of 30 mm
