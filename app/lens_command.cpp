@@ -51,19 +51,7 @@ std::vector<double> angles(const std::string& text, const char* option) {
 SpectaclesSpec read_lens(const Json& document, const std::string& file) {
   if (format_of(document, file) != "spectacles") Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");
   validate(document, "spectacles", file);
-  for (const char* maker : {"single_vision", "progressive"})
-    if (const auto made = document.find(maker); made != document.end() && !made->contains("prescription"))
-      throw InputError(file, std::string("/") + maker, "no \"prescription\"", "\"prescription\": there is no eye here to take it from");
-  return read_spectacles(document, {file, ""}, Eye{});
-}
-
-/// The power that the lens was made for, or has on its axis.
-PowerMatrix nominal_power(const SpectaclesSpec& spec, const std::string& file) {
-  if (spec.made_for) return PowerMatrix::from(*spec.made_for);
-  const auto power = vertex_power(*spec.lens).back_vertex;
-  if (!power)
-    throw InputError(file, "", "a lens whose focal line lies in its back vertex", "a lens with a back vertex power to compare a map with");
-  return *power;
+  return read_lens_alone(document, {file, ""});
 }
 
 /// Throws where a picture could not be written as named.
@@ -103,9 +91,9 @@ int lens_command(const CommonOptions& options, const LensOptions& lens, const st
   query.material = spec.material;
   query.fits = spec.fits;
   if (!lens.map_file.empty())
-    write_picture(lens.map_file, as_worn_maps(query.lens, nominal_power(spec, options.file), query.rotation_center_m));
+    write_picture(lens.map_file, as_worn_maps(query.lens, nominal_power(spec, {options.file, ""}), query.rotation_center_m));
   if (!lens.defocus_map_file.empty()) {
-    const PowerMatrix correction = nominal_power(spec, options.file).moved_towards_eye(query.lens.vertex_distance_m);
+    const PowerMatrix correction = nominal_power(spec, {options.file, ""}).moved_towards_eye(query.lens.vertex_distance_m);
     std::vector<LensMap> maps;
     for (const double distance : targets)
       maps.push_back(defocus_map(query.lens, correction, query.rotation_center_m, distance, lens.amplitude_D));

@@ -64,6 +64,15 @@ double contour_step_for(const Eigen::MatrixXd& values) {
 
 }  // namespace
 
+PowerMatrix nominal_power(const SpectaclesSpec& spec, const Source& where) {
+  if (spec.made_for) return PowerMatrix::from(*spec.made_for);
+  const auto power = vertex_power(*spec.lens).back_vertex;
+  if (!power)
+    throw InputError(where.file, where.pointer, "a lens whose focal line lies in its back vertex",
+                     "a lens with a back vertex power to compare a map with");
+  return *power;
+}
+
 std::vector<LensMap> as_worn_maps(const Spectacles& lens, const PowerMatrix& nominal, double rotation_center_m) {
   LensMap mean = empty_map(lens, rotation_center_m, "mean power error, as worn"), cylinder = mean;
   cylinder.title = "cylinder of the error, as worn";

@@ -2,12 +2,16 @@
 #include <vector>
 
 #include "compare/lens_map.h"
+#include "io/spectacles_spec.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/spectacles.h"
 
 namespace sturm {
 
 inline constexpr int lens_map_samples = 161;  ///< each way, over the rim's diameter
+
+/// The power that a lens was made for, or has on its axis. Throws InputError about `where` for a lens that has neither.
+PowerMatrix nominal_power(const SpectaclesSpec& spec, const Source& where);
 
 /// Mean power and cylinder of what the lens gives as worn (conoid/as_worn.h) less `nominal` [D]. Each place is where the line of sight
 /// meets the back surface; places outside of the rim or without a power have none. `rotation_center_m` is behind the pupil.

@@ -127,13 +127,13 @@ std::string order_table(const Json& section) {
 }
 
 std::string eq11_table(const Json& section) {
-  constexpr const char* outcomes[] = {"no_axes", "singular", "negative", "no_length"};
+  constexpr const char* outcomes[] = {"free_axes", "singular", "negative", "no_length"};
   std::vector<Column> columns = {{"Gaze from the axis"}, {"Lines of sight"}, {"Chief ray lost"}};
   for (const char* reading : {"axes along e′<sub>1</sub>", "axes in the plane of incidence"})
-    for (const char* outcome : {"no axes", "singular", "E′ not positive", "no length"})
+    for (const char* outcome : {"free axes", "singular", "E′ not positive", "no length"})
       columns.push_back({std::string(outcome) + "<small>" + reading + "</small>"});
-  HtmlTable table("Where conoid tracing as published has no ellipse: lines of sight by reading of the tangent plane's axes", "compact",
-                  columns);
+  HtmlTable table("Where conoid tracing as published has no ellipse, or free axes: lines of sight by reading of the tangent plane's axes",
+                  "compact", columns);
   std::map<double, std::map<std::string, int>> counts;
   for (const Json& gaze : array_at(section, "gazes")) {
     auto& row = counts[number_at(gaze, "eccentricity_deg").value_or(0.0)];
@@ -148,10 +148,13 @@ std::string eq11_table(const Json& section) {
       for (const char* outcome : outcomes) cells.push_back(count_html(row[std::string(reading) + outcome]));
     table.add_row(cells);
   }
-  return table.html() + element("p", "",
-                                "“No axes”: the wave behind the lens is a plane or a sphere, without principal directions for the ellipse "
-                                "to lie along. It is what a "
-                                "relaxed eye sends out on the axis of the lens that corrects it.");
+  return table.html() +
+         element(
+             "p", "",
+             "“Free axes”: the wave behind the lens is a plane or a sphere, without principal directions for the ellipse to lie along; it "
+             "keeps "
+             "those that it had. A relaxed eye sends out such a wave on the axis of the lens that corrects it. The other columns have no "
+             "ellipse.");
 }
 
 }  // namespace

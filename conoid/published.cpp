@@ -37,15 +37,16 @@ PublishedConoid transferred(const PublishedConoid& c, double distance) {
 }
 
 std::optional<PublishedConoid> through(const PublishedConoid& c, const SurfaceElement& surface, double index_before, double index_behind,
-                                       TangentAxes tangent, std::optional<Eq11Failure>& failure) {
+                                       TangentAxes tangent, PublishedTrace& trace) {
   const Eigen::Vector3d normal = surface.normal, t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
   const PrincipalCurvatures bend = principal(tangent_curvature(surface, t1, t2), t1, t2);
   auto wave = refracted(c.wave, normal, bend, index_before, index_behind);
   if (!wave) return std::nullopt;
   const double size = std::abs(c.wave.kappa1) + std::abs(c.wave.kappa2) + std::abs(bend.kappa1) + std::abs(bend.kappa2);
   if (std::abs(wave->kappa1 - wave->kappa2) <= relative_isotropy * size && !is_circle(c)) {
-    failure = Eq11Failure::no_axes;
-    return std::nullopt;
+    trace.free_axes = true;
+    wave->e1 = (c.wave.e1 - c.wave.e1.dot(wave->direction) * wave->direction).normalized();
+    wave->e2 = wave->direction.cross(wave->e1);
   }
   // Keep the numbers: e'₁ is the one that continues e₁.
   if (std::abs(wave->e1.dot(c.wave.e1)) < std::abs(wave->e2.dot(c.wave.e1))) {
@@ -55,7 +56,7 @@ std::optional<PublishedConoid> through(const PublishedConoid& c, const SurfaceEl
   Eq11Failure why{};
   const auto axes = refracted_semi_axes({c.epsilon1, c.epsilon2}, c.wave, *wave, normal, tangent, &why);
   if (!axes) {
-    failure = why;
+    trace.failure = why;
     return std::nullopt;
   }
   return PublishedConoid{*wave, axes->first, axes->second};
@@ -97,10 +98,10 @@ PublishedTrace trace_published_or_why(const Eye& eye, double accommodation_D, co
   PublishedTrace result;
   if (path.status != LensStatus::ok) return result;
   const auto inside =
-      through(transferred(pupil, (path.back_point - center).norm()), path.back, 1.0, lens->refractive_index, tangent, result.failure);
+      through(transferred(pupil, (path.back_point - center).norm()), path.back, 1.0, lens->refractive_index, tangent, result);
   if (!inside) return result;
-  result.conoid = through(transferred(*inside, (path.exit.origin - path.back_point).norm()), path.front, lens->refractive_index, 1.0,
-                          tangent, result.failure);
+  result.conoid =
+      through(transferred(*inside, (path.exit.origin - path.back_point).norm()), path.front, lens->refractive_index, 1.0, tangent, result);
   return result;
 }
 

@@ -23,7 +23,6 @@ enum class TangentAxes {
 
 /// Why eq. 11 has no ellipse behind a surface.
 enum class Eq11Failure {
-  no_axes,    ///< the refracted wave is a plane or a sphere: it has no principal directions, though the section is not a circle
   no_length,  ///< an axis in front of the surface has no length: E is infinite
   singular,   ///< a refracted principal direction stands at 45° to the axes (to 1e-6 of the determinant)
   negative    ///< the solution has a square ε'² = 1/E' that is not positive
@@ -43,11 +42,13 @@ std::optional<SemiAxes> refracted_semi_axes(const SemiAxes& axes, const FiveVari
 std::optional<PublishedConoid> trace_published(const Eye& eye, double accommodation_D, const Spectacles* spectacles,
                                                const Eigen::Vector3d& gaze, TangentAxes tangent = TangentAxes::principal);
 
-/// The same with what stopped it: the failure of eq. 11, or none of the two where the chief ray was lost. A relaxed eye behind the lens
-/// that corrects it sends out a plane wave on the axis, so there an astigmat's ellipse has no axes to lie along.
+/// The same with what stopped it: the failure of eq. 11, or none where the chief ray was lost.
 struct PublishedTrace {
   std::optional<PublishedConoid> conoid;
   std::optional<Eq11Failure> failure;
+  /// Behind a surface the wave was a plane or a sphere, without principal directions, but the section was not a circle: it kept its own
+  /// axes. A relaxed eye behind the lens that corrects it sends out such a wave on the axis.
+  bool free_axes = false;
 };
 PublishedTrace trace_published_or_why(const Eye& eye, double accommodation_D, const Spectacles* spectacles, const Eigen::Vector3d& gaze,
                                       TangentAxes tangent = TangentAxes::principal);

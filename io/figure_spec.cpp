@@ -72,8 +72,7 @@ class FigureReader {
   }
 
   SpectaclesSpec read_lens(const Json& lens, const Source& place) {
-    if (lens.is_null()) place.fail(lens, "a lens");
-    SpectaclesSpec spectacles = read_spectacles(lens, place, Eye{});
+    SpectaclesSpec spectacles = read_lens_alone(lens, place);
     add_inputs(spectacles.input_files);
     return spectacles;
   }

@@ -196,4 +196,15 @@ SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye
   return spec;
 }
 
+SpectaclesSpec read_lens_alone(const Json& value, const Source& where) {
+  if (value.is_null()) where.fail(value, "a lens");
+  const bool named = value.is_string();
+  const Json lens = named ? load_named_document(value, where, "spectacles") : value;
+  const Source place = named ? Source{path_beside(value.get<std::string>(), where.file).string(), ""} : where;
+  for (const char* maker : {"single_vision", "progressive"})
+    if (const auto made = lens.find(maker); made != lens.end() && !made->contains("prescription"))
+      missing("prescription", place / maker, "\"prescription\": there is no eye here to take it from");
+  return read_spectacles(value, where, Eye{});
+}
+
 }  // namespace sturm

@@ -33,4 +33,7 @@ struct SpectaclesSpec {
 /// a prescription gets the back vertex power that `eye` needs at the lens's vertex distance. Throws InputError.
 SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye& eye);
 
+/// The same for a lens without an eye: null and a maker without a prescription are refused.
+SpectaclesSpec read_lens_alone(const Json& value, const Source& where);
+
 }  // namespace sturm

@@ -5,23 +5,13 @@
 #include "compare/lens_map.h"
 #include "compare/sturm_conoid_svg.h"
 #include "conoid/spectacle_conoid.h"
-#include "io/atomic_file.h"
 #include "io/error.h"
-#include "io/sha256.h"
+#include "io/text_file.h"
 #include "lensmodel/gaze.h"
-#include "lensmodel/vertex_power.h"
 
 namespace sturm {
 
 namespace {
-
-/// The power that the lens was made for, or has on its axis.
-PowerMatrix nominal_power(const SpectaclesSpec& spec, const std::string& id) {
-  if (spec.made_for) return PowerMatrix::from(*spec.made_for);
-  const auto power = vertex_power(*spec.lens).back_vertex;
-  if (!power) throw InputError("", "figure " + id, "a lens whose focal line lies in its back vertex", "a lens with a back vertex power");
-  return *power;
-}
 
 /// Draws one figure; each kind its own way.
 struct Draw {
@@ -50,14 +40,14 @@ struct Draw {
   }
 
   std::string operator()(const LensMapsFigure& maps) const {
-    return lens_map_svg_file(as_worn_maps(*maps.lens.lens, nominal_power(maps.lens, spec.id), maps.rotation_center_m));
+    return lens_map_svg_file(as_worn_maps(*maps.lens.lens, nominal_power(maps.lens, {"", "figure " + spec.id}), maps.rotation_center_m));
   }
 
   std::string operator()(const DefocusMapsFigure& maps) const {
     std::vector<LensMap> drawn;
     for (std::size_t i = 0; i < maps.lenses.size(); ++i) {
       const Spectacles& lens = *maps.lenses[i].lens;
-      const PowerMatrix correction = nominal_power(maps.lenses[i], spec.id).moved_towards_eye(lens.vertex_distance_m);
+      const PowerMatrix correction = nominal_power(maps.lenses[i], {"", "figure " + spec.id}).moved_towards_eye(lens.vertex_distance_m);
       drawn.push_back(defocus_map(lens, correction, maps.rotation_center_m, maps.distance_m, maps.amplitude_D));
       drawn.back().title = maps.names[i] + "\\n" + drawn.back().title;
     }

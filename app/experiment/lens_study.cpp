@@ -64,10 +64,11 @@ struct Sight {
   std::optional<LensView> lens;             ///< where the chief ray comes through
   std::array<PublishedTrace, 2> published;  ///< by TangentAxes::principal and ::incidence
 
-  /// Maps X/d [rad/m] of the three methods on the conoid's axes across the outgoing chief ray.
-  Eigen::Matrix2d exact(double vergence_D) const {
-    return conoid.angular_footprint(eye.slope_matrix(accommodation_D).matrix(), vergence_D);
-  }
+  /// F − A·I.
+  Eigen::Matrix2d slopes() const { return eye.slope_matrix(accommodation_D).matrix(); }
+
+  /// Maps X/d [rad/m] of the methods on the conoid's axes across the outgoing chief ray.
+  Eigen::Matrix2d exact(double vergence_D) const { return conoid.angular_footprint(slopes(), vergence_D); }
   std::optional<Eigen::Matrix2d> as_published(double vergence_D) const {
     if (!published[0].conoid) return std::nullopt;
     return angular_map(*published[0].conoid, conoid.exit.e1, conoid.exit.e2, vergence_D);
@@ -124,8 +125,6 @@ bool analytic(const Spectacles& lens) {
 
 const char* word_for(Eq11Failure failure) {
   switch (failure) {
-    case Eq11Failure::no_axes:
-      return "no_axes";
     case Eq11Failure::no_length:
       return "no_length";
     case Eq11Failure::singular:
@@ -136,7 +135,7 @@ const char* word_for(Eq11Failure failure) {
 }
 
 const char* word_for(const PublishedTrace& trace) {
-  if (trace.conoid) return "ok";
+  if (trace.conoid) return trace.free_axes ? "free_axes" : "ok";
   return trace.failure ? word_for(*trace.failure) : "lost";
 }
 
@@ -177,14 +176,13 @@ Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& si
   const double vergence = vergence_at(distance_m);
   const Eigen::Matrix2d exact = sight.exact(vergence);
   const std::optional<Eigen::Matrix2d> published = sight.as_published(vergence);
-  const auto previous = previous_blur(sight.eye, sight.accommodation_D, &lens.lens, sight.gaze, distance_m);
+  const auto blur_inside = previous_blur(sight.eye, sight.accommodation_D, &lens.lens, sight.gaze, distance_m);
+  const std::optional<Eigen::Matrix2d> previous = blur_inside ? std::optional(blur_inside->angular()) : std::nullopt;
   const SingularValues blur = singular_values(exact);
   Json view = {{"distance_m", distance_json(distance_m)},
                {"blur_D", {blur.large, blur.small}},
-               {"first_order",
-                {{"published", first_order_json(published, exact)},
-                 {"previous", first_order_json(previous ? std::optional(previous->angular()) : std::nullopt, exact)}}},
-               {"previous_unscaled_error", unscaled_error(sight, previous, exact, vergence)}};
+               {"first_order", {{"published", first_order_json(published, exact)}, {"previous", first_order_json(previous, exact)}}},
+               {"previous_unscaled_error", unscaled_error(sight, blur_inside, exact, vergence)}};
   std::optional<Eigen::Matrix2d> small, large;
   Json pupils = Json::array();
   for (const double diameter : spec.pupil_diameters_m) {
@@ -202,7 +200,7 @@ Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& si
           rays.covariance ? semi_axes_json(Ellipse::of_second_moments(*rays.covariance), arcminutes_per_radian) : Json(nullptr)},
          {"ray_transfer", against_rays(exact)},
          {"published", against_rays(published)},
-         {"previous", against_rays(previous ? std::optional(previous->angular()) : std::nullopt)}});
+         {"previous", against_rays(previous)}});
   }
   OrderFit fit;
   Json mutants = {{"published_as_exact", nullptr}, {"mirrored_gaze", nullptr}};

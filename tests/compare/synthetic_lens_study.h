@@ -70,7 +70,7 @@ inline nlohmann::json synthetic_lens_study() {
   section["conditions"] = {{"radial", 10}, {"azimuthal", 40}, {"order_pupils_mm", {0.5, 1.0}}, {"rotation_center_mm", 13.5}};
   section["lenses"] = {study_lens("toric", false, -2.0), study_lens("round", true, 0.0), study_lens("free form", false, 0.0)};
   section["lenses"][2]["analytic_surfaces"] = false;
-  section["gazes"] = {study_gaze("toric", 0.0, "no_axes", "no_axes"), study_gaze("toric", 20.0, "ok", "negative"),
+  section["gazes"] = {study_gaze("toric", 0.0, "free_axes", "free_axes"), study_gaze("toric", 20.0, "ok", "negative"),
                       study_gaze("round", 0.0, "ok", "ok"), study_gaze("round", 20.0, "ok", "ok"),
                       study_gaze("free form", 20.0, "ok", "ok")};
   section["views"] = {study_view("toric", 0.0, 0.0, false), study_view("toric", 20.0, 0.2), study_view("round", 0.0, 1e-14),

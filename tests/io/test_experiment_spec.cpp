@@ -135,11 +135,32 @@ TEST_F(LensStudySpecTest, IsRead) {
   ASSERT_TRUE(study.field);
   EXPECT_EQ(study.field->lens, 1u);
   EXPECT_EQ(study.field->azimuths_deg.back(), 50);
-  EXPECT_EQ(spec.figures[0].file, folder_ / "map.svg");
+  EXPECT_EQ(std::get<FigureFile>(spec.figures[0].drawing).file, folder_ / "map.svg");
   EXPECT_THAT(spec.input_files,
               ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "lenses/l.json").string(), (folder_ / "map.svg").string()));
   EXPECT_EQ((*spec.resolved)["lens_study"]["quadrature"]["radial"], 10);
   EXPECT_EQ(*read_experiment(*spec.resolved, file_).resolved, *spec.resolved);
+}
+
+TEST_F(LensStudySpecTest, FiguresThatTheRunDraws) {
+  write_text(folder_ / "lenses/made.json", R"({"format": "sturm.spectacles/1", "single_vision": {"prescription": {"sphere_D": 1}, "center_thickness_mm": 2, "refractive_index": 1.6}})");
+  const auto figure = [&](const std::string& drawing) {
+    Json document = document_;
+    document["figures"] = Json::array({Json::parse(R"({"id": "f", "title": "F")" + drawing + "}")});
+    return read_experiment(document, file_).figures.at(0);
+  };
+  const auto conoid = std::get<SturmConoidFigure>(
+      figure(R"(, "sturm_conoid": {"eye": {"prescription": {"sphere_D": -2}, "pupil_diameter_mm": 4}, "gaze_deg": [0, 30], "to_m": 0.7})").drawing);
+  EXPECT_NEAR(conoid.elevation, 0.52359877559829887, 1e-16);
+  EXPECT_EQ(conoid.end_m, 0.7);
+  EXPECT_FALSE(conoid.spectacles);
+  const auto maps = std::get<DefocusMapsFigure>(figure(R"(, "defocus_maps": {"lenses": ["../lenses/made.json"], "distance_m": "inf"})").drawing);
+  EXPECT_EQ(maps.names, std::vector<std::string>{"made"});
+  EXPECT_TRUE(std::isinf(maps.distance_m));
+  EXPECT_THAT(input_error([&] { figure(""); }), HasSubstr("/figures/0: got"));
+  EXPECT_THAT(input_error([&] { figure(R"(, "file": "map.svg", "lens_maps": {"lens": "../lenses/made.json"})"); }), HasSubstr("exactly one of"));
+  EXPECT_THAT(input_error([&] { figure(R"(, "lens_maps": {"lens": "../lenses/l.json"})"); }), HasSubstr("no eye here"));
+  EXPECT_THAT(input_error([&] { figure(R"(, "ellipse_layers": "none.json")"); }), HasSubstr("/figures/0/ellipse_layers"));
 }
 
 TEST_F(LensStudySpecTest, ErrorsNameTheirPlace) {
