@@ -8,8 +8,10 @@
 #include "compare/report_numbers.h"
 #include "conoid/as_worn.h"
 #include "conoid/spectacle_conoid.h"
+#include "io/error.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
+#include "lensmodel/vertex_power.h"
 
 namespace sturm {
 

@@ -1,5 +1,6 @@
 #include "compare/sturm_conoid_svg.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -35,7 +35,8 @@ class ExperimentSpecTest : public testing::Test {
                   "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 40, "resolution": [64, 32]},
                   "ray_models": ["power_matrix", "sin2_radial"], "samples_per_pixel": 256}],
       "gates": "../gates/g.json", "baseline": "../none.json"
-    })", "e.json");
+    })",
+                           "e.json");
   }
   std::string error_with(const std::string& assignment) const {
     Json document = document_;
@@ -79,21 +80,26 @@ TEST_F(ExperimentSpecTest, ReadsAllSections) {
 }
 
 TEST_F(ExperimentSpecTest, IdsAreUniqueAndKnown) {
-  EXPECT_THAT(error_with("/ellipses/prescriptions/1/id=P172-OS"), HasSubstr("/ellipses/prescriptions/1/id: got \"P172-OS\", expected an id that no other"));
-  EXPECT_THAT(error_with("/psfs/0/prescription=plane"), AllOf(HasSubstr("/psfs/0/prescription: got \"plane\" (did you mean \"plano\"?)"), HasSubstr("P172-OS")));
+  EXPECT_THAT(error_with("/ellipses/prescriptions/1/id=P172-OS"),
+              HasSubstr("/ellipses/prescriptions/1/id: got \"P172-OS\", expected an id that no other"));
+  EXPECT_THAT(error_with("/psfs/0/prescription=plane"),
+              AllOf(HasSubstr("/psfs/0/prescription: got \"plane\" (did you mean \"plano\"?)"), HasSubstr("P172-OS")));
   EXPECT_THAT(error_with("/psfs/0/id=../p"), HasSubstr("/psfs/0/id: got \"../p\""));
   Json document = document_;
   document.erase("ellipses");
-  EXPECT_THAT(input_error([&] { read_experiment(document, file_); }), HasSubstr("/psfs/0/prescription: got \"plano\", expected nothing (ids of /ellipses/prescriptions)"));
+  EXPECT_THAT(input_error([&] { read_experiment(document, file_); }),
+              HasSubstr("/psfs/0/prescription: got \"plano\", expected nothing (ids of /ellipses/prescriptions)"));
 }
 
 TEST_F(ExperimentSpecTest, ErrorsNameTheirPlace) {
   EXPECT_THAT(error_with("/gates=none.json"), HasSubstr("/gates: got \"none.json\""));
-  EXPECT_THAT(error_with("/images/0/accommodation={\"mode\": \"best\", \"amplitude_D\": 1}"), HasSubstr("/images/0/accommodation: got mode \"best\""));
+  EXPECT_THAT(error_with("/images/0/accommodation={\"mode\": \"best\", \"amplitude_D\": 1}"),
+              HasSubstr("/images/0/accommodation: got mode \"best\""));
   EXPECT_THAT(error_with("/images/0/ray_models/0=metalstigmatism"), HasSubstr("/images/0/accommodation: got no \"focus_distance_m\""));
   EXPECT_THAT(error_with("/ellipses/rays/replicates=1"), HasSubstr("/ellipses/rays/replicates: got 1"));
   EXPECT_THAT(error_with("/images/0/replicates=1"), HasSubstr("/images/0/replicates: got 1"));
-  EXPECT_THAT(error_with("/ellipses/prescriptions/0={\"id\": \"a\", \"sphere_D\": 40, \"vertex_distance_mm\": 25}"), HasSubstr("/ellipses/prescriptions/0: got"));
+  EXPECT_THAT(error_with("/ellipses/prescriptions/0={\"id\": \"a\", \"sphere_D\": 40, \"vertex_distance_mm\": 25}"),
+              HasSubstr("/ellipses/prescriptions/0: got"));
 }
 
 class LensStudySpecTest : public ExperimentSpecTest {
@@ -143,22 +149,27 @@ TEST_F(LensStudySpecTest, IsRead) {
 }
 
 TEST_F(LensStudySpecTest, FiguresThatTheRunDraws) {
-  write_text(folder_ / "lenses/made.json", R"({"format": "sturm.spectacles/1", "single_vision": {"prescription": {"sphere_D": 1}, "center_thickness_mm": 2, "refractive_index": 1.6}})");
+  write_text(
+      folder_ / "lenses/made.json",
+      R"({"format": "sturm.spectacles/1", "single_vision": {"prescription": {"sphere_D": 1}, "center_thickness_mm": 2, "refractive_index": 1.6}})");
   const auto figure = [&](const std::string& drawing) {
     Json document = document_;
     document["figures"] = Json::array({Json::parse(R"({"id": "f", "title": "F")" + drawing + "}")});
     return read_experiment(document, file_).figures.at(0);
   };
   const auto conoid = std::get<SturmConoidFigure>(
-      figure(R"(, "sturm_conoid": {"eye": {"prescription": {"sphere_D": -2}, "pupil_diameter_mm": 4}, "gaze_deg": [0, 30], "to_m": 0.7})").drawing);
+      figure(R"(, "sturm_conoid": {"eye": {"prescription": {"sphere_D": -2}, "pupil_diameter_mm": 4}, "gaze_deg": [0, 30], "to_m": 0.7})")
+          .drawing);
   EXPECT_NEAR(conoid.elevation, 0.52359877559829887, 1e-16);
   EXPECT_EQ(conoid.end_m, 0.7);
   EXPECT_FALSE(conoid.spectacles);
-  const auto maps = std::get<DefocusMapsFigure>(figure(R"(, "defocus_maps": {"lenses": ["../lenses/made.json"], "distance_m": "inf"})").drawing);
+  const auto maps =
+      std::get<DefocusMapsFigure>(figure(R"(, "defocus_maps": {"lenses": ["../lenses/made.json"], "distance_m": "inf"})").drawing);
   EXPECT_EQ(maps.names, std::vector<std::string>{"made"});
   EXPECT_TRUE(std::isinf(maps.distance_m));
   EXPECT_THAT(input_error([&] { figure(""); }), HasSubstr("/figures/0: got"));
-  EXPECT_THAT(input_error([&] { figure(R"(, "file": "map.svg", "lens_maps": {"lens": "../lenses/made.json"})"); }), HasSubstr("exactly one of"));
+  EXPECT_THAT(input_error([&] { figure(R"(, "file": "map.svg", "lens_maps": {"lens": "../lenses/made.json"})"); }),
+              HasSubstr("exactly one of"));
   EXPECT_THAT(input_error([&] { figure(R"(, "lens_maps": {"lens": "../lenses/l.json"})"); }), HasSubstr("no eye here"));
   EXPECT_THAT(input_error([&] { figure(R"(, "ellipse_layers": "none.json")"); }), HasSubstr("/figures/0/ellipse_layers"));
 }
@@ -181,7 +192,8 @@ TEST(GateSpec, ReadsAllComparisons) {
     {"id": "b", "title": "t", "statistic": "s", "comparison": "at_least", "bound": 0.5, "reason": "r"},
     {"id": "c", "title": "t", "statistic": "s", "comparison": "differs", "bound": 4, "reason": "r"},
     {"id": "d", "title": "t", "statistic": "s", "comparison": "baseline", "bound": 4, "reason": "r"},
-    {"id": "e", "title": "t", "statistic": "s", "comparison": "must_fail", "bound": 4, "reason": "r"}]})", "g.json");
+    {"id": "e", "title": "t", "statistic": "s", "comparison": "must_fail", "bound": 4, "reason": "r"}]})",
+                                   "g.json");
   const std::vector<GateSpec> gates = read_gates(document, "g.json");
   ASSERT_EQ(gates.size(), 5u);
   EXPECT_EQ(gates[0].unit, "σ");
