@@ -78,11 +78,11 @@ std::optional<Figure> convergence_figure(const Json& section) {
       largest_published = published;
     }
     const char* colour = colours[number++ % std::size(colours)];
-    add(rows_of(*view, "ray_transfer"), std::string("pt 7 ps 0.5 lw 1.6 lc rgb '") + colour + "'", "ray transfer, " + view_name(*view));
+    add(rows_of(*view, "ray_transfer"), std::string("pt 7 ps 0.5 lw 1.6 lc rgb '") + colour + "'", text_at(lens, "id"));
   }
   if (!shown) return std::nullopt;
-  add(rows_of(*shown, "published"), "pt 5 ps 0.6 lw 1.6 dt 2 lc rgb '#b2182b'", "as published, " + view_name(*shown));
-  add(rows_of(*shown, "previous"), "pt 9 ps 0.7 lw 1.6 dt 3 lc rgb '#b8860b'", "previous, " + view_name(*shown));
+  add(rows_of(*shown, "published"), "pt 5 ps 0.6 lw 1.6 dt 2 lc rgb '#b2182b'", "as published, " + text_at(*shown, "lens"));
+  add(rows_of(*shown, "previous"), "pt 9 ps 0.7 lw 1.6 dt 3 lc rgb '#b8860b'", "previous, " + text_at(*shown, "lens"));
   const double start = absolute_error(array_at(*shown, "pupils").front(), "ray_transfer").value_or(1e-6),
                pupil = number_at(array_at(*shown, "pupils").front(), "pupil_mm").value_or(1.0);
   const std::string script = "set xrange [" + plain_number(0.8 * pupil) + ":*]" + R"(
@@ -94,7 +94,7 @@ set format y "10^{%T}"
 set xtics (0.25, 0.5, 1, 2, 3, 4, 6, 8, 10)
 set xlabel "diameter of the pupil [mm]"
 set ylabel "absolute error of the covariance [arcmin²]"
-set key outside right top Left reverse samplen 2 spacing 1.2 noenhanced
+set key outside right top Left reverse samplen 2 spacing 1.0 maxcols 1 font ",10" noenhanced title "ray transfer, by lens"
 )" + blocks + plots + ", " + plain_number(0.25 * start) +
                              "*(x/" + plain_number(pupil) + ")**4 with lines lw 1 lc rgb '#999999' title 'slope 4', " +
                              plain_number(100.0 * start) + "*(x/" + plain_number(pupil) +
@@ -104,8 +104,8 @@ set key outside right top Left reverse samplen 2 spacing 1.2 noenhanced
   figure.section = "lens_study";
   figure.title = "Absolute error against the pupil";
   figure.caption =
-      "Frobenius norm of the difference of the covariances from real rays, per lens in the oblique view (eccentricity, direction, "
-      "distance) with the largest error. Ray "
+      "Frobenius norm of the difference of the covariances from real rays, for each lens in the oblique view (eccentricity, direction, "
+      "distance) in which ray transfer errs most; the other two methods in the view in which eq. 11 errs most. Ray "
       "transfer falls with the fourth power of the pupil: only the lens's aberration is left. A method with a first-order error falls with "
       "the second.";
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 1120, .height = 520});

@@ -1,5 +1,6 @@
 #include "io/figure_spec.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/error.h"
@@ -82,7 +83,10 @@ class FigureReader {
     for (std::size_t i = 0; i < drawing["lenses"].size(); ++i) {
       const Json& lens = drawing["lenses"][i];
       figure.lenses.push_back(read_lens(lens, place / "lenses" / i));
-      figure.names.push_back(lens.is_string() ? std::filesystem::path(lens.get<std::string>()).stem().string() : std::to_string(i + 1));
+      std::string name =
+          lens.is_string() ? std::filesystem::path(lens.get<std::string>()).stem().string() : "lens " + std::to_string(i + 1);
+      std::replace(name.begin(), name.end(), '_', ' ');
+      figure.names.push_back(std::move(name));
     }
     figure.rotation_center_m = rotation_center(drawing);
     figure.distance_m = read_distance(drawing["distance_m"], place / "distance_m");

@@ -51,6 +51,13 @@ double worst_defocus(const Json& section, const std::string& method) {
   return worst;
 }
 
+double worst_first_order(const Json& section, const std::string& method) {
+  double worst = 0.0;
+  for (const Json& view : array_at(section, "views"))
+    worst = std::max(worst, number_at(view, "first_order/" + method + "/defocus_D").value_or(0.0));
+  return worst;
+}
+
 }  // namespace
 
 Json assembled_lens_study(const LensStudySpec& spec, const Json& parts, const Json& field) {
@@ -96,10 +103,10 @@ Json lens_study_sentence(const Json& section) {
       text, sizeof text,
       "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its truncation alone, which falls with "
       "the pupil to the "
-      "power %s and is at most %.2g D at the widest pupil; eq. 11 as published has no solution in %zu of %zu gazes and errs by "
-      "up to %.2g D in the others, the previous method by up to %.2g D.",
-      array_at(section, "lenses").size(), array_at(section, "views").size(), order_text, worst_defocus(section, "ray_transfer"), failed,
-      traced, worst_defocus(section, "published"), worst_defocus(section, "previous"));
+      "power %s and is at most %.2g D at the widest pupil; at every pupil alike, eq. 11 as published errs by up to %.2g D in first order "
+      "(no solution in %zu of %zu gazes) and the previous method by up to %.2g D.",
+      array_at(section, "lenses").size(), array_at(section, "views").size(), order_text, worst_defocus(section, "ray_transfer"),
+      worst_first_order(section, "published"), failed, traced, worst_first_order(section, "previous"));
   return text;
 }
 
