@@ -10,7 +10,8 @@ std::string svg_document(int width, int height, const std::string& label, const 
 /// `value` with two decimals, for coordinates.
 std::string coordinate(double value);
 
-/// Text at (x, y); `anchor` is start, middle or end; `size` in pixels.
-std::string svg_text(double x, double y, const std::string& text, const char* anchor = "middle", int size = 13);
+/// Text at (x, y); `anchor` is start, middle or end; `size` in pixels; `colour` "" is the drawing's own.
+std::string svg_text(double x, double y, const std::string& text, const char* anchor = "middle", int size = 13,
+                     const std::string& colour = "");
 
 }  // namespace sturm

@@ -1,8 +1,10 @@
 #include "compare/lens_field_figures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/drawing.h"
 #include "compare/lens_study_errors.h"
 #include "compare/report_gnuplot.h"
 #include "compare/report_json.h"
@@ -49,12 +51,6 @@ std::optional<Ellipse> ellipse_of(const Json& entry) {
   const auto major = number_at(entry, "semi_axes_arcmin/0"), minor = number_at(entry, "semi_axes_arcmin/1");
   if (!major || !minor) return std::nullopt;
   return Ellipse{*major, *minor, number_at(entry, "orientation_deg")};
-}
-
-std::string svg_text(double x, double y, const std::string& text, const char* anchor = "start", int size = 13,
-                     const char* fill = "#333333") {
-  return "<text x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" font-size=\"" + std::to_string(size) + "\" text-anchor=\"" +
-         anchor + "\" fill=\"" + fill + "\">" + escaped(text) + "</text>\n";
 }
 
 }  // namespace
@@ -118,7 +114,7 @@ std::optional<Figure> field_ellipses(const Json& field) {
         body += element("g", std::string("fill=\"none\" stroke-width=\"1.8\" stroke=\"") + series[row].colour + "\"",
                         svg_ellipse(*e, scale, x, y, series[row].key));
       else
-        body += svg_text(x, y + 4.0, "–", "middle");
+        body += svg_text(x, y + 4.0, "–");
     }
   }
   const double bar = round_length_below(0.9 * cell / scale), y = height - 16.0;
@@ -130,10 +126,7 @@ std::optional<Figure> field_ellipses(const Json& field) {
   figure.section = "lens_study";
   figure.title = "Wide field: the blur ellipses side by side";
   figure.caption = conditions(field) + " Grey: real rays, behind the outline of each method.";
-  figure.svg = element("svg",
-                       "xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" viewBox=\"0 0 " + plain_number(width) + " " +
-                           plain_number(height) + "\"",
-                       body);
+  figure.svg = svg_document(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)), figure.title, body);
   return figure;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "compare/drawing.h"
 #include "compare/false_colour.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
@@ -31,12 +32,6 @@ std::string number_text(double defocus_D) {
   return text;
 }
 
-std::string text(double x, double y, const std::string& content, const char* fill = "#333333", const char* anchor = "middle",
-                 int size = 12) {
-  return "<text x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" text-anchor=\"" + anchor + "\" font-size=\"" +
-         std::to_string(size) + "\" fill=\"" + fill + "\">" + escaped(content) + "</text>\n";
-}
-
 std::string cell(double x, double y, const WorstError& worst) {
   const bool matters = worst.defocus_D && *worst.defocus_D > defocus_that_matters_D;
   const double inset = matters ? 1.0 : 0.0;
@@ -45,8 +40,9 @@ std::string cell(double x, double y, const WorstError& worst) {
                     (worst.defocus_D ? fill_of(*worst.defocus_D) : "#eceff2") + "\"" +
                     (matters ? " stroke=\"#000000\" stroke-width=\"2\"" : "") + "/>\n";
   const bool dark = worst.defocus_D && position_on(scale, *worst.defocus_D) > 0.42;
-  return svg + text(x + 0.5 * cell_width, y + 0.5 * cell_height + 4.0,
-                    worst.defocus_D ? number_text(*worst.defocus_D) + (worst.without > 0 ? "*" : "") : "–", dark ? "#ffffff" : "#1f2328");
+  return svg + svg_text(x + 0.5 * cell_width, y + 0.5 * cell_height + 4.0,
+                        worst.defocus_D ? number_text(*worst.defocus_D) + (worst.without > 0 ? "*" : "") : "–", "middle", 12,
+                        dark ? "#ffffff" : "#1f2328");
 }
 
 }  // namespace
@@ -59,29 +55,27 @@ Figure heat_map(const LensStudyErrors& errors, const std::string& lens) {
   std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   for (std::size_t m = 0; m < std::size(study_methods); ++m) {
     const double x0 = left + static_cast<double>(m) * (panel + gap);
-    body += text(x0, 16.0, study_methods[m].name, "#333333", "start", 14);
+    body += svg_text(x0, 16.0, study_methods[m].name, "start", 14);
     for (std::size_t p = 0; p < pupils.size(); ++p)
-      body += text(x0 + cell_width * (static_cast<double>(p) + 0.5), top - 8.0, plain_number(pupils[p]) + " mm", "#5c6670");
+      body +=
+          svg_text(x0 + cell_width * (static_cast<double>(p) + 0.5), top - 8.0, plain_number(pupils[p]) + " mm", "middle", 12, "#5c6670");
     for (std::size_t g = 0; g < gazes.size(); ++g) {
       const double y = top + cell_height * static_cast<double>(g);
-      if (m == 0) body += text(left - 8.0, y + 0.5 * cell_height + 4.0, plain_number(gazes[g]) + "°", "#5c6670", "end");
+      if (m == 0) body += svg_text(left - 8.0, y + 0.5 * cell_height + 4.0, plain_number(gazes[g]) + "°", "end", 12, "#5c6670");
       for (std::size_t p = 0; p < pupils.size(); ++p)
         body += cell(x0 + cell_width * static_cast<double>(p), y, errors.at(lens, study_methods[m].key, gazes[g], pupils[p]));
     }
   }
-  body += text(
+  body += svg_text(
       left, height - 14.0,
       "Largest error against real rays [D] over directions and distances. Black frame: above 0.05 D. *: some views without an ellipse.",
-      "#5c6670", "start");
+      "start", 12, "#5c6670");
   Figure figure;
   figure.id = "lens_study_heat_" + lens;
   figure.section = "lens_study";
   figure.title = lens + ": error by gaze and pupil";
   figure.caption = "Rows: angle between the gaze and the lens's axis. Columns: diameter of the pupil.";
-  figure.svg = element("svg",
-                       "xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" viewBox=\"0 0 " + plain_number(width) + " " +
-                           plain_number(height) + "\"",
-                       body);
+  figure.svg = svg_document(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)), figure.title, body);
   return figure;
 }
 

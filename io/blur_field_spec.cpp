@@ -8,6 +8,7 @@
 #include "io/error.h"
 #include "io/json_vectors.h"
 #include "io/schema.h"
+#include "io/worn_eye_spec.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -57,16 +58,11 @@ BlurFieldSpec read_blur_field_spec(const Json& document, const std::string& file
   validate(document, "blurfield", file);
   const Source root{file, ""};
   BlurFieldSpec spec;
-  EyeSpec eye = read_eye_spec(document["eye"], root / "eye");
-  spec.eye = eye.eye;
-  spec.notes = std::move(eye.notes);
-  spec.input_files = std::move(eye.input_files);
-  const auto add_inputs = [&](const std::vector<std::string>& files) {
-    spec.input_files.insert(spec.input_files.end(), files.begin(), files.end());
-  };
-  SpectaclesSpec spectacles = read_spectacles(document.value("spectacles", Json()), root / "spectacles", spec.eye);
-  spec.spectacles = std::move(spectacles.lens);
-  add_inputs(spectacles.input_files);
+  WornEyeSpec worn = read_worn_eye(document, root);
+  spec.eye = worn.eye;
+  spec.spectacles = std::move(worn.spectacles);
+  spec.notes = std::move(worn.notes);
+  spec.input_files = std::move(worn.input_files);
   read_field(document["field"], root / "field", spec);
 
   const Json resolved = with_defaults(document, "blurfield");
@@ -80,7 +76,8 @@ BlurFieldSpec read_blur_field_spec(const Json& document, const std::string& file
   if (spec.method != "ray_transfer") spec.depth_analytic = false;
   if (const Json& visible = resolved["visible"]; !visible.is_null()) {
     spec.visible = read_visible(visible, root / "visible");
-    add_inputs(spec.visible->scene.input_files);
+    const std::vector<std::string>& files = spec.visible->scene.input_files;
+    spec.input_files.insert(spec.input_files.end(), files.begin(), files.end());
   }
   spec.skip_rim = resolved["skip"]["rim"].get<bool>();
   spec.skip_symmetry = resolved["skip"]["symmetry"].get<bool>();

@@ -4,6 +4,7 @@
 
 #include "io/error.h"
 #include "io/schema.h"
+#include "io/worn_eye_spec.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -12,13 +13,11 @@ EllipseQuery read_ellipse_query(const Json& document, const std::string& file) {
   validate(document, "ellipse", file);
   const Source root{file, ""};
   EllipseQuery query;
-  EyeSpec eye = read_eye_spec(document["eye"], root / "eye");
-  query.eye = eye.eye;
-  query.notes = std::move(eye.notes);
-  query.input_files = std::move(eye.input_files);
-  SpectaclesSpec spectacles = read_spectacles(document.value("spectacles", Json()), root / "spectacles", query.eye);
-  query.spectacles = std::move(spectacles.lens);
-  query.input_files.insert(query.input_files.end(), spectacles.input_files.begin(), spectacles.input_files.end());
+  WornEyeSpec worn = read_worn_eye(document, root);
+  query.eye = worn.eye;
+  query.spectacles = std::move(worn.spectacles);
+  query.notes = std::move(worn.notes);
+  query.input_files = std::move(worn.input_files);
   const Json& targets = document["targets"];
   for (std::size_t i = 0; i < targets.size(); ++i) {
     Target target;

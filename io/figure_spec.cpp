@@ -5,6 +5,7 @@
 
 #include "io/error.h"
 #include "io/named_file.h"
+#include "io/worn_eye_spec.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -58,12 +59,10 @@ class FigureReader {
 
   void read_conoid(const Json& drawing, const Source& place) {
     SturmConoidFigure figure;
-    EyeSpec eye = read_eye_spec(drawing["eye"], place / "eye");
-    figure.eye = eye.eye;
-    add_inputs(eye.input_files);
-    SpectaclesSpec spectacles = read_spectacles(drawing.value("spectacles", Json()), place / "spectacles", figure.eye);
-    figure.spectacles = spectacles.lens;
-    add_inputs(spectacles.input_files);
+    WornEyeSpec worn = read_worn_eye(drawing, place);
+    figure.eye = worn.eye;
+    figure.spectacles = std::move(worn.spectacles);
+    add_inputs(worn.input_files);
     if (const auto gaze = drawing.find("gaze_deg"); gaze != drawing.end()) {
       figure.azimuth = radians_per_degree * (*gaze)[0].get<double>();
       figure.elevation = radians_per_degree * (*gaze)[1].get<double>();
