@@ -94,10 +94,11 @@ void check_split(Outcomes& outcomes, const Traced& t, double fraction) {
 }
 
 void check_turned(Outcomes& outcomes, const Traced& t, const ConoidTracer& tracer, double angle_deg) {
-  const auto [sine, cosine] = sine_cosine_of_degrees(angle_deg);
+  const double by_deg = possible_turn_deg(t.lens, angle_deg);
+  const auto [sine, cosine] = sine_cosine_of_degrees(by_deg);
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() << cosine, -sine, sine, cosine;
-  const SpectacleConoid copy = tracer(turned(t.lens, angle_deg), turn * t.gaze, t.eye.rotation_center_m);
+  const SpectacleConoid copy = tracer(turned(t.lens, by_deg), turn * t.gaze, t.eye.rotation_center_m);
   compare(outcomes, Check::turned, t, copy, conjugated(copy.exit, turn.topLeftCorner<2, 2>()), turn.transpose() * copy.chief_ray.origin);
 }
 
