@@ -74,6 +74,22 @@ struct Blocks {
   double offset = 0.0, slope = 0.0;
 };
 
+/// What is off at one surface: lengths, cosines and frames by parts (`relative`), the bend γK.
+struct PassErrors {
+  double length, relative, gamma_error, curvature_error;
+  double gamma, curvature;  ///< sizes
+};
+
+/// Transfer A + LB, then refraction A' = C'C⁻¹A, B' = C'⁻¹(μCB − γ K C⁻¹A), each rounded.
+void pass(Blocks& e, const Crossing& at, const PassErrors& by, double offset_in, double slope_in, double offset_out) {
+  const double c = at.cos_in, c_out = at.cos_out;
+  const double stretch = std::max(1.0, c_out / c), squeeze = at.mu * std::max(1.0, c / c_out), bend = by.gamma * by.curvature / (c * c_out);
+  const double offset_error = e.offset + at.path_m * e.slope + slope_in * by.length + eta * (offset_in + at.path_m * slope_in);
+  e.slope = squeeze * e.slope + bend * offset_error + (squeeze * slope_in + bend * offset_in) * by.relative +
+            offset_in * (by.gamma_error * by.curvature + by.gamma * by.curvature_error) / (c * c_out);
+  e.offset = stretch * offset_error + (stretch * offset_in + offset_out) * by.relative;
+}
+
 }  // namespace
 
 ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const ExtendedTrace& trace) {
@@ -106,25 +122,18 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
     const double gamma = std::abs(c_out - at.mu * c), gamma_error = cos_out + at.mu * cos_in + eta * (c_out + at.mu * c);
     const double bent = at.mu * direction + gamma * normal + gamma_error + eta * (1.0 + at.mu);
 
-    // Transfer A + LB, then refraction A' = C'C⁻¹A, B' = C'⁻¹(μCB − γ K C⁻¹A). A turn of (u, v) by tilt/sin cancels but for 1/(cc') − 1.
+    // A turn of (u, v) by tilt/sin cancels but for 1/(cc') − 1.
     const double length_error = hit + hit_before + eta * length;
     const double turn = sine > 0.0 ? tilt * (1.0 / (c * c_out) - 1.0) / sine + tilt * sine : 0.0;
     const double relative = cos_in / c + cos_out / c_out + turn + eta;
-    const double stretch = std::max(1.0, c_out / c), squeeze = at.mu * std::max(1.0, c / c_out);
     const double curvature = shape.hessian / s.inclination;
     const double curvature_error =
         (shape.hessian * (2.0 * normal + shape.gradient * gradient / (s.inclination * s.inclination) + 2.0 * frames) + s.hessian +
          shape.hessian_change * hit) /
         s.inclination;
-    const auto through = [&](Blocks& e, double offset_in, double slope_in, double offset_out) {
-      const double offset_error = e.offset + at.path_m * e.slope + slope_in * length_error + eta * (offset_in + at.path_m * slope_in);
-      const double bend = offset_in / (c * c_out);
-      e.slope = squeeze * e.slope + gamma * curvature * offset_error / (c * c_out) + squeeze * slope_in * relative +
-                bend * (gamma * curvature * relative + gamma_error * curvature + gamma * curvature_error);
-      e.offset = stretch * offset_error + (stretch * offset_in + offset_out) * relative;
-    };
-    through(p, at.offset_p_in, at.slope_p_in, at.offset_p_out);
-    through(q, at.offset_q_in, at.slope_q_in, at.offset_q_out);
+    const PassErrors by{length_error, relative, gamma_error, curvature_error, gamma, curvature};
+    pass(p, at, by, at.offset_p_in, at.slope_p_in, at.offset_p_out);
+    pass(q, at, by, at.offset_q_in, at.slope_q_in, at.offset_q_out);
     point = hit;
     hit_before = hit;
     direction = bent;
@@ -141,6 +150,20 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
   bounds.slope_p = p.slope + last.slope_p_out * turn;
   bounds.slope_q = q.slope + last.slope_q_out * turn;
   return bounds;
+}
+
+BlockBounds split_bounds(const ExtendedTrace& trace) {
+  Blocks p{eta, 0.0}, q{0.0, eta};
+  for (const Crossing& at : trace.at) {
+    const double gamma = std::abs(at.cos_out - at.mu * at.cos_in);
+    const double curvature = at.shape.hessian / std::sqrt(1.0 + at.shape.gradient * at.shape.gradient);
+    const PassErrors by{0.0, eta, eta * gamma, eta * curvature, gamma, curvature};
+    pass(p, at, by, at.offset_p_in, at.slope_p_in, at.offset_p_out);
+    pass(q, at, by, at.offset_q_in, at.slope_q_in, at.offset_q_out);
+  }
+  const Crossing& last = trace.at[1];
+  return {p.offset + eta * last.offset_p_out, q.offset + eta * last.offset_q_out, p.slope + eta * last.slope_p_out,
+          q.slope + eta * last.slope_q_out};
 }
 
 }  // namespace sturm::stress

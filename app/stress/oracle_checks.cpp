@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "conoid/footprint.h"
+#include "lensmodel/prism.h"
+#include "lensmodel/symmetric2.h"
 
 namespace sturm::stress {
 
@@ -45,7 +47,7 @@ void check_curvature(Outcomes& outcomes, const SpectacleConoid& conoid, const Ex
                          formula_error * (conoid.exit.offset_from_offset.norm() + conoid.exit.offset_from_slope.norm() * s);
   const double b_error = bounds.slope_p + bounds.slope_q * s +
                          formula_error * (conoid.exit.slope_from_offset.norm() + conoid.exit.slope_from_slope.norm() * s);
-  const double inverse = a.norm() / std::abs(a.determinant());  // ‖A⁻¹‖ of a 2×2 matrix
+  const double inverse = 1.0 / singular_values(a).small;  // ‖A⁻¹‖ in the spectral norm: ‖δB A⁻¹‖ ≤ ‖δB‖ of that
   // First order in the errors: where A's error is not small against A there is no bound, and a program that says none is right.
   if (!(a_error * inverse < 0.01)) return outcomes.skip(Check::curvature, Skip::focal_line);
   const auto k = conoid.exit_curvature(slopes);
@@ -127,8 +129,7 @@ void check_prism(Outcomes& outcomes, const Spectacles& lens, double prism_cm_per
   const Extended wanted = 0.01L * prism_cm_per_m, base = radians * base_deg;
   const Extended x = t.direction.x / -t.direction.z + wanted * std::cos(base), y = t.direction.y / -t.direction.z - wanted * std::sin(base);
   const double size = static_cast<double>(wanted);
-  constexpr double settled = 1e-15;  // lensmodel/prism.cpp
-  const double bound = settled + (1.0 + size * size) * error_bounds(straight, 0.0, t).direction + formula_error * size;
+  const double bound = prism_accuracy + (1.0 + size * size) * error_bounds(straight, 0.0, t).direction + formula_error * size;
   outcomes.record(Check::prism, static_cast<double>(std::hypot(x, y)), bound, std::max(1e-300, size));
 }
 

@@ -92,19 +92,19 @@ TEST(StressMutants, EachIsCaught) {
        },
        {Check::scaled, Check::exit_point},
        0.7},
-      // A quarter of the lenses is mounted, a twentieth has a prism, a thirtieth a spline.
+      // Of the lenses that a ray comes through, about a sixth is mounted (one angle in five is 0), a twentieth has a prism, a thirtieth a spline.
       {"the sign of the wrap",
        remounted([](const Mounting& m) { return Mounting(m.decentration_m(), m.pantoscopic_tilt(), -m.wrap()).with_wedge(m.wedge()); }),
        {Check::footprint, Check::exit_point, Check::turned},
-       0.15},
+       0.12},
       {"tilt and wrap exchanged",
        remounted([](const Mounting& m) { return Mounting(m.decentration_m(), m.wrap(), m.pantoscopic_tilt()).with_wedge(m.wedge()); }),
        {Check::footprint, Check::mirrored, Check::turned},
-       0.15},
+       0.12},
       {"decentration the other way",
        remounted([](const Mounting& m) { return Mounting(-m.decentration_m(), m.pantoscopic_tilt(), m.wrap()).with_wedge(m.wedge()); }),
        {Check::footprint},
-       0.15},
+       0.12},
       {"a base on the other side",
        remounted([](const Mounting& m) {
          return Mounting(m.decentration_m(), m.pantoscopic_tilt(), m.wrap()).with_wedge({-m.wedge().x(), m.wedge().y()});
