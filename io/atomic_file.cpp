@@ -31,6 +31,12 @@ AtomicFile::~AtomicFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
+bool AtomicFile::is_temporary(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const std::size_t at = name.rfind(".tmp-");
+  return name.starts_with('.') && at != std::string::npos && at > 0 && name.find_first_not_of("0123456789-", at + 5) == std::string::npos;
+}
+
 void AtomicFile::commit() {
   std::error_code code;
   std::filesystem::rename(temporary_, path_, code);

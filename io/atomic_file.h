@@ -16,6 +16,9 @@ class AtomicFile {
 
   const std::filesystem::path& temporary() const { return temporary_; }
 
+  /// Whether a name is one that this class gives: what a killed process left behind.
+  static bool is_temporary(const std::filesystem::path& path);
+
   /// Renames the temporary file to its final name, replacing what was there. Throws RuntimeFailure.
   void commit();
 

@@ -34,6 +34,12 @@ bool pictures_exist(const Json& value, const fs::path& folder) {
   return true;
 }
 
+/// Files that a killed run had not finished.
+void clear_leftovers(const fs::path& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && AtomicFile::is_temporary(entry.path())) fs::remove(entry.path());
+}
+
 }  // namespace
 
 RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume)
@@ -43,8 +49,11 @@ RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume)
     for (const char* report : {"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}) fs::remove(folder_ / report);
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "parts"))
       if (holds_parts(entry.path()) && (!resume || entry.path() != parts_)) fs::remove_all(entry.path());
-    for (const char* name : {"psf", "images", "figures"}) fs::create_directories(folder_ / name);
-    fs::create_directories(parts_);
+    for (const fs::path& used : {folder_ / "psf", folder_ / "images", folder_ / "figures", parts_}) {
+      fs::create_directories(used);
+      clear_leftovers(used);
+    }
+    clear_leftovers(folder_);
     AtomicFile probe(folder_ / "report.json");  // creating its temporary file shows that reports can be written
   } catch (const fs::filesystem_error& error) {
     throw RuntimeFailure("the output folder cannot be used: " + std::string(error.what()));
