@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "conoid/best_accommodation.h"
+#include "lensmodel/best_accommodation.h"
 #include "conoid/previous.h"
 #include "conoid/published.h"
 

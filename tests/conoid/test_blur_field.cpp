@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "conoid/best_accommodation.h"
+#include "lensmodel/best_accommodation.h"
 #include "conoid/blur_field/depth_analytic_field.h"
 #include "conoid/blur_field/field_exr.h"
 #include "conoid/blur_field/voxel_fill.h"
