@@ -123,7 +123,7 @@ TEST(EllipseQuery, RayBundleModesExcludeEachOther) {
   EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0]]", "/rays/replicates=4"}), HasSubstr("/rays/replicates: got 4"));
   EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0]]", "/rays/quadrature={\"radial\": 14, \"azimuthal\": 56}"}), HasSubstr("either"));
   EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0], [1.5, 1.5]]"}), HasSubstr("/rays/pupil_points_mm/1: got [1.5,1.5], expected a point in the pupil, at most 2.0 mm"));
-  EXPECT_THAT(error_with({"/rays/sampling=uniform_polar"}), HasSubstr("/rays/sampling: got \"uniform_polar\", expected \"uniform_disk\""));
+  EXPECT_THAT(error_with({"/rays/sampling=polar"}), HasSubstr("/rays/sampling: got \"polar\""));
 }
 
 TEST(EllipseQuery, AWidePupilIsNoted) {

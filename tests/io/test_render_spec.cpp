@@ -118,7 +118,7 @@ TEST_F(RenderSpecTest, DegenerateCamerasAreRefused) {
   EXPECT_THAT(error_with({"/camera/vfov_deg=180"}), HasSubstr("/camera/vfov_deg: got 180, expected a number > 0 and < 180"));
   EXPECT_THAT(error_with({"/camera/resolution=[0, 5]"}), HasSubstr("/camera/resolution/0: got 0"));
   EXPECT_THAT(error_with({"/camera/resolution=[16385, 5]"}), HasSubstr("/camera/resolution/0: got 16385"));
-  EXPECT_THAT(error_with({"/camera/gaze=fixed"}), HasSubstr("/camera/gaze: got \"fixed\", expected \"camera\""));
+  EXPECT_THAT(error_with({"/camera/gaze=fixed"}), HasSubstr("/camera/gaze: got \"fixed\", expected one of \"camera\", \"foveal\""));
 }
 
 TEST_F(RenderSpecTest, MethodsTakeTheirOwnMembersOnly) {

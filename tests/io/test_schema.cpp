@@ -58,7 +58,7 @@ void each_subschema(const Json& node, const std::string& place, Visit visit) {
 }
 
 TEST(Schema, AllAreEmbeddedAndSelfContained) {
-  EXPECT_THAT(schema_names(), ElementsAre("ellipse", "ellipse_result", "experiment", "eye", "gates", "lens_report", "manifest", "render",
+  EXPECT_THAT(schema_names(), ElementsAre("blurfield", "blurfield_result", "ellipse", "ellipse_result", "experiment", "eye", "gates", "lens_report", "manifest", "render",
                                           "report", "scene", "spectacles", "stress_report"));
   for (const std::string& name : schema_names()) {
     const Json schema = Json::parse(schema_text(name));

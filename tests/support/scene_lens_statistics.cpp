@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     const char* name;
     testing::Rectangle rectangle;
   };
-  const Bulb bulbs[] = {{"near", {171, 103, 16, 12}}, {"middle", {166, 78, 12, 10}}, {"far", {176, 65, 11, 11}}};
+  const Bulb bulbs[] = {{"near", {168, 100, 22, 17}}, {"middle", {166, 78, 12, 10}}, {"far", {176, 65, 11, 11}}};
   std::printf(
       "{\"source\": \"Cycles (Blender 3.4.1), camera rays refracted by two finely tessellated surfaces; 1024 samples per pixel of each seed; clamping, "
       "light threshold, adaptive sampling and denoising off; 1 px box filter; 256x256\",\n\"channel_means\": \"mean R, G, B of the picture\",\n"
