@@ -97,12 +97,9 @@ RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const W
   const CameraPose pose = camera_pose(spec.camera);
   const RayModel model = *ray_model_named(spec.ray_model);
   const Eye& eye = worn.eye;
-  ViewOptions options{spec.camera.projection,
-                      spec.camera.gaze,
-                      PupilSampler(spec.sampling, apodization_of(eye.stiles_crawford_per_m2, eye.pupil_radius_m)),
-                      worn.spectacles,
-                      sideways_m,
-                      [&scene](const LightRay& ray) { return distance_along(scene, ray); }};
+  ViewOptions options{
+      spec.camera.projection, spec.camera.gaze, PupilSampler(spec.sampling, apodization_of(eye.stiles_crawford_per_m2, eye.pupil_radius_m)),
+      worn.spectacles,        sideways_m,       [&scene](const LightRay& ray) { return distance_along(scene, ray); }};
   const bool plain = options.projection == Projection::Perspective && options.gaze == Gaze::Camera && options.pupil.is_uniform();
   if (plain && !options.spectacles) return path_trace(scene, moved_sideways(pose, sideways_m), eye, model, settings);
   return render(scene, ViewCamera(pose, eye, model, std::move(options)), settings);

@@ -38,7 +38,8 @@ CameraSpec read_camera(const Json& value, const Source& where) {
 }
 
 void require_plain_camera(const Json& value, const Source& where, const std::string& what) {
-  if (value.value("projection", "perspective") != "perspective") (where / "projection").fail(value["projection"], "\"perspective\" for " + what);
+  if (value.value("projection", "perspective") != "perspective")
+    (where / "projection").fail(value["projection"], "\"perspective\" for " + what);
   if (value.value("gaze", "camera") != "camera") (where / "gaze").fail(value["gaze"], "\"camera\" for " + what);
   if (value.contains("stereo")) (where / "stereo").fail(value["stereo"], "no stereo pair for " + what);
 }

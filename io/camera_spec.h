@@ -12,8 +12,8 @@ enum class Projection { Perspective, Equirectangular };
 /// physics.md §3: one gaze for the whole picture, or the eye turns to each of its points.
 enum class Gaze { Camera, Foveal };
 
-/// In primary gaze the pupil's centre is `position` and the line of sight meets `look_at`; in a stereo pair `position` is midway between the
-/// pupils, whose lines of sight are parallel.
+/// In primary gaze the pupil's centre is `position` and the line of sight meets `look_at`; in a stereo pair `position` is midway between
+/// the pupils, whose lines of sight are parallel.
 struct CameraSpec {
   Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m]
   Eigen::Vector3d look_at{0.0, 0.0, -1.0};  ///< [m], not at `position`

@@ -101,8 +101,7 @@ Json resolved_experiment(const Json& document) {
       if (!image.contains("sharp_samples_per_pixel")) image["sharp_samples_per_pixel"] = image["samples_per_pixel"];
   // Lenses stay as given: the schema's defaults of one kind of surface are refused for another.
   if (const auto study = resolved.find("lens_study"); study != resolved.end())
-    for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i)
-      (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
+    for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i) (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
   return resolved;
 }
 

@@ -57,7 +57,7 @@ Eye read_wavefront_eye(const Json& value, const Source& where, const std::option
     (where / "pupil_diameter_mm").fail(value["pupil_diameter_mm"], "at least the eye's own " + Json(pupil_mm).dump() + " mm");
   const SecondOrder rule = value.value("second_order", "least_squares") == "paraxial" ? SecondOrder::Paraxial : SecondOrder::LeastSquares;
   const ZernikeWave measured = ZernikeWave::from_examiner(read_coefficients(value["coefficients_um"], where / "coefficients_um"),
-                                                      0.5 * metres_per_millimetre * wave_pupil_mm);
+                                                          0.5 * metres_per_millimetre * wave_pupil_mm);
   return Eye::with(measured, rule, rx, metres_per_millimetre * pupil_mm, accommodation);
 }
 

@@ -47,7 +47,8 @@ WornEye read_worn_eye(const Json& value, const Source& where, const WornEye& oth
 }
 
 void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source& where) {
-  if (spec.camera.gaze == Gaze::Foveal && std::holds_alternative<BestAccommodation>(eye.accommodation) && spec.ray_model != "metalstigmatism")
+  if (spec.camera.gaze == Gaze::Foveal && std::holds_alternative<BestAccommodation>(eye.accommodation) &&
+      spec.ray_model != "metalstigmatism")
     return;
   require_camera_accommodation(eye.accommodation, spec.ray_model, where / "accommodation");
 }

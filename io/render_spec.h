@@ -37,8 +37,8 @@ struct RenderSpec {
   std::uint64_t seed = 1;
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were named
-  std::shared_ptr<const Json>
-      resolved;  ///< the document with every default spelt out; eye files are put in place, paths of lenses, scenes and models stay as given
+  std::shared_ptr<const Json> resolved;  ///< the document with every default spelt out; eye files are put in place, paths of lenses, scenes
+                                         ///< and models stay as given
 };
 
 /// Validates and reads a render document; `file` names it in errors and is where relative paths start. Throws InputError.

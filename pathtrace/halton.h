@@ -13,11 +13,11 @@ namespace sturm {
 namespace halton {
 
 /// Later dimensions take these again under other keys, as padding does.
-inline constexpr std::array<std::uint32_t, 32> primes{2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37,  41,  43,  47,  53,
+inline constexpr std::array<std::uint32_t, 32> primes{2,  3,  5,  7,  11, 13, 17, 19, 23, 29,  31,  37,  41,  43,  47,  53,
                                                       59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113, 127, 131};
 
-/// The scrambled radical inverse of `index` in `base`, uniform in [0, 2³²). The first 2¹⁶ points are stratified digit by digit; beyond, only
-/// the digits that the index has. What follows is random.
+/// The scrambled radical inverse of `index` in `base`, uniform in [0, 2³²). The first 2¹⁶ points are stratified digit by digit; beyond,
+/// only the digits that the index has. What follows is random.
 inline std::uint32_t scrambled_radical_inverse(std::uint32_t index, std::uint32_t base, std::uint32_t key) {
   double value = 0.0, place = 1.0;
   std::uint32_t prefix = key;

@@ -17,8 +17,8 @@ void fill_unit_disk(Sequence sequence, std::uint64_t seed, std::uint32_t replica
 void fill_pupil(const PupilSampler& sampler, Sequence sequence, std::uint64_t seed, std::uint32_t replicate, std::uint32_t first,
                 std::vector<Eigen::Vector2d>& points, std::vector<double>& weights);
 
-/// Quadrature over the unit disc: Gauss–Legendre in r², equally spaced angles; the weights add up to 1. Exact for polynomials of degree 4·radial − 2 in r
-/// and trigonometric degree azimuthal − 1.
+/// Quadrature over the unit disc: Gauss–Legendre in r², equally spaced angles; the weights add up to 1. Exact for polynomials of degree
+/// 4·radial − 2 in r and trigonometric degree azimuthal − 1.
 std::vector<WeightedPoint> disk_quadrature(int radial, int azimuthal);
 
 }  // namespace sturm

@@ -22,8 +22,8 @@ std::string name_of(RayModel model);
 /// Rays that a model could not launch, or launched oddly (physics.md §4, metalstigmatism), and those that spectacles stopped.
 struct RayCounters {
   std::uint64_t launched = 0;
-  std::uint64_t dropped = 0;         ///< at the pole |1 + d_f P| < 1e-6
-  std::uint64_t negative_focus = 0;  ///< bent as if by a focus behind the eye, f < 0
+  std::uint64_t dropped = 0;                                                       ///< at the pole |1 + d_f P| < 1e-6
+  std::uint64_t negative_focus = 0;                                                ///< bent as if by a focus behind the eye, f < 0
   std::uint64_t lost_rim = 0, lost_total_reflection = 0, lost_no_convergence = 0;  ///< in the spectacles
 
   RayCounters& operator+=(const RayCounters& other) {

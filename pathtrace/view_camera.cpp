@@ -36,7 +36,8 @@ Eigen::Matrix3d head_axes(const CameraPose& pose) {
 
 /// Axes of a head that has turned to the right by `longitude` and then up by `latitude`.
 Eigen::Matrix3d turned_head(double longitude, double latitude) {
-  return (Eigen::AngleAxisd(-longitude, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(latitude, Eigen::Vector3d::UnitX())).toRotationMatrix();
+  return (Eigen::AngleAxisd(-longitude, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(latitude, Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
 }
 
 double accommodation_at_rest(const Eye& eye) {
@@ -58,8 +59,8 @@ struct ViewCamera::Sight {
   }
 };
 
-/// First derivatives of the rays that leave the spectacles with respect to the pupil point and to the slope: offset across the chief ray [m]
-/// and difference of direction.
+/// First derivatives of the rays that leave the spectacles with respect to the pupil point and to the slope: offset across the chief ray
+/// [m] and difference of direction.
 struct ViewCamera::Bundle {
   Eigen::Matrix2d offset_by_point = Eigen::Matrix2d::Identity(), direction_by_point = Eigen::Matrix2d::Zero();
   Eigen::Matrix2d offset_by_slope = Eigen::Matrix2d::Zero(), direction_by_slope = Eigen::Matrix2d::Identity();

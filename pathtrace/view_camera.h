@@ -15,7 +15,7 @@ struct ViewOptions {
   Gaze gaze = Gaze::Camera;
   PupilSampler pupil;
   std::optional<Spectacles> spectacles;  ///< fixed to the head
-  double sideways_m = 0.0;               ///< of the eye from the pose's position, to the right; equirectangular: it goes round with the head
+  double sideways_m = 0.0;  ///< of the eye from the pose's position, to the right; equirectangular: it goes round with the head
 
   /// Distance [m] of what a ray (world) meets first, ∞ for nothing. Needed by an eye that accommodates to what it looks at.
   std::function<double(const LightRay&)> distance_along;

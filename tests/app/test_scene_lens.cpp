@@ -1,6 +1,6 @@
-// A real toric glass in somebody else's renderer: tests/reference/scene_lens, seen through the same lens by this path tracer, and its bulbs'
-// ellipses as the conoid predicts them. The reference's two seeds differ by 0.05 % in the mean, 0.5 % in the near bulb's semi-axes, 2 % in
-// the middle one's.
+// A real toric glass in somebody else's renderer: tests/reference/scene_lens, seen through the same lens by this path tracer, and its
+// bulbs' ellipses as the conoid predicts them. The reference's two seeds differ by 0.05 % in the mean, 0.5 % in the near bulb's semi-axes,
+// 2 % in the middle one's.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -113,7 +113,8 @@ TEST(SlowSceneLens, MeanAndBulbsAreTheReferences) {
     EXPECT_NEAR(ours / theirs, 1.0, 0.005) << "channel " << k;
     std::printf("channel %d: ratio of means %.5f\n", k, ours / theirs);
   }
-  // The far bulb lights the wall 3 cm behind it, which is no even background for it and for the middle one: there whole pictures are compared.
+  // The far bulb lights the wall 3 cm behind it, which is no even background for it and for the middle one: there whole pictures are
+  // compared.
   for (const auto& [bulb, relative, degrees] :
        {std::tuple(near_bulb, 0.02, 1.5), std::tuple(middle_bulb, 0.02, 1.5), std::tuple(far_bulb, 0.05, far_degrees)}) {
     const Json& spot = file["seeds"][0]["spots"][bulb.name];

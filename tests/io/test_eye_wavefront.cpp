@@ -15,7 +15,8 @@ namespace {
 using ::testing::HasSubstr;
 
 Json eye_document() {
-  return Json::parse(R"({"wavefront": {"coefficients_um": {"4": 1.2990381056766578, "8": 0.2}, "pupil_diameter_mm": 6}, "pupil_diameter_mm": 4})");
+  return Json::parse(
+      R"({"wavefront": {"coefficients_um": {"4": 1.2990381056766578, "8": 0.2}, "pupil_diameter_mm": 6}, "pupil_diameter_mm": 4})");
 }
 
 Json view_document() {
@@ -119,9 +120,10 @@ TEST(RenderView, APredictionIsOfTheNakedEyeLookingAhead) {
   Json document = view_document();
   document["method"] = {{"type", "predict"}};
   EXPECT_EQ(view_error(document), "");
-  for (const auto& [pointer, value] : {std::pair("/camera/gaze", Json("foveal")), std::pair("/method/sampling", Json("rings")),
-                                       std::pair("/spectacles", Json::parse(R"({"single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}})")),
-                                       std::pair("/eye/stiles_crawford_per_mm2", Json(0.05))}) {
+  for (const auto& [pointer, value] :
+       {std::pair("/camera/gaze", Json("foveal")), std::pair("/method/sampling", Json("rings")),
+        std::pair("/spectacles", Json::parse(R"({"single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}})")),
+        std::pair("/eye/stiles_crawford_per_mm2", Json(0.05))}) {
     Json wrong = document;
     wrong[Json::json_pointer(pointer)] = value;
     EXPECT_NE(view_error(wrong), "") << pointer;

@@ -58,8 +58,8 @@ void each_subschema(const Json& node, const std::string& place, Visit visit) {
 }
 
 TEST(Schema, AllAreEmbeddedAndSelfContained) {
-  EXPECT_THAT(schema_names(), ElementsAre("blurfield", "blurfield_result", "ellipse", "ellipse_result", "experiment", "eye", "gates", "lens_report", "manifest", "render",
-                                          "report", "scene", "spectacles", "stress_report"));
+  EXPECT_THAT(schema_names(), ElementsAre("blurfield", "blurfield_result", "ellipse", "ellipse_result", "experiment", "eye", "gates",
+                                          "lens_report", "manifest", "render", "report", "scene", "spectacles", "stress_report"));
   for (const std::string& name : schema_names()) {
     const Json schema = Json::parse(schema_text(name));
     EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#") << name;
@@ -116,10 +116,10 @@ TEST(Schema, UnknownKeysComeFirstAndWithASuggestion) {
   Json document = query();
   document["eye"]["prescription"]["spere_D"] = -1;
   document["eye"].erase("pupil_diameter_mm");  // also wrong, but the misspelt key tells more
-  EXPECT_EQ(
-      error_of(document),
-      "q.json: /eye/prescription/spere_D: got an unknown key (did you mean \"sphere_D\"?), expected one of \"axis_deg\", \"cylinder_D\", \"prism_base_deg\", \"prism_cm_per_m\", "
-      "\"sphere_D\", \"vertex_distance_mm\"");
+  EXPECT_EQ(error_of(document),
+            "q.json: /eye/prescription/spere_D: got an unknown key (did you mean \"sphere_D\"?), expected one of \"axis_deg\", "
+            "\"cylinder_D\", \"prism_base_deg\", \"prism_cm_per_m\", "
+            "\"sphere_D\", \"vertex_distance_mm\"");
   EXPECT_THAT(error_with("/targets/1/distance_mm", 3),
               HasSubstr("/targets/1/distance_mm: got an unknown key (did you mean \"distance_m\"?)"));
   EXPECT_THAT(error_with("/zzz", 3), AllOf(HasSubstr("/zzz: got an unknown key, expected one of"), HasSubstr("\"targets\"")));

@@ -30,8 +30,10 @@ TEST(Zernike, ValuesAndGradientsAreTheReferences) {
       const PlanePolynomial z = zernike_polynomial(j);
       // What the reference promises to a double-precision implementation; gradients are up to 82.
       EXPECT_NEAR(z(x, y), c["outputs"]["Z"][static_cast<std::size_t>(j)].get<double>(), 1e-12) << c["id"] << " j = " << j;
-      EXPECT_NEAR(z.derivative_x()(x, y), c["outputs"]["dZdx"][static_cast<std::size_t>(j)].get<double>(), 1e-12) << c["id"] << " j = " << j;
-      EXPECT_NEAR(z.derivative_y()(x, y), c["outputs"]["dZdy"][static_cast<std::size_t>(j)].get<double>(), 1e-12) << c["id"] << " j = " << j;
+      EXPECT_NEAR(z.derivative_x()(x, y), c["outputs"]["dZdx"][static_cast<std::size_t>(j)].get<double>(), 1e-12)
+          << c["id"] << " j = " << j;
+      EXPECT_NEAR(z.derivative_y()(x, y), c["outputs"]["dZdy"][static_cast<std::size_t>(j)].get<double>(), 1e-12)
+          << c["id"] << " j = " << j;
     }
   }
 }
@@ -105,7 +107,8 @@ TEST(ZernikeWave, RescalingIsTheLeastSquaresFitOverTheSmallerPupil) {
     std::vector<double> fit(36, 0.0);
     for (const auto& node : testing::gauss_legendre_unit(12))
       for (int k = 0; k < 24; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / 24, x = std::sqrt(node.x) * std::cos(angle), y = std::sqrt(node.x) * std::sin(angle);
+        const double angle = 2.0 * std::numbers::pi * k / 24, x = std::sqrt(node.x) * std::cos(angle),
+                     y = std::sqrt(node.x) * std::sin(angle);
         for (int j = 0; j < 36; ++j)
           fit[static_cast<std::size_t>(j)] += node.weight / 24 * wave.height({radius * x, radius * y}) * zernike_polynomial(j)(x, y);
       }

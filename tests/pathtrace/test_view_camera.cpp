@@ -1,5 +1,3 @@
-#include "pathtrace/view_camera.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/render.h"
+#include "pathtrace/view_camera.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
 
@@ -144,7 +143,7 @@ TEST(ViewCamera, AnEquirectangularPictureIsTheWholeSphere) {
   const auto direction = [&](int x, int y) { return ray_of(block_of(camera, x, y), 0).direction; };
   constexpr double pixel = 1.5 * std::numbers::pi / 180.0;
   EXPECT_LT((direction(180, 90) - Eigen::Vector3d(0, 0, -1)).norm(), pixel);
-  EXPECT_LT((direction(270, 90) - Eigen::Vector3d(1, 0, 0)).norm(), pixel);   // a quarter turn to the right
+  EXPECT_LT((direction(270, 90) - Eigen::Vector3d(1, 0, 0)).norm(), pixel);  // a quarter turn to the right
   EXPECT_LT((direction(90, 90) - Eigen::Vector3d(-1, 0, 0)).norm(), pixel);
   EXPECT_LT((direction(0, 90) - Eigen::Vector3d(0, 0, 1)).norm(), pixel);
   EXPECT_LT((direction(10, 0) - Eigen::Vector3d(0, 1, 0)).norm(), pixel);  // up
@@ -205,7 +204,8 @@ TEST(ViewCamera, BeyondItsAmplitudeAFovealEyeDoesWhatItCan) {
 }
 
 TEST(ViewCamera, AFovealEyeFocusesThroughItsLens) {
-  // Behind a lens of about −5 D an emmetrope has to accommodate by some 5 D for what is far; then the rays that leave the lens are parallel.
+  // Behind a lens of about −5 D an emmetrope has to accommodate by some 5 D for what is far; then the rays that leave the lens are
+  // parallel.
   Spectacles minus;
   minus.front = SphereSurface{0.0};
   minus.back = SphereSurface{1.0 / 0.1};
