@@ -11,6 +11,7 @@
 #include "conoid/published.h"
 #include "conoid/spectacle_conoid.h"
 #include "lensmodel/gaze.h"
+#include "pathtrace/pupil_sampler.h"
 
 namespace sturm {
 
@@ -190,8 +191,9 @@ std::string status_without_ellipse(const MeasuredBundle& bundle) {
 void write_rays(Json& result, const View& view, const EllipseQuery& query, RayModel model) {
   const AtTarget at{view};
   const auto rays = eye_rays_for(model, query.eye, *view.accommodation_D);
-  const MeasuredBundle bundle =
-      rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed, view.lens ? &*view.lens : nullptr) : MeasuredBundle{};
+  const MeasuredBundle bundle = rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed, view.lens ? &*view.lens : nullptr,
+                                                      apodization_of(query.eye.stiles_crawford_per_m2, query.eye.pupil_radius_m))
+                                     : MeasuredBundle{};
   result["rays"] = {{"launched", bundle.counters.launched},       {"lost_rim", bundle.losses.rim},
                     {"lost_tir", bundle.losses.total_reflection}, {"lost_no_convergence", bundle.losses.no_convergence},
                     {"undefined", bundle.counters.dropped},       {"negative_focus", bundle.counters.negative_focus}};

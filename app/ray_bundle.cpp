@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pathtrace/pupil_points.h"
 
@@ -42,6 +43,77 @@ void trace_angles(const EyeRays<double>& rays, const std::vector<Eigen::Vector2d
   });
 }
 
+/// First and second moments of weighted rays.
+struct WeightedMoments {
+  double weight = 0.0;
+  std::uint64_t count = 0;
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+
+  void add(const Eigen::Vector2d& angle, double w) {
+    weight += w;
+    ++count;
+    first += w * angle;
+    second += w * angle * angle.transpose();
+  }
+  Eigen::Vector2d mean() const { return first / weight; }
+  Eigen::Matrix2d covariance() const { return second / weight - mean() * mean().transpose(); }
+};
+
+/// As summarise() does for unweighted rays: standard errors are the scatter between the replicates divided by √R; one has none.
+BundleEllipse summarise_weighted(const std::vector<WeightedMoments>& replicates) {
+  BundleEllipse e;
+  const double n = static_cast<double>(replicates.size());
+  e.replicates = static_cast<int>(replicates.size());
+  for (const WeightedMoments& m : replicates) {
+    e.points += m.count;
+    e.centroid += m.mean() / n;
+    e.covariance += m.covariance() / n;
+  }
+  e.ellipse = Ellipse::of_second_moments(e.covariance);
+  if (replicates.size() < 2) return e;
+  e.degrees_of_freedom = n - 1.0;
+  Eigen::Vector2d centroid_squares = Eigen::Vector2d::Zero();
+  Eigen::Matrix3d entries = Eigen::Matrix3d::Zero();
+  for (const WeightedMoments& m : replicates) {
+    centroid_squares += (m.mean() - e.centroid).cwiseAbs2();
+    const Eigen::Matrix2d d = m.covariance() - e.covariance;
+    const Eigen::Vector3d entry(d(0, 0), d(0, 1), d(1, 1));
+    entries += entry * entry.transpose();
+  }
+  e.centroid_standard_error = (centroid_squares / (n * (n - 1.0))).cwiseSqrt();
+  e.entry_covariance = entries / (n * (n - 1.0));
+  return e;
+}
+
+/// Replicates of a pupil whose points have weights.
+MeasuredBundle measure_weighted(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec, std::uint64_t seed,
+                                const PupilSampler& sampler) {
+  const auto replicates = static_cast<std::size_t>(spec.replicates);
+  std::vector<WeightedMoments> moments(replicates);
+  std::vector<Arrivals> arrivals(replicates, target);
+  tbb::parallel_for(std::size_t{0}, replicates, [&](std::size_t r) {
+    std::vector<Eigen::Vector2d> pupil;
+    std::vector<double> weights;
+    for (std::uint64_t first = 0; first < spec.count; first += chunk_size) {
+      pupil.resize(std::min(chunk_size, spec.count - first));
+      fill_pupil(sampler, spec.sequence, seed, static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(first), pupil, weights);
+      for (std::size_t i = 0; i < pupil.size(); ++i) {
+        const Eigen::Vector2d p = rays.pupil_radius() * pupil[i];
+        if (const auto angle = arrivals[r].angle(rays.through(p.x(), p.y()))) moments[r].add(*angle, weights[i]);
+      }
+    }
+  });
+  MeasuredBundle bundle;
+  for (const Arrivals& a : arrivals) {
+    bundle.counters += a.counters;
+    bundle.losses += a.losses;
+  }
+  if (std::all_of(moments.begin(), moments.end(), [](const WeightedMoments& m) { return m.count >= 2 && m.weight > 0.0; }))
+    bundle.angular = summarise_weighted(moments);
+  return bundle;
+}
+
 MeasuredBundle measure_replicates(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec, std::uint64_t seed) {
   const auto replicates = static_cast<std::size_t>(spec.replicates);
   std::vector<BundleMoments> moments(replicates);
@@ -65,7 +137,7 @@ MeasuredBundle measure_replicates(const EyeRays<double>& rays, const Arrivals& t
   return bundle;
 }
 
-MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, Arrivals arrivals, const QuadratureSpec& rule) {
+MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, Arrivals arrivals, const QuadratureSpec& rule, double apodization) {
   MeasuredBundle bundle;
   std::vector<Eigen::Vector2d> angles;
   std::vector<double> weights;
@@ -74,7 +146,7 @@ MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, Arrivals arriv
     const auto angle = arrivals.angle(rays.through(radius * node.point.x(), radius * node.point.y()));
     if (!angle) continue;
     angles.push_back(*angle);
-    weights.push_back(node.weight);
+    weights.push_back(node.weight * std::exp(-apodization * node.point.squaredNorm()));
   }
   bundle.counters = arrivals.counters;
   bundle.losses = arrivals.losses;
@@ -128,10 +200,12 @@ Eigen::Vector2d LensView::angle(const LightRay& ray, double vergence_D) const {
 }
 
 MeasuredBundle measure_bundle(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec, std::uint64_t seed,
-                              const LensView* lens) {
+                              const LensView* lens, double apodization) {
   const Arrivals target{vergence, lens, {}, {}};
   if (!spec.pupil_points_m.empty()) return measure_points(rays, target, spec.pupil_points_m);
-  if (spec.quadrature) return measure_by_quadrature(rays, target, *spec.quadrature);
+  if (spec.quadrature) return measure_by_quadrature(rays, target, *spec.quadrature, apodization);
+  const PupilSampler sampler(spec.sampling, apodization);
+  if (!sampler.is_uniform()) return measure_weighted(rays, target, spec, seed, sampler);
   return measure_replicates(rays, target, spec, seed);
 }
 

@@ -37,9 +37,10 @@ struct LensView {
 
 /// Launches the rays of `eye_rays` through the pupil as `spec` says and measures where they go at vergence 1/d of the target
 /// (0 at infinity). Naked eye: angle = p/d + s(p). With a `lens`: through its real surfaces, d from the exit point of the chief ray; rays
-/// that it stops are left out and counted. Replicates run in parallel; the result does not depend on the number of threads.
+/// that it stops are left out and counted. `apodization`: q of the pupil (pathtrace/pupil_sampler.h), for all but given points. Replicates
+/// run in parallel; the result does not depend on the number of threads.
 MeasuredBundle measure_bundle(const EyeRays<double>& eye_rays, double target_vergence_D, const RayBundleSpec& spec, std::uint64_t seed,
-                              const LensView* lens = nullptr);
+                              const LensView* lens = nullptr, double apodization = 0.0);
 
 /// The rays of an eye in the state that the target asks for. None where the model is undefined: metalstigmatism without a focus distance.
 std::optional<EyeRays<double>> eye_rays_for(RayModel model, const Eye& eye, double accommodation_D);

@@ -19,6 +19,10 @@ CameraPose camera_pose(const CameraSpec& spec);
 /// Throws InputError where metalstigmatism has no focus distance.
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings);
 
+/// Path traces what one eye of a render document sees; `sideways_m` is where it is to the right of the camera's position.
+RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
+                             const RenderSettings& settings);
+
 struct PredictionTimes {
   double sharp_view_seconds = 0.0, spreading_seconds = 0.0;
 };

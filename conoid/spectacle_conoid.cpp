@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "conoid/best_accommodation.h"
+#include "lensmodel/best_accommodation.h"
 #include "lensmodel/gaze.h"
 
 namespace sturm {

@@ -37,7 +37,7 @@ struct SpectacleConoid {
 SpectacleConoid trace_conoid(const Spectacles& spectacles, const Eigen::Vector3d& gaze, double rotation_center_m);
 
 /// The accommodation A [D] in [0, amplitude_D] that makes the larger semi-axis of the footprint at 1/d least
-/// (conoid/best_accommodation.h).
+/// (lensmodel/best_accommodation.h).
 double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& correction, double vergence_D, double amplitude_D);
 
 /// The eye's accommodation for a target at 1/d (from the exit point).

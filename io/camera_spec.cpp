@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "io/error.h"
 #include "io/json_vectors.h"
 #include "lensmodel/units.h"
 
@@ -13,7 +14,17 @@ CameraSpec read_camera(const Json& value, const Source& where) {
   camera.position = read_vector3(value.at("position_m"));
   camera.look_at = read_vector3(value.at("look_at_m"));
   if (value.contains("up")) camera.up = read_vector3(value["up"]);
-  camera.vfov = radians_per_degree * value.at("vfov_deg").get<double>();
+  if (value.value("projection", "perspective") == "equirectangular") camera.projection = Projection::Equirectangular;
+  if (value.value("gaze", "camera") == "foveal") camera.gaze = Gaze::Foveal;
+  if (camera.projection == Projection::Equirectangular) {
+    if (value.contains("vfov_deg")) (where / "vfov_deg").fail(value["vfov_deg"], "no \"vfov_deg\" for an equirectangular picture");
+    if (camera.gaze == Gaze::Foveal) (where / "gaze").fail(value["gaze"], "\"camera\": an eye cannot turn to the whole sphere");
+  } else {
+    if (!value.contains("vfov_deg")) throw InputError(where.file, where.pointer, "no \"vfov_deg\"", "the vertical field of view [deg]");
+    camera.vfov = radians_per_degree * value["vfov_deg"].get<double>();
+  }
+  if (value.contains("stereo"))
+    camera.interpupillary_distance_m = metres_per_millimetre * value["stereo"]["interpupillary_distance_mm"].get<double>();
   camera.width = value.at("resolution")[0].get<int>();
   camera.height = value.at("resolution")[1].get<int>();
 
@@ -24,6 +35,13 @@ CameraSpec read_camera(const Json& value, const Source& where) {
   if (!(camera.up.norm() > 0.0 && camera.up.normalized().cross(look.normalized()).norm() > 1e-6))
     (where / "up").fail(value.value("up", Json::array({0, 1, 0})), "a direction that is not parallel to the line of sight");
   return camera;
+}
+
+void require_plain_camera(const Json& value, const Source& where, const std::string& what) {
+  if (value.value("projection", "perspective") != "perspective")
+    (where / "projection").fail(value["projection"], "\"perspective\" for " + what);
+  if (value.value("gaze", "camera") != "camera") (where / "gaze").fail(value["gaze"], "\"camera\" for " + what);
+  if (value.contains("stereo")) (where / "stereo").fail(value["stereo"], "no stereo pair for " + what);
 }
 
 }  // namespace sturm

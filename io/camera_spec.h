@@ -1,20 +1,34 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
+#include <string>
 
 #include "io/json.h"
 
 namespace sturm {
 
-/// Perspective camera in `camera` gaze (physics.md §3): the pupil's centre is `position`, the line of sight meets `look_at`.
+enum class Projection { Perspective, Equirectangular };
+
+/// physics.md §3: one gaze for the whole picture, or the eye turns to each of its points.
+enum class Gaze { Camera, Foveal };
+
+/// In primary gaze the pupil's centre is `position` and the line of sight meets `look_at`; in a stereo pair `position` is midway between
+/// the pupils, whose lines of sight are parallel.
 struct CameraSpec {
   Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m]
   Eigen::Vector3d look_at{0.0, 0.0, -1.0};  ///< [m], not at `position`
   Eigen::Vector3d up{0.0, 1.0, 0.0};        ///< any length; not parallel to the line of sight
-  double vfov = 0.0;                        ///< full vertical field of view [rad], in (0, π)
-  int width = 0, height = 0;                ///< [px]
+  double vfov = 0.0;                        ///< full vertical field of view [rad], in (0, π); equirectangular: not used
+  int width = 0, height = 0;                ///< [px], of one eye's picture
+  Projection projection = Projection::Perspective;
+  Gaze gaze = Gaze::Camera;
+  std::optional<double> interpupillary_distance_m;  ///< of a stereo pair
 };
 
 /// Reads a "camera" object. Throws InputError.
 CameraSpec read_camera(const Json& value, const Source& where);
+
+/// Throws InputError unless the camera is a single eye in perspective and `camera` gaze; `what` is what needs that.
+void require_plain_camera(const Json& value, const Source& where, const std::string& what);
 
 }  // namespace sturm

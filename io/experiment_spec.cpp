@@ -73,6 +73,7 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
   image.scene_name = value["scene"].get<std::string>();
   image.scene = read_scene(value["scene"], where / "scene");
   image.camera = read_camera(value["camera"], where / "camera");
+  require_plain_camera(value["camera"], where / "camera", "an experiment");
   image.prescription = value["prescription"].get<std::string>();
   image.eye = make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
                        metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);

@@ -30,6 +30,37 @@ void require_absent(const Json& value, std::initializer_list<const char*> keys, 
       (where / key).fail(value[key], "no \"" + std::string(key) + "\" for mode \"" + value["mode"].get<std::string>() + "\"");
 }
 
+/// Coefficients [m] from j = 0 on, as given.
+std::vector<double> read_coefficients(const Json& value, const Source& where) {
+  constexpr std::size_t most = 231;  // order 20
+  std::vector<double> c;
+  if (value.is_array()) {
+    for (const Json& coefficient : value) c.push_back(metres_per_micrometre * coefficient.get<double>());
+    return c;
+  }
+  for (const auto& [key, coefficient] : value.items()) {
+    const std::size_t j = std::stoul(key);
+    if (j >= most) (where / key).fail(coefficient, "an index from 0 to 230");
+    c.resize(std::max(c.size(), j + 1), 0.0);
+    c[j] = metres_per_micrometre * coefficient.get<double>();
+  }
+  return c;
+}
+
+/// An eye with a measured wavefront; `rx` is its prescription, if it has one too.
+Eye read_wavefront_eye(const Json& value, const Source& where, const std::optional<Prescription>& rx, double pupil_mm,
+                       const Accommodation& accommodation) {
+  if (rx.has_value() != value.value("combine", false))
+    where.fail(value, rx ? "\"combine\": true where there is a prescription too" : "a prescription for \"combine\"");
+  const double wave_pupil_mm = value["pupil_diameter_mm"].get<double>();
+  if (pupil_mm > wave_pupil_mm)
+    (where / "pupil_diameter_mm").fail(value["pupil_diameter_mm"], "at least the eye's own " + Json(pupil_mm).dump() + " mm");
+  const SecondOrder rule = value.value("second_order", "least_squares") == "paraxial" ? SecondOrder::Paraxial : SecondOrder::LeastSquares;
+  const ZernikeWave measured = ZernikeWave::from_examiner(read_coefficients(value["coefficients_um"], where / "coefficients_um"),
+                                                          0.5 * metres_per_millimetre * wave_pupil_mm);
+  return Eye::with(measured, rule, rx, metres_per_millimetre * pupil_mm, accommodation);
+}
+
 }  // namespace
 
 double read_distance(const Json& value, const Source& where) {
@@ -110,12 +141,17 @@ EyeSpec read_eye_spec(const Json& value, const Source& where) {
     place = {path_beside(value.get<std::string>(), where.file).string(), ""};
     spec.input_files.push_back(place.file);
   }
-  const Prescription rx = read_prescription(object.at("prescription"), place / "prescription");
+  if (!object.contains("prescription") && !object.contains("wavefront"))
+    throw InputError(place.file, place.pointer, "no \"prescription\"", "a \"prescription\" or a \"wavefront\"");
+  std::optional<Prescription> rx;
+  if (object.contains("prescription")) rx = read_prescription(object["prescription"], place / "prescription");
   Accommodation accommodation;
   if (object.contains("accommodation")) accommodation = read_accommodation(object["accommodation"], place / "accommodation");
   const double pupil_mm = object.at("pupil_diameter_mm").get<double>();
-  spec.eye = make_eye(rx, metres_per_millimetre * pupil_mm, accommodation, place);
+  spec.eye = object.contains("wavefront") ? read_wavefront_eye(object["wavefront"], place / "wavefront", rx, pupil_mm, accommodation)
+                                          : make_eye(*rx, metres_per_millimetre * pupil_mm, accommodation, place);
   spec.eye.rotation_center_m = metres_per_millimetre * object.value("rotation_center_mm", default_rotation_center_mm);
+  spec.eye.stiles_crawford_per_m2 = object.value("stiles_crawford_per_mm2", 0.0) / (metres_per_millimetre * metres_per_millimetre);
   if (pupil_mm > largest_human_pupil_mm)
     spec.notes.push_back(place.file + ": " + place.pointer + "/pupil_diameter_mm is " + object["pupil_diameter_mm"].dump() +
                          " mm, more than a human pupil's 10 mm");

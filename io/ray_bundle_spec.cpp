@@ -29,6 +29,7 @@ std::vector<Eigen::Vector2d> read_points(const Json& points, const Source& where
 }  // namespace
 
 Sequence read_sequence(std::string_view name) {
+  if (name == "halton") return Sequence::Halton;
   return name == "independent" ? Sequence::Independent : Sequence::Sobol;
 }
 
@@ -38,13 +39,14 @@ RayBundleSpec read_ray_bundle(const Json& value, const Source& where, double pup
   const bool quadrature = value.contains("quadrature"), points = value.contains("pupil_points_mm");
   if (quadrature && points) (where / "pupil_points_mm").fail(value["pupil_points_mm"], "either \"quadrature\" or \"pupil_points_mm\"");
   if (quadrature || points)
-    for (const char* key : {"count", "replicates", "sequence"})
+    for (const char* key : {"count", "replicates", "sequence", "sampling", "rings"})
       if (value.contains(key))
         (where / key)
             .fail(value[key], std::string("no \"") + key + "\" beside \"" + (quadrature ? "quadrature" : "pupil_points_mm") + "\"");
   spec.count = value.value("count", spec.count);
   spec.replicates = value.value("replicates", spec.replicates);
   spec.sequence = read_sequence(value.value("sequence", "sobol"));
+  spec.sampling = read_pupil_sampling(value, where);
   if (quadrature) spec.quadrature = QuadratureSpec{value["quadrature"]["radial"].get<int>(), value["quadrature"]["azimuthal"].get<int>()};
   if (points) spec.pupil_points_m = read_points(value["pupil_points_mm"], where / "pupil_points_mm", pupil_radius_m);
   return spec;

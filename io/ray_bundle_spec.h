@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "io/json.h"
+#include "io/pupil_sampling_spec.h"
 
 namespace sturm {
 
-enum class Sequence { Sobol, Independent };
+enum class Sequence { Sobol, Halton, Independent };
 
 /// Gauss–Legendre in r², equally spaced angles.
 struct QuadratureSpec {
@@ -22,6 +23,7 @@ struct RayBundleSpec {
   std::uint64_t count = 65536;  ///< rays per replicate
   int replicates = 16;          ///< independent scramblings
   Sequence sequence = Sequence::Sobol;
+  PupilSamplingSpec sampling;
   std::optional<QuadratureSpec> quadrature;     ///< if given, count, replicates and sequence mean nothing
   std::vector<Eigen::Vector2d> pupil_points_m;  ///< the same, if not empty; wearer frame [m]
 };

@@ -15,7 +15,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   };
   if (value["type"] == "predict") {
     spec.method = RenderMethod::Predict;
-    refuse("ray_model", "predict");
+    for (const char* key : {"ray_model", "sampling", "rings"}) refuse(key, "predict");
     spec.oversampling = value.value("oversampling", spec.oversampling);
   } else {
     refuse("oversampling", "path_trace");
@@ -26,6 +26,39 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   spec.samples_per_pixel = value.value("samples_per_pixel", spec.samples_per_pixel);
   spec.max_bounces = value.value("max_bounces", spec.max_bounces);
   spec.sampler = read_sequence(value.value("sampler", "sobol"));
+  spec.sampling = read_pupil_sampling(value, where);
+}
+
+/// Reads "eye" and "spectacles" of `value`; what it lacks it takes from `otherwise`.
+WornEye read_worn_eye(const Json& value, const Source& where, const WornEye& otherwise, RenderSpec& spec) {
+  WornEye worn = otherwise;
+  if (value.contains("eye")) {
+    EyeSpec eye = read_eye_spec(value["eye"], where / "eye");
+    worn.eye = eye.eye;
+    spec.notes.insert(spec.notes.end(), eye.notes.begin(), eye.notes.end());
+    spec.input_files.insert(spec.input_files.end(), eye.input_files.begin(), eye.input_files.end());
+  }
+  if (value.contains("spectacles")) {
+    SpectaclesSpec lens = read_spectacles(value["spectacles"], where / "spectacles", worn.eye);
+    worn.spectacles = std::move(lens.lens);
+    spec.input_files.insert(spec.input_files.end(), lens.input_files.begin(), lens.input_files.end());
+  }
+  return worn;
+}
+
+void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source& where) {
+  if (spec.camera.gaze == Gaze::Foveal && std::holds_alternative<BestAccommodation>(eye.accommodation) &&
+      spec.ray_model != "metalstigmatism")
+    return;
+  require_camera_accommodation(eye.accommodation, spec.ray_model, where / "accommodation");
+}
+
+/// The predictor knows the naked eye in `camera` gaze, in perspective.
+void require_predictable(const Json& document, const RenderSpec& spec, const Source& root) {
+  require_plain_camera(document["camera"], root / "camera", "type \"predict\"");
+  if (spec.eye.spectacles) (root / "spectacles").fail(document["spectacles"], "null, the naked eye, for type \"predict\"");
+  if (spec.eye.eye.stiles_crawford_per_m2 != 0.0)
+    throw InputError(root.file, "/eye/stiles_crawford_per_mm2", "an apodized pupil", "0 for type \"predict\"");
 }
 
 Json resolved_render(const Json& document, const Source& root) {
@@ -33,8 +66,12 @@ Json resolved_render(const Json& document, const Source& root) {
   resolved.erase("$schema");
   resolved["eye"] = eye_object(document["eye"], root / "eye");
   resolved["eye"].erase("$schema");
+  if (document.contains("left") && document["left"].contains("eye")) {
+    resolved["left"]["eye"] = eye_object(document["left"]["eye"], root / "left" / "eye");
+    resolved["left"]["eye"].erase("$schema");
+  }
   resolved = with_defaults(resolved, "render");
-  if (resolved["method"]["type"] == "path_trace") resolved["method"].erase("oversampling");
+  resolved["method"].erase(resolved["method"]["type"] == "path_trace" ? "oversampling" : "sampling");
   return resolved;
 }
 
@@ -46,13 +83,16 @@ RenderSpec read_render_spec(const Json& document, const std::string& file) {
   RenderSpec spec;
   spec.scene = read_scene(document["scene"], root / "scene");
   spec.camera = read_camera(document["camera"], root / "camera");
-  EyeSpec eye = read_eye_spec(document["eye"], root / "eye");
-  spec.eye = eye.eye;
-  spec.notes = std::move(eye.notes);
-  spec.input_files = std::move(eye.input_files);
+  spec.eye = read_worn_eye(document, root, {}, spec);
+  if (document.contains("left")) {
+    if (!spec.camera.interpupillary_distance_m) (root / "left").fail(document["left"], "no \"left\" without \"stereo\" in the camera");
+    spec.left = read_worn_eye(document["left"], root / "left", spec.eye, spec);
+  }
   spec.input_files.insert(spec.input_files.end(), spec.scene.input_files.begin(), spec.scene.input_files.end());
   read_method(document["method"], root / "method", spec);
-  require_camera_accommodation(spec.eye.accommodation, spec.ray_model, root / "eye" / "accommodation");
+  require_accommodation(spec, spec.eye.eye, root / "eye");
+  if (spec.left) require_accommodation(spec, spec.left->eye, document["left"].contains("eye") ? root / "left" / "eye" : root / "eye");
+  if (spec.method == RenderMethod::Predict) require_predictable(document, spec, root);
   spec.seed = document.value("seed", spec.seed);
   spec.resolved = std::make_shared<const Json>(resolved_render(document, root));
   return spec;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,27 +9,36 @@
 #include "io/eye_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
+#include "io/spectacles_spec.h"
 
 namespace sturm {
 
 enum class RenderMethod { PathTrace, Predict };
 
+/// An eye and what it wears.
+struct WornEye {
+  Eye eye;
+  std::optional<Spectacles> spectacles;
+};
+
 /// A validated document of format sturm.render/1.
 struct RenderSpec {
   SceneSpec scene;
   CameraSpec camera;
-  Eye eye;  ///< accommodation relaxed or fixed: a camera has one accommodation for all distances
+  WornEye eye;                  ///< the right or only one; accommodation relaxed or fixed unless the gaze is foveal
+  std::optional<WornEye> left;  ///< of a stereo pair
   RenderMethod method = RenderMethod::PathTrace;
   std::string ray_model;                 ///< of the path tracer; "" for a prediction
   std::uint64_t samples_per_pixel = 64;  ///< of the path tracer, or of the prediction's sharp view (per output pixel)
   int max_bounces = 16;
   Sequence sampler = Sequence::Sobol;
+  PupilSamplingSpec sampling;
   int oversampling = 1;  ///< sharp pixels per output pixel along each side (prediction only)
   std::uint64_t seed = 1;
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were named
-  std::shared_ptr<const Json>
-      resolved;  ///< the document with every default spelt out; an eye file is put in place, scene and model paths stay as given
+  std::shared_ptr<const Json> resolved;  ///< the document with every default spelt out; eye files are put in place, paths of lenses, scenes
+                                         ///< and models stay as given
 };
 
 /// Validates and reads a render document; `file` names it in errors and is where relative paths start. Throws InputError.

@@ -22,6 +22,16 @@ Eye Eye::with(const Prescription& rx, double pupil_diameter_m, const Accommodati
   return eye;
 }
 
+Eye Eye::with(const ZernikeWave& measured, SecondOrder rule, const std::optional<Prescription>& rx, double pupil_diameter_m,
+              const Accommodation& accommodation) {
+  Eye eye = with(rx.value_or(Prescription{}), pupil_diameter_m, accommodation);
+  eye.wavefront = rx ? measured.plus(ZernikeWave::of_power(eye.correction, measured.radius_m())) : measured;
+  const double a = eye.pupil_radius_m;  // the nearest parabola over a pinhole is the one at its centre
+  eye.correction = a > 0.0 ? eye.wavefront->rescaled(a).power(rule) : eye.wavefront->power(SecondOrder::Paraxial);
+  eye.prescription = eye.correction.as_prescription();
+  return eye;
+}
+
 double Eye::accommodation_for(double target_vergence_D) const {
   if (const auto* fixed = std::get_if<FixedAccommodation>(&accommodation)) return fixed->power_D;
   if (const auto* best = std::get_if<BestAccommodation>(&accommodation))

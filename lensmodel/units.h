@@ -5,6 +5,7 @@
 namespace sturm {
 
 inline constexpr double metres_per_millimetre = 1e-3;
+inline constexpr double metres_per_micrometre = 1e-6;
 inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 inline constexpr double arcminutes_per_radian = 60.0 * 180.0 / std::numbers::pi;
 

@@ -45,6 +45,15 @@ void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSe
         lens_y[i] = lens.y;
       }
     }
+  } else if (sequence.kind() == Sequence::Halton) {
+    for (int i = 0; i < size; ++i) {
+      const auto film = sequence.pair(first_sample + static_cast<std::uint32_t>(i), dimension::film);
+      const auto lens = sequence.pair(first_sample + static_cast<std::uint32_t>(i), dimension::lens);
+      film_x[i] = film.x;
+      film_y[i] = film.y;
+      lens_x[i] = lens.x;
+      lens_y[i] = lens.y;
+    }
   } else {
     for (int i = 0; i < size; ++i) {
       const auto film = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), film_key.order);

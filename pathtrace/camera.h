@@ -28,14 +28,19 @@ CameraPose widened(const CameraPose& pose, int margin_px, int oversampling);
 struct CameraRayBlock {
   static constexpr int size = 16;
   alignas(64) float origin[3][size];
-  alignas(64) float direction[3][size];  ///< not normalised: one unit of t is one metre of planar distance
+  alignas(64) float direction[3][size];  ///< not normalised: one unit of t is one metre of the camera's distance
   LaunchStatus status[size];
+  float weight[size];  ///< of the sample, mean 1; only from cameras that are `weighted`
 };
 
 /// The thin-lens eye as a camera. Rays are launched in slope form: origin at the pupil point p, slope = chief slope + s(p).
 /// No focal point is formed, so hyperopia and zero power are no special case.
+///
+/// This is the fast camera, in float: perspective, one gaze, the naked eye, a uniform pupil. ViewCamera has everything else.
 class EyeCamera {
  public:
+  static constexpr bool weighted = false;
+
   EyeCamera(const CameraPose& pose, const EyeRays<float>& rays);
 
   int width() const { return width_; }

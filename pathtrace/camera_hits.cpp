@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "pathtrace/embree_rays.h"
+#include "pathtrace/view_camera.h"
+
 namespace sturm {
 
 RTCHit CameraHits::record(int i) const {
@@ -20,7 +23,8 @@ RTCHit CameraHits::record(int i) const {
   return hit;
 }
 
-void trace_camera_rays(const Scene& scene, const EyeCamera& camera, int x, int y, std::uint32_t first_sample, int count,
+template <class Camera>
+void trace_camera_rays(const Scene& scene, const Camera& camera, int x, int y, std::uint32_t first_sample, int count,
                        const PixelSequence& sequence, CameraHits& hits) {
   camera.generate(x, y, first_sample, sequence, hits.rays);
   RTCIntersectContext context;
@@ -31,7 +35,7 @@ void trace_camera_rays(const Scene& scene, const EyeCamera& camera, int x, int y
     alignas(32) int valid[8];
     for (int lane = 0; lane < 8; ++lane) {
       const int i = first + lane;
-      valid[lane] = i < count && hits.rays.status[i] != LaunchStatus::dropped ? -1 : 0;
+      valid[lane] = i < count && goes_on(hits.rays.status[i]) ? -1 : 0;
       packet.ray.org_x[lane] = hits.rays.origin[0][i];
       packet.ray.org_y[lane] = hits.rays.origin[1][i];
       packet.ray.org_z[lane] = hits.rays.origin[2][i];
@@ -50,5 +54,13 @@ void trace_camera_rays(const Scene& scene, const EyeCamera& camera, int x, int y
   }
   for (int i = (count + 7) / 8 * 8; i < CameraRayBlock::size; ++i) hits.packets[i / 8].hit.geomID[i % 8] = RTC_INVALID_GEOMETRY_ID;
 }
+
+double distance_along(const Scene& scene, const LightRay& ray) {
+  RTCRayHit hit = ray_from(ray.origin.cast<float>(), ray.direction.cast<float>());
+  return intersect(scene.embree(), hit) ? static_cast<double>(hit.ray.tfar) : std::numeric_limits<double>::infinity();
+}
+
+template void trace_camera_rays(const Scene&, const EyeCamera&, int, int, std::uint32_t, int, const PixelSequence&, CameraHits&);
+template void trace_camera_rays(const Scene&, const ViewCamera&, int, int, std::uint32_t, int, const PixelSequence&, CameraHits&);
 
 }  // namespace sturm

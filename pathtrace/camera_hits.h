@@ -1,6 +1,7 @@
 #pragma once
 #include <embree3/rtcore.h>
 
+#include "lensmodel/light_ray.h"
 #include "pathtrace/camera.h"
 #include "pathtrace/scene.h"
 
@@ -19,7 +20,12 @@ struct CameraHits {
 };
 
 /// Generates and traces the camera rays of samples first_sample … of pixel (x, y), `count` ≤ block size of them, in packets of 8.
-void trace_camera_rays(const Scene& scene, const EyeCamera& camera, int x, int y, std::uint32_t first_sample, int count,
+/// Camera: EyeCamera or ViewCamera.
+template <class Camera>
+void trace_camera_rays(const Scene& scene, const Camera& camera, int x, int y, std::uint32_t first_sample, int count,
                        const PixelSequence& sequence, CameraHits& hits);
+
+/// Distance [m] of what a ray meets first, ∞ for nothing.
+double distance_along(const Scene& scene, const LightRay& ray);
 
 }  // namespace sturm

@@ -51,8 +51,22 @@ void fill_unit_disk(Sequence sequence, std::uint64_t seed, std::uint32_t replica
   };
   if (sequence == Sequence::Sobol)
     map([&](std::uint32_t i) { return owen_sobol::pair(i, keys); });
+  else if (sequence == Sequence::Halton)
+    map([&](std::uint32_t i) { return numbers.pair(i, dimension::lens); });
   else
     map([&](std::uint32_t i) { return PixelSequence::independent(i, keys.order); });
+}
+
+void fill_pupil(const PupilSampler& sampler, Sequence sequence, std::uint64_t seed, std::uint32_t replicate, std::uint32_t first,
+                std::vector<Eigen::Vector2d>& points, std::vector<double>& weights) {
+  const PixelSequence numbers(sequence, seed, replicate);
+  weights.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const owen_sobol::Pair u = numbers.pair(first + static_cast<std::uint32_t>(i), dimension::lens);
+    const WeightedPoint drawn = sampler.at(unit_double(u.x), unit_double(u.y));
+    points[i] = drawn.point;
+    weights[i] = drawn.weight;
+  }
 }
 
 std::vector<WeightedPoint> disk_quadrature(int radial, int azimuthal) {

@@ -6,11 +6,12 @@
 namespace sturm {
 
 namespace {
-constexpr std::array<std::pair<std::string_view, RayModel>, 5> names{{{"pinhole", RayModel::pinhole},
+constexpr std::array<std::pair<std::string_view, RayModel>, 6> names{{{"pinhole", RayModel::pinhole},
                                                                       {"thin_lens", RayModel::thin_lens},
                                                                       {"metalstigmatism", RayModel::metalstigmatism},
                                                                       {"sin2_radial", RayModel::sin2_radial},
-                                                                      {"power_matrix", RayModel::power_matrix}}};
+                                                                      {"power_matrix", RayModel::power_matrix},
+                                                                      {"zernike", RayModel::zernike}}};
 }
 
 std::optional<RayModel> ray_model_named(std::string_view name) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,27 +12,37 @@
 
 namespace sturm {
 
-/// How the eye bends the ray that leaves it through a pupil point (physics.md §4).
-enum class RayModel { pinhole, thin_lens, metalstigmatism, sin2_radial, power_matrix };
+/// How the eye bends the ray that leaves it through a pupil point (physics.md §4). An eye without a measured wavefront has, for zernike,
+/// that of its prescription.
+enum class RayModel { pinhole, thin_lens, metalstigmatism, sin2_radial, power_matrix, zernike };
 
 std::optional<RayModel> ray_model_named(std::string_view name);
 std::string name_of(RayModel model);
 
-/// Rays that a model could not launch, or launched oddly; physics.md §4 (metalstigmatism).
+/// Rays that a model could not launch, or launched oddly (physics.md §4, metalstigmatism), and those that spectacles stopped.
 struct RayCounters {
   std::uint64_t launched = 0;
-  std::uint64_t dropped = 0;         ///< at the pole |1 + d_f P| < 1e-6
-  std::uint64_t negative_focus = 0;  ///< bent as if by a focus behind the eye, f < 0
+  std::uint64_t dropped = 0;                                                       ///< at the pole |1 + d_f P| < 1e-6
+  std::uint64_t negative_focus = 0;                                                ///< bent as if by a focus behind the eye, f < 0
+  std::uint64_t lost_rim = 0, lost_total_reflection = 0, lost_no_convergence = 0;  ///< in the spectacles
 
   RayCounters& operator+=(const RayCounters& other) {
     launched += other.launched;
     dropped += other.dropped;
     negative_focus += other.negative_focus;
+    lost_rim += other.lost_rim;
+    lost_total_reflection += other.lost_total_reflection;
+    lost_no_convergence += other.lost_no_convergence;
     return *this;
   }
 };
 
-enum class LaunchStatus : std::uint8_t { ok, negative_focus, dropped };
+/// Only rays before `dropped` go on into the scene. A dropped ray is no sample at all; a lost one is a sample of black.
+enum class LaunchStatus : std::uint8_t { ok, negative_focus, dropped, lost_rim, lost_total_reflection, lost_no_convergence };
+
+inline bool goes_on(LaunchStatus status) {
+  return status < LaunchStatus::dropped;
+}
 
 /// A ray as it leaves the pupil: point p [m] and slope s [rad], wearer frame.
 template <class T>
@@ -52,6 +63,8 @@ auto for_model(RayModel model, Function&& f) {
       return f(std::integral_constant<RayModel, RayModel::metalstigmatism>{});
     case RayModel::sin2_radial:
       return f(std::integral_constant<RayModel, RayModel::sin2_radial>{});
+    case RayModel::zernike:
+      return f(std::integral_constant<RayModel, RayModel::zernike>{});
     default:
       return f(std::integral_constant<RayModel, RayModel::power_matrix>{});
   }
@@ -72,7 +85,13 @@ class EyeRays {
         syy_(T(eye.correction.yy() - accommodation_D)),
         accommodation_(T(accommodation_D)),
         scalar_slope_(T(eye.correction.spherical_equivalent() - accommodation_D)),
-        focus_distance_(T(focus_distance_m)) {}
+        focus_distance_(T(focus_distance_m)) {
+    if (model != RayModel::zernike) return;
+    const ZernikeWave wave = eye.wavefront.value_or(ZernikeWave::of_power(eye.correction, std::max(eye.pupil_radius_m, 1e-3)));
+    wave_slope_x_ = wave.slope_x();
+    wave_slope_y_ = wave.slope_y();
+    inverse_wave_radius_ = 1.0 / wave.radius_m();
+  }
 
   RayModel model() const { return model_; }
   T pupil_radius() const { return radius_; }
@@ -91,6 +110,10 @@ class EyeRays {
     if constexpr (model == RayModel::sin2_radial) {
       const T power = meridional_power(px, py) - accommodation_;
       return {px, py, power * px, power * py, LaunchStatus::ok};
+    }
+    if constexpr (model == RayModel::zernike) {
+      const double x = inverse_wave_radius_ * px, y = inverse_wave_radius_ * py;
+      return {px, py, T(wave_slope_x_(x, y)) - accommodation_ * px, T(wave_slope_y_(x, y)) - accommodation_ * py, LaunchStatus::ok};
     }
     if constexpr (model == RayModel::metalstigmatism) return focal_distances_added(px, py);
   }
@@ -117,13 +140,23 @@ class EyeRays {
   T xx_, xy_, yy_;  // F
   T sxx_, syy_;     // diagonal of S = F − A·I
   T accommodation_, scalar_slope_, focus_distance_;
+  PlanePolynomial wave_slope_x_, wave_slope_y_;  // −∇W in p/radius, in double for either T: high orders cancel
+  double inverse_wave_radius_ = 0.0;
 };
 
-/// Counts what became of one ray.
+/// Counts what became of one ray of a naked eye.
 inline void count(RayCounters& counters, LaunchStatus status) {
   ++counters.launched;
   counters.dropped += status == LaunchStatus::dropped;
   counters.negative_focus += status == LaunchStatus::negative_focus;
+}
+
+/// The same for a ray that may have been lost in spectacles.
+inline void count_with_losses(RayCounters& counters, LaunchStatus status) {
+  count(counters, status);
+  counters.lost_rim += status == LaunchStatus::lost_rim;
+  counters.lost_total_reflection += status == LaunchStatus::lost_total_reflection;
+  counters.lost_no_convergence += status == LaunchStatus::lost_no_convergence;
 }
 
 }  // namespace sturm

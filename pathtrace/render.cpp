@@ -23,10 +23,11 @@ constexpr int tile_size = 16;
                        std::to_string(sample) + ", seed " + std::to_string(seed));
 }
 
-/// Renders pixel by pixel into images that other threads fill elsewhere.
+/// Renders pixel by pixel into images that other threads fill elsewhere. Camera: EyeCamera or ViewCamera.
+template <class Camera>
 class PixelRenderer {
  public:
-  PixelRenderer(const Scene& scene, const EyeCamera& camera, const RenderSettings& settings, RenderResult& result)
+  PixelRenderer(const Scene& scene, const Camera& camera, const RenderSettings& settings, RenderResult& result)
       : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings), result_(result) {}
 
   void render_pixel(int x, int y, RenderCounters& counters) const {
@@ -39,13 +40,17 @@ class PixelRenderer {
       const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, samples - first));
       trace_camera_rays(scene_, camera_, x, y, first, count, sequence, hits);
       for (int i = 0; i < count; ++i) {
-        sturm::count(counters.camera, hits.rays.status[i]);
+        if constexpr (Camera::weighted)
+          count_with_losses(counters.camera, hits.rays.status[i]);
+        else
+          sturm::count(counters.camera, hits.rays.status[i]);
         if (hits.rays.status[i] == LaunchStatus::dropped) continue;
         Eigen::Vector3f value = Eigen::Vector3f::Zero();
         if (hits.hit(i)) {
           const Eigen::Vector3f direction = hits.direction(i);
           const SurfacePoint point = scene_.surface_point(hits.record(i), hits.origin(i), direction, hits.distance(i));
           value = tracer_.radiance(point, direction, sequence, first + static_cast<std::uint32_t>(i), counters);
+          if constexpr (Camera::weighted) value *= hits.rays.weight[i];
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
           first_hit.add(point.albedo, point.normal, hits.distance(i));
         } else {
@@ -69,7 +74,7 @@ class PixelRenderer {
   }
 
   const Scene& scene_;
-  const EyeCamera& camera_;
+  const Camera& camera_;
   const RenderSettings& settings_;
   PathTracer tracer_;
   RenderResult& result_;
@@ -81,13 +86,12 @@ void add(RenderCounters& total, const RenderCounters& part) {
   total.shadow_rays += part.shadow_rays;
 }
 
-}  // namespace
-
-RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSettings& settings) {
+template <class Camera>
+RenderResult render_with(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
   const int width = camera.width(), height = camera.height();
   RenderResult result{Image(width, height, 3), Image(width, height, 3), Image(width, height, 3),
                       Image(width, height, 3), Image(width, height, 1), {}};
-  const PixelRenderer renderer(scene, camera, settings, result);
+  const PixelRenderer<Camera> renderer(scene, camera, settings, result);
   std::mutex merging;
   std::atomic<long long> finished{0};
   const double pixels = static_cast<double>(width) * height;
@@ -102,6 +106,16 @@ RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSet
     add(result.counters, counters);  // integers: the order does not matter
   });
   return result;
+}
+
+}  // namespace
+
+RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSettings& settings) {
+  return render_with(scene, camera, settings);
+}
+
+RenderResult render(const Scene& scene, const ViewCamera& camera, const RenderSettings& settings) {
+  return render_with(scene, camera, settings);
 }
 
 }  // namespace sturm

@@ -6,6 +6,7 @@
 #include "pathtrace/ray_model.h"
 #include "pathtrace/scene.h"
 #include "pathtrace/sequence.h"
+#include "pathtrace/view_camera.h"
 
 namespace sturm {
 
@@ -24,7 +25,7 @@ struct RenderCounters {
 };
 
 /// Layers of one size: radiance (3, mean over pixel and pupil), variance (3, of single samples), albedo (3), normal (3, world),
-/// depth (1, nearest planar distance [m], ∞ where nothing was hit).
+/// depth (1, nearest distance [m] as the camera counts it, ∞ where nothing was hit).
 struct RenderResult {
   Image radiance, variance, albedo, normal, depth;
   RenderCounters counters;
@@ -33,5 +34,8 @@ struct RenderResult {
 /// Path traces what the eye sees. The result is the same, bit for bit, for any number of threads.
 /// Throws RuntimeFailure naming pixel, sample and seed if a sample is not finite.
 RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSettings& settings);
+
+/// The same through spectacles, another projection or pupil, or with turning eyes. What spectacles stop is black.
+RenderResult render(const Scene& scene, const ViewCamera& camera, const RenderSettings& settings);
 
 }  // namespace sturm

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "io/ray_bundle_spec.h"
+#include "pathtrace/halton.h"
 #include "pathtrace/owen_sobol.h"
 
 namespace sturm {
@@ -31,11 +32,13 @@ class PixelSequence {
 
   owen_sobol::Pair pair(std::uint32_t sample, std::uint32_t dimension) const {
     const owen_sobol::Keys k = keys(dimension);
+    if (kind_ == Sequence::Halton) return halton::pair(sample, dimension, k);
     return kind_ == Sequence::Sobol ? owen_sobol::pair(sample, k) : independent(sample, k.order);
   }
 
   std::uint32_t single(std::uint32_t sample, std::uint32_t dimension) const {
     const owen_sobol::Keys k = keys(dimension);
+    if (kind_ == Sequence::Halton) return halton::pair(sample, dimension, k).x;
     return kind_ == Sequence::Sobol ? owen_sobol::single(sample, k) : independent(sample, k.order).x;
   }
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "conoid/best_accommodation.h"
 #include "conoid/previous.h"
 #include "conoid/published.h"
+#include "lensmodel/best_accommodation.h"
 
 namespace sturm {
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "conoid/best_accommodation.h"
 #include "conoid/blur_field/depth_analytic_field.h"
 #include "conoid/blur_field/field_exr.h"
 #include "conoid/blur_field/voxel_fill.h"
 #include "conoid/previous.h"
 #include "conoid/published.h"
+#include "lensmodel/best_accommodation.h"
 #include "lensmodel/single_vision.h"
 #include "lensmodel/symmetric2.h"
 #include "support/fixed_rapidcheck_seed.h"

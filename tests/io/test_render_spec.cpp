@@ -57,7 +57,7 @@ TEST_F(RenderSpecTest, ReadsIntoSi) {
   EXPECT_NEAR(spec.camera.vfov, 0.6860487856, 1e-9);  // 39.3077·π/180
   EXPECT_EQ(spec.camera.width, 256);
   EXPECT_EQ(spec.camera.height, 128);
-  EXPECT_EQ(spec.eye.accommodation_for(0.0), 0.8);
+  EXPECT_EQ(spec.eye.eye.accommodation_for(0.0), 0.8);
   EXPECT_EQ(spec.method, RenderMethod::PathTrace);
   EXPECT_EQ(spec.ray_model, "sin2_radial");
   EXPECT_EQ(spec.samples_per_pixel, 64u);
@@ -118,7 +118,7 @@ TEST_F(RenderSpecTest, DegenerateCamerasAreRefused) {
   EXPECT_THAT(error_with({"/camera/vfov_deg=180"}), HasSubstr("/camera/vfov_deg: got 180, expected a number > 0 and < 180"));
   EXPECT_THAT(error_with({"/camera/resolution=[0, 5]"}), HasSubstr("/camera/resolution/0: got 0"));
   EXPECT_THAT(error_with({"/camera/resolution=[16385, 5]"}), HasSubstr("/camera/resolution/0: got 16385"));
-  EXPECT_THAT(error_with({"/camera/gaze=foveal"}), HasSubstr("/camera/gaze: got \"foveal\", expected \"camera\""));
+  EXPECT_THAT(error_with({"/camera/gaze=fixed"}), HasSubstr("/camera/gaze: got \"fixed\", expected one of \"camera\", \"foveal\""));
 }
 
 TEST_F(RenderSpecTest, MethodsTakeTheirOwnMembersOnly) {
@@ -148,7 +148,7 @@ TEST_F(RenderSpecTest, ResolvedSpellsOutAndMeansTheSame) {
   EXPECT_EQ(resolved["eye"]["rotation_center_mm"], 13.5);
   EXPECT_EQ(resolved["scene"], "../scenes/s.json");
   EXPECT_EQ(resolved["camera"]["up"], (Json{0, 1, 0}));
-  EXPECT_EQ(resolved["method"], (Json{{"type", "path_trace"}, {"ray_model", "sin2_radial"}, {"samples_per_pixel", 64}, {"max_bounces", 16}, {"sampler", "sobol"}, {"filter", "box"}}));
+  EXPECT_EQ(resolved["method"], (Json{{"type", "path_trace"}, {"ray_model", "sin2_radial"}, {"samples_per_pixel", 64}, {"max_bounces", 16}, {"sampler", "sobol"}, {"sampling", "uniform_disk"}, {"filter", "box"}}));
   EXPECT_EQ(resolved["seed"], 1);
   // The defaults of the schema and those of the structs are the same ones.
   const RenderSpec again = read_render_spec(resolved, file_);
@@ -157,8 +157,8 @@ TEST_F(RenderSpecTest, ResolvedSpellsOutAndMeansTheSame) {
   EXPECT_EQ(again.max_bounces, spec.max_bounces);
   EXPECT_EQ(again.sampler, spec.sampler);
   EXPECT_EQ(again.camera.up, spec.camera.up);
-  EXPECT_EQ(again.eye.rotation_center_m, spec.eye.rotation_center_m);
-  EXPECT_EQ(again.eye.prescription.vertex_distance_m, spec.eye.prescription.vertex_distance_m);
+  EXPECT_EQ(again.eye.eye.rotation_center_m, spec.eye.eye.rotation_center_m);
+  EXPECT_EQ(again.eye.eye.prescription.vertex_distance_m, spec.eye.eye.prescription.vertex_distance_m);
   EXPECT_EQ(again.seed, spec.seed);
   const RenderSpec predicted = read_with({"/method={\"type\": \"predict\"}"});
   EXPECT_EQ(*read_render_spec(*predicted.resolved, file_).resolved, *predicted.resolved);

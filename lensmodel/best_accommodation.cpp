@@ -1,4 +1,4 @@
-#include "conoid/best_accommodation.h"
+#include "lensmodel/best_accommodation.h"
 
 #include <cmath>
 #include <complex>

@@ -1,0 +1,186 @@
+#include "pathtrace/view_camera.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "lensmodel/best_accommodation.h"
+#include "lensmodel/gaze.h"
+
+namespace sturm {
+
+namespace {
+
+LaunchStatus status_of(LensStatus status) {
+  switch (status) {
+    case LensStatus::ok:
+      return LaunchStatus::ok;
+    case LensStatus::missed_lens:
+      return LaunchStatus::lost_rim;
+    case LensStatus::total_internal_reflection:
+      return LaunchStatus::lost_total_reflection;
+    default:
+      return LaunchStatus::lost_no_convergence;
+  }
+}
+
+/// Axes right, up and back of the pose as columns.
+Eigen::Matrix3d head_axes(const CameraPose& pose) {
+  const Eigen::Vector3d forward = (pose.look_at - pose.position).normalized(), right = forward.cross(pose.up).normalized();
+  Eigen::Matrix3d axes;
+  axes << right, right.cross(forward), -forward;
+  return axes;
+}
+
+/// Axes of a head that has turned to the right by `longitude` and then up by `latitude`.
+Eigen::Matrix3d turned_head(double longitude, double latitude) {
+  return (Eigen::AngleAxisd(-longitude, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(latitude, Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+double accommodation_at_rest(const Eye& eye) {
+  return std::holds_alternative<BestAccommodation>(eye.accommodation) ? 0.0 : eye.accommodation_for(0.0);
+}
+
+}  // namespace
+
+/// How the eye stands for one point of the picture.
+struct ViewCamera::Sight {
+  Eigen::Matrix3d world_from_head;
+  Eigen::Vector3d pupil_center;  // head
+  Eigen::Matrix3d turn;          // head from pupil
+  Eigen::Vector2d slope;         // of the chief ray, pupil frame
+
+  LightRay in_head(const PupilRay<double>& ray) const {
+    return {pupil_center + turn * Eigen::Vector3d(ray.px, ray.py, 0.0),
+            (turn * Eigen::Vector3d(ray.sx + slope.x(), ray.sy + slope.y(), -1.0)).normalized()};
+  }
+};
+
+/// First derivatives of the rays that leave the spectacles with respect to the pupil point and to the slope: offset across the chief ray
+/// [m] and difference of direction.
+struct ViewCamera::Bundle {
+  Eigen::Matrix2d offset_by_point = Eigen::Matrix2d::Identity(), direction_by_point = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d offset_by_slope = Eigen::Matrix2d::Zero(), direction_by_slope = Eigen::Matrix2d::Identity();
+};
+
+ViewCamera::ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options)
+    : pose_(pose),
+      eye_(eye),
+      rays_(model, eye, accommodation_at_rest(eye), eye.stated_focus_distance_m().value_or(std::numeric_limits<double>::infinity())),
+      options_(std::move(options)),
+      seeks_focus_(std::holds_alternative<BestAccommodation>(eye.accommodation)),
+      pixel_slope_(pixel_slope(pose)),
+      world_from_head_(head_axes(pose)) {
+  if (options_.projection == Projection::Equirectangular && options_.gaze == Gaze::Foveal)
+    throw std::invalid_argument("an eye cannot turn to the whole sphere");
+  if (seeks_focus_ && !options_.distance_along) throw std::invalid_argument("an eye that accommodates best needs distances");
+}
+
+Eigen::Vector3d ViewCamera::in_world(const Sight& sight, const Eigen::Vector3d& point) const {
+  return pose_.position + sight.world_from_head * (point + options_.sideways_m * Eigen::Vector3d::UnitX());
+}
+
+ViewCamera::Sight ViewCamera::sight_at(double px, double py) const {
+  Sight sight{world_from_head_, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity(), Eigen::Vector2d::Zero()};
+  if (options_.projection == Projection::Equirectangular) {
+    const double longitude = (px / pose_.width - 0.5) * 2.0 * std::numbers::pi, latitude = (0.5 - py / pose_.height) * std::numbers::pi;
+    sight.world_from_head = world_from_head_ * turned_head(longitude, latitude);
+    return sight;
+  }
+  const Eigen::Vector2d slope((px - 0.5 * pose_.width) * pixel_slope_, (0.5 * pose_.height - py) * pixel_slope_);
+  if (options_.gaze == Gaze::Camera) {
+    sight.slope = slope;
+    return sight;
+  }
+  const Eigen::Vector3d gaze = Eigen::Vector3d(slope.x(), slope.y(), -1.0).normalized();
+  sight.pupil_center = turned_pupil_center(gaze, eye_.rotation_center_m);
+  sight.turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
+  return sight;
+}
+
+/// The ray before the eye or before the spectacles, head frame. False where it is lost.
+bool ViewCamera::launch(const Sight& sight, const PupilRay<double>& ray, LightRay& out, LaunchStatus& status) const {
+  out = sight.in_head(ray);
+  if (!options_.spectacles) return true;
+  const LensPath path = trace(*options_.spectacles, out);
+  if (path.status != LensStatus::ok) {
+    status = status_of(path.status);
+    return false;
+  }
+  out = path.exit;
+  return true;
+}
+
+/// By central differences of real rays: exact to the square of the steps, 0.1 mm and 0.1 mrad. Rays that are lost leave their entries as
+/// they are without spectacles.
+ViewCamera::Bundle ViewCamera::bundle_about(const Sight& sight) const {
+  Bundle bundle;
+  if (!options_.spectacles) return bundle;
+  constexpr double step = 1e-4;
+  LaunchStatus status = LaunchStatus::ok;
+  LightRay chief;
+  if (!launch(sight, {0.0, 0.0, 0.0, 0.0, status}, chief, status)) return bundle;
+  const Eigen::Matrix<double, 2, 3> across = smallest_rotation({0.0, 0.0, -1.0}, chief.direction).leftCols<2>().transpose();
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector2d e = step * Eigen::Vector2d::Unit(k % 2), p = k < 2 ? e : Eigen::Vector2d::Zero(), s = e - p;
+    LightRay ahead, behind;
+    if (!launch(sight, {p.x(), p.y(), s.x(), s.y(), status}, ahead, status)) continue;
+    if (!launch(sight, {-p.x(), -p.y(), -s.x(), -s.y(), status}, behind, status)) continue;
+    // Where the rays pass the plane across the chief ray at its exit point.
+    const auto crossing = [&](const LightRay& ray) -> Eigen::Vector2d {
+      const Eigen::Vector3d w = ray.origin - chief.origin;
+      return across * (w - w.dot(chief.direction) / ray.direction.dot(chief.direction) * ray.direction);
+    };
+    (k < 2 ? bundle.offset_by_point : bundle.offset_by_slope).col(k % 2) = (crossing(ahead) - crossing(behind)) / (2.0 * step);
+    (k < 2 ? bundle.direction_by_point : bundle.direction_by_slope).col(k % 2) =
+        across * (ahead.direction - behind.direction) / (2.0 * step);
+  }
+  return bundle;
+}
+
+/// By how much the eye accommodates to what its line of sight meets [D].
+double ViewCamera::accommodation_change(const Sight& sight, const Bundle& bundle) const {
+  LaunchStatus status = LaunchStatus::ok;
+  LightRay chief;
+  if (!launch(sight, {0.0, 0.0, 0.0, 0.0, status}, chief, status)) return 0.0;
+  const LightRay world{in_world(sight, chief.origin), sight.world_from_head * chief.direction};
+  const double vergence = 1.0 / options_.distance_along(world);
+  const double amplitude = std::get<BestAccommodation>(eye_.accommodation).amplitude_D;
+  if (!options_.spectacles) return eye_.accommodation_for(vergence);
+  const Eigen::Matrix2d by_point = vergence * bundle.offset_by_point + bundle.direction_by_point,
+                        by_slope = vergence * bundle.offset_by_slope + bundle.direction_by_slope;
+  return best_accommodation(by_point + by_slope * eye_.correction.matrix(), by_slope, amplitude);
+}
+
+void ViewCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
+  const Bundle bundle = seeks_focus_ ? bundle_about(sight_at(x + 0.5, y + 0.5)) : Bundle{};
+  const bool planar = options_.projection == Projection::Perspective && options_.gaze == Gaze::Camera;
+  for (int i = 0; i < CameraRayBlock::size; ++i) {
+    const auto sample = first_sample + static_cast<std::uint32_t>(i);
+    const owen_sobol::Pair film = sequence.pair(sample, dimension::film), lens = sequence.pair(sample, dimension::lens);
+    const Sight sight = sight_at(x + unit_double(film.x), y + unit_double(film.y));
+    const WeightedPoint pupil = options_.pupil.at(unit_double(lens.x), unit_double(lens.y));
+    PupilRay<double> ray = rays_.through(rays_.pupil_radius() * pupil.point.x(), rays_.pupil_radius() * pupil.point.y());
+    if (seeks_focus_) {
+      const double change = accommodation_change(sight, bundle);
+      ray.sx -= change * ray.px;
+      ray.sy -= change * ray.py;
+    }
+    block.status[i] = ray.status;
+    block.weight[i] = static_cast<float>(rays_.model() == RayModel::pinhole ? 1.0 : pupil.weight);
+    LightRay out{Eigen::Vector3d::Zero(), -Eigen::Vector3d::UnitZ()};
+    if (goes_on(ray.status)) launch(sight, ray, out, block.status[i]);
+    // Rays that leave spectacles at more than 89.9° from the line of sight keep their length.
+    const double length = planar && -out.direction.z() > 1.7e-3 ? -1.0 / out.direction.z() : 1.0;
+    const Eigen::Vector3d origin = in_world(sight, out.origin), direction = length * (sight.world_from_head * out.direction);
+    for (int k = 0; k < 3; ++k) {
+      block.origin[k][i] = static_cast<float>(origin[k]);
+      block.direction[k][i] = static_cast<float>(direction[k]);
+    }
+  }
+}
+
+}  // namespace sturm
