@@ -40,6 +40,11 @@ void validate(const Mesh& mesh, std::size_t material_count) {
   if (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != mesh.positions.size())
     throw InputError("", where, std::to_string(mesh.texture_coordinates.size()) + " texture coordinates",
                      "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
+  if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
+    throw InputError("", where, std::to_string(mesh.normals.size()) + " normals",
+                     "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
+  for (const Eigen::Vector3f& n : mesh.normals)
+    if (!(std::abs(n.squaredNorm() - 1.0f) < 1e-3f)) throw InputError("", where, "a normal of length " + std::to_string(n.norm()), "unit normals");
 }
 
 void validate(const Sphere& sphere, std::size_t material_count) {
@@ -64,7 +69,14 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
   add_spheres(description);
   if (triangle_material_.empty() && sphere_material_.empty()) throw InputError("", "/scene", "no surface", "at least one mesh or sphere");
   for (const PointLight& light : description.lights) lights_.add_point(light.position, light.intensity);
+  if (description.environment) add_environment(*description.environment);
   lights_.finish();
+  const bool all_diffuse = std::all_of(materials_.begin(), materials_.end(),
+                                       [](const Material& m) { return std::holds_alternative<Diffuse>(m.surface); });
+  if (!all_diffuse)
+    kind_ = Kind::mixed;
+  else if (has_environment() || !triangle_normals_.empty())
+    kind_ = Kind::diffuse;
   rtcCommitScene(scene_.get());
   if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
     throw RuntimeFailure("Embree could not build the scene (error " + std::to_string(error) + ")");
@@ -72,7 +84,7 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
 
 void Scene::add_triangles(const SceneDescription& description) {
   std::size_t vertex_count = 0, triangle_count = 0;
-  bool textured = false;
+  bool textured = false, smooth = false;
   for (const Mesh& mesh : description.meshes) {
     validate(mesh, materials_.size());
     vertex_count += mesh.positions.size();
@@ -81,6 +93,7 @@ void Scene::add_triangles(const SceneDescription& description) {
     if (wants_texture && mesh.texture_coordinates.empty())
       throw InputError("", "mesh '" + mesh.name + "'", "a textured material", "texture coordinates on the mesh");
     textured = textured || wants_texture;
+    smooth = smooth || !mesh.normals.empty();
   }
   if (triangle_count == 0) return;
 
@@ -110,6 +123,10 @@ void Scene::add_triangles(const SceneDescription& description) {
         const bool has = !mesh.texture_coordinates.empty();
         const auto uv = [&](int k) { return has ? mesh.texture_coordinates[triangle[k]] : Eigen::Vector2f(0.0f, 0.0f); };
         triangle_uv_.push_back({uv(0), uv(1), uv(2)});
+      }
+      if (smooth) {
+        const auto normal = [&](int k) { return mesh.normals.empty() ? Eigen::Vector3f(0.0f, 0.0f, 0.0f) : mesh.normals[triangle[k]]; };
+        triangle_normals_.push_back({normal(0), normal(1), normal(2)});
       }
     }
     first_vertex += static_cast<std::uint32_t>(mesh.positions.size());
@@ -143,6 +160,24 @@ void Scene::add_spheres(const SceneDescription& description) {
   rtcReleaseGeometry(geometry);
 }
 
+void Scene::add_environment(const Environment& environment) {
+  if (!environment.map) {
+    constant_environment_ = environment.radiance;
+    return;
+  }
+  environment_map_ = std::make_shared<const EnvironmentMap>(environment.map, environment.radiance, environment.rotation);
+  lights_.set_environment(environment_map_, 2.0f * (upper_ - lower_).norm());
+}
+
+Eigen::Vector3f Scene::smooth_normal(const RTCHit& hit, const Eigen::Vector3f& geometric) const {
+  const auto& corner = triangle_normals_[hit.primID];
+  const Eigen::Vector3f mean = (1.0f - hit.u - hit.v) * corner[0] + hit.u * corner[1] + hit.v * corner[2];
+  const float square = mean.squaredNorm();
+  if (!(square > 1e-12f)) return geometric;  // a flat mesh, or normals that cancel out
+  const Eigen::Vector3f normal = mean / std::sqrt(square);
+  return normal.dot(geometric) < 0.0f ? Eigen::Vector3f(-normal) : normal;
+}
+
 SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float t) const {
   const bool triangle = hit.geomID == triangle_geometry;
   const int material_index = triangle ? triangle_material_[hit.primID] : sphere_material_[hit.primID];
@@ -151,6 +186,7 @@ SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& orig
   point.position = origin + t * direction;
   // Embree's normal of a triangle is (v1 − v0) × (v2 − v0): it points to the side that sees the winding counter-clockwise.
   point.normal = Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z).normalized();
+  point.shading_normal = triangle && !triangle_normals_.empty() ? smooth_normal(hit, point.normal) : point.normal;
   point.material = &material;
   point.emitter = triangle ? triangle_emitter_[hit.primID] : sphere_emitter_[hit.primID];
   point.albedo = material.albedo;
