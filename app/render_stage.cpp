@@ -99,7 +99,9 @@ Json counters_json(const RenderCounters& c) {
 RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress) {
   RenderOutput output;
   Stopwatch watch;
-  const Scene scene(build_scene(spec.scene));
+  const SceneDescription description = build_scene(spec.scene);
+  output.notes = description.notes;
+  const Scene scene(description);
   output.seconds["scene"] = watch.lap();
   const RenderSettings settings = settings_of(spec, progress);
   const CameraPose pose = camera_pose(spec.camera);

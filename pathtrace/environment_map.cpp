@@ -33,7 +33,8 @@ EnvironmentMap::Pixel EnvironmentMap::pixel(const Eigen::Vector3f& direction) co
   const float turn = (std::atan2(w.x(), -w.z()) - rotation_) / two_pi + 0.5f;
   const int x = static_cast<int>((turn - std::floor(turn)) * static_cast<float>(picture_->width));
   // By the stored edges, so that a sampled direction falls into the row that it was sampled from.
-  const auto below = std::upper_bound(edge_cosine_.begin() + 1, edge_cosine_.end() - 1, w.y(), [](float c, float edge) { return c >= edge; });
+  const auto below =
+      std::upper_bound(edge_cosine_.begin() + 1, edge_cosine_.end() - 1, w.y(), [](float c, float edge) { return c >= edge; });
   return {std::min(x, picture_->width - 1), static_cast<int>(below - edge_cosine_.begin()) - 1};
 }
 
@@ -57,7 +58,8 @@ float EnvironmentMap::pdf(const Eigen::Vector3f& direction) const {
 
 EnvironmentSample EnvironmentMap::sample(float u, float v) const {
   const int y = rows_.choose(v), x = columns_[static_cast<std::size_t>(y)].choose(u);
-  const float cosine = edge_cosine_[y] + v * (edge_cosine_[y + 1] - edge_cosine_[y]), sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
+  const float cosine = edge_cosine_[y] + v * (edge_cosine_[y + 1] - edge_cosine_[y]),
+              sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
   const float azimuth = ((static_cast<float>(x) + u) / static_cast<float>(picture_->width) - 0.5f) * two_pi + rotation_;
   return {{sine * std::sin(azimuth), cosine, -sine * std::cos(azimuth)}, radiance(Pixel{x, y}), pdf(Pixel{x, y})};
 }

@@ -36,8 +36,8 @@ Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vec
   }
 }
 
-Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction,
-                                           const PixelSequence& sequence, std::uint32_t sample, RenderCounters& counters) const {
+Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, const PixelSequence& sequence,
+                                           std::uint32_t sample, RenderCounters& counters) const {
   SurfacePoint at = first;
   Eigen::Vector3f direction = first_direction, throughput = Eigen::Vector3f::Ones(), sum = Eigen::Vector3f::Zero();
   Eigen::Vector3f previous_origin = Eigen::Vector3f::Zero();

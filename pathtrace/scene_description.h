@@ -15,12 +15,12 @@ namespace sturm {
 /// A surface. Opaque ones reflect on both sides. Meshes emit from the side their winding faces.
 struct Material {
   std::string name;
-  Eigen::Vector3f albedo{0.0f, 0.0f, 0.0f};    ///< what `surface` takes as its colour; of a conductor only for the albedo layer
-  Eigen::Vector3f emission{0.0f, 0.0f, 0.0f};  ///< radiance, linear Rec. 709
-  std::shared_ptr<const Image>
-      albedo_texture;          ///< 3 channels, linear, multiplies `albedo`; may be null. v runs upwards, clamped at the border
-  bool nearest_filter = true;  ///< else bilinear
-  SurfaceModel surface;        ///< Lambert unless stated
+  Eigen::Vector3f albedo{0.0f, 0.0f, 0.0f};     ///< what `surface` takes as its colour; of a conductor only for the albedo layer
+  Eigen::Vector3f emission{0.0f, 0.0f, 0.0f};   ///< radiance, linear Rec. 709
+  std::shared_ptr<const Image> albedo_texture;  ///< 3 channels, linear, multiplies `albedo`; may be null. v runs upwards
+  bool nearest_filter = true;                   ///< else bilinear
+  bool repeat_texture = false;                  ///< else clamped
+  SurfaceModel surface;                         ///< Lambert unless stated
 };
 
 struct Mesh {
@@ -30,6 +30,12 @@ struct Mesh {
   std::vector<Eigen::Vector2f> texture_coordinates;     ///< one per position, or empty
   int material = 0;
   std::vector<Eigen::Vector3f> normals{};  ///< unit length, one per position, for smooth shading; or empty: flat
+};
+
+/// One of several copies of a prototype.
+struct Instance {
+  int prototype;                                    ///< index into SceneDescription::prototypes
+  Eigen::Matrix<float, 3, 4> world_from_prototype;  ///< regular; a mirroring one keeps surfaces facing the way they do
 };
 
 struct Sphere {
@@ -58,6 +64,8 @@ struct SceneDescription {
   std::vector<Sphere> spheres;
   std::vector<PointLight> lights;
   std::optional<Environment> environment{};
+  std::vector<Mesh> prototypes{};  ///< seen only as instances; must not emit
+  std::vector<Instance> instances{};
   std::vector<std::string> notes{};  ///< what the model files hold and this program leaves out
 };
 

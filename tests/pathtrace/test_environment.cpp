@@ -33,12 +33,12 @@ TEST(EnvironmentMap, DirectionsOfThePicture) {
   // A pixel of its own colour each: column + 8 · row.
   const auto numbered = picture(8, 4, [](int x, int y) { return Vector3f(static_cast<float>(x), static_cast<float>(y), 0.0f); });
   const EnvironmentMap map(numbered, one, 0.0f);
-  EXPECT_EQ(map.radiance({0.1f, 10.0f, 0.1f}).y(), 0.0f);    // up: top row
-  EXPECT_EQ(map.radiance({0.1f, -10.0f, 0.1f}).y(), 3.0f);   // down: bottom row
-  EXPECT_EQ(map.radiance({0.1f, 0.1f, -1.0f}).x(), 4.0f);    // ahead, a little to the right: right of the middle
-  EXPECT_EQ(map.radiance({-0.1f, 0.1f, -1.0f}).x(), 3.0f);   // to the left
-  EXPECT_EQ(map.radiance({1.0f, 0.1f, -0.1f}).x(), 5.0f);    // right: three quarters
-  EXPECT_EQ(map.radiance({-0.1f, 0.1f, 1.0f}).x(), 0.0f);    // behind, left
+  EXPECT_EQ(map.radiance({0.1f, 10.0f, 0.1f}).y(), 0.0f);   // up: top row
+  EXPECT_EQ(map.radiance({0.1f, -10.0f, 0.1f}).y(), 3.0f);  // down: bottom row
+  EXPECT_EQ(map.radiance({0.1f, 0.1f, -1.0f}).x(), 4.0f);   // ahead, a little to the right: right of the middle
+  EXPECT_EQ(map.radiance({-0.1f, 0.1f, -1.0f}).x(), 3.0f);  // to the left
+  EXPECT_EQ(map.radiance({1.0f, 0.1f, -0.1f}).x(), 5.0f);   // right: three quarters
+  EXPECT_EQ(map.radiance({-0.1f, 0.1f, 1.0f}).x(), 0.0f);   // behind, left
   const EnvironmentMap turned(numbered, one, static_cast<float>(pi / 2));
   EXPECT_EQ(turned.radiance({1.0f, 0.1f, 0.1f}).x(), 4.0f);  // turned to the right: the middle is seen there
 }
@@ -65,7 +65,7 @@ TEST(EnvironmentMap, SamplesHaveTheStatedDensityAndRadiance) {
   for (int y = 0; y < 9; ++y)
     for (int x = 0; x < 16; ++x)
       green_expected += 2.0 * static_cast<double>(noise->at(x, y)[1]) * (std::cos(pi * y / 9) - std::cos(pi * (y + 1) / 9)) * 2.0 * pi / 16;
-  EXPECT_NEAR(sphere / n, 4.0 * pi, 4.0 * pi * 0.01);        // 4σ; luminances differ by a factor of 2 or so
+  EXPECT_NEAR(sphere / n, 4.0 * pi, 4.0 * pi * 0.01);             // 4σ; luminances differ by a factor of 2 or so
   EXPECT_NEAR(green / n, green_expected, green_expected * 2e-3);  // nearly constant weights
 }
 

@@ -118,7 +118,7 @@ TEST(Transport, ASlabTransmitsAllOrders) {
       for (int k = 0; k < 3; ++k) picture->at(x, y)[k] = 1.0f;  // the half around −z
   SceneDescription description;
   description.materials = {surface(Dielectric{1.5f, 0.0f})};
-  description.meshes = {testing::parallelogram({-5, -5, -2}, {10, 0, 0}, {0, 10, 0}, 0),    // faces +z
+  description.meshes = {testing::parallelogram({-5, -5, -2}, {10, 0, 0}, {0, 10, 0}, 0),   // faces +z
                         testing::parallelogram({-5, -5, -3}, {0, 10, 0}, {10, 0, 0}, 0)};  // faces −z
   description.environment = Environment{white, picture, 0.0f};
   const Scene scene(description);
