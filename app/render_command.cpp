@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/configuration.h"
@@ -31,11 +32,12 @@ int render_command(const CommonOptions& options, const std::string& output) {
   facts.seconds = result.seconds;
   facts.seconds["total"] = progress.seconds();
 
+  std::vector<std::string> notes = spec.notes;
+  notes.insert(notes.end(), result.notes.begin(), result.notes.end());
   std::filesystem::path beside = exr;
   write_exr(exr, result.image);
   write_png(beside.replace_extension(".png"), result.image.layers.at(""), 1.0);
-  write_file_atomically(beside.replace_extension(".manifest.json"),
-                        manifest(facts, *spec.resolved, result.counters, spec.notes).dump(1) + "\n");
+  write_file_atomically(beside.replace_extension(".manifest.json"), manifest(facts, *spec.resolved, result.counters, notes).dump(1) + "\n");
   return 0;
 }
 

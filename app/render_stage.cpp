@@ -163,7 +163,9 @@ std::map<std::string, Image> layers_of_eye(const Scene& scene, const RenderSpec&
 RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress) {
   RenderOutput output;
   Stopwatch watch;
-  const Scene scene(build_scene(spec.scene));
+  const SceneDescription description = build_scene(spec.scene);
+  output.notes = description.notes;
+  const Scene scene(description);
   output.seconds["scene"] = watch.lap();
   if (!spec.camera.interpupillary_distance_m) {
     output.image.layers = layers_of_eye(scene, spec, spec.eye, 0.0, settings_of(spec, progress), output, output.counters);

@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "conoid/image_predictor.h"
 #include "io/json.h"
@@ -39,10 +40,11 @@ PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& ey
 
 Json counters_json(const RenderCounters& counters);
 
-/// What `sturm render` writes: the layers, the counters, and the seconds of each part.
+/// What `sturm render` writes: the layers, the counters, the seconds of each part, and what was left out of model files.
 struct RenderOutput {
   LayeredImage image;
   Json counters;
+  std::vector<std::string> notes;
   std::map<std::string, double> seconds;
 };
 

@@ -1,6 +1,8 @@
 #include "io/scene_spec.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "io/error.h"
 #include "io/json_vectors.h"
@@ -17,24 +19,9 @@ const Json& member(const Json& object, const char* key) {
   return at == object.end() ? nothing : *at;
 }
 
-ModelSpec read_model(const Json& value, const Source& where) {
-  ModelSpec model;
-  model.file = existing_file(value["file"], where / "file", "the path of a model file");
-  model.scale = value.value("scale", model.scale);
-  if (value.value("texture_encoding", "srgb") == "linear") model.texture_encoding = TextureEncoding::Linear;
-  if (value.value("texture_filter", "bilinear") == "nearest") model.texture_filter = TextureFilter::Nearest;
-  return model;
-}
-
-std::vector<MaterialSpec> read_materials(const Json& object) {
+std::vector<MaterialSpec> read_materials(const Json& object, const Source& where) {
   std::vector<MaterialSpec> materials;
-  for (const auto& [name, value] : object.items()) {
-    MaterialSpec material;
-    material.name = name;
-    if (value.contains("albedo")) material.albedo = read_vector3(value["albedo"]);
-    if (value.contains("emission")) material.emission = read_vector3(value["emission"]);
-    materials.push_back(material);
-  }
+  for (const auto& [name, value] : object.items()) materials.push_back(read_material(name, value, where / name));
   return materials;
 }
 
@@ -46,6 +33,41 @@ int read_material_name(const Json& value, const Source& where, const std::vector
   }
   throw InputError(where.file, where.pointer, compact(value) + did_you_mean(value.get<std::string>(), names),
                    one_of(names) + " (materials of this scene)");
+}
+
+/// Overrides name a material of the scene, or hold one.
+std::vector<MaterialOverride> read_overrides(const Json& list, const Source& where, const std::vector<MaterialSpec>& materials) {
+  std::vector<MaterialOverride> overrides;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string mesh = list[i]["mesh"].get<std::string>();
+    const Json& material = list[i]["material"];
+    const Source place = where / i / "material";
+    if (std::any_of(overrides.begin(), overrides.end(), [&](const MaterialOverride& o) { return o.mesh == mesh; }))
+      (where / i / "mesh").fail(list[i]["mesh"], "one override for a mesh");
+    overrides.push_back({mesh, material.is_string() ? materials[static_cast<std::size_t>(read_material_name(material, place, materials))]
+                                                    : read_material("override of " + mesh, material, place)});
+  }
+  return overrides;
+}
+
+ModelSpec read_model(const Json& value, const Source& where, const std::vector<MaterialSpec>& materials) {
+  ModelSpec model;
+  model.file = existing_file(value["file"], where / "file", "the path of a model file");
+  model.scale = value.value("scale", model.scale);
+  if (value.value("texture_encoding", "srgb") == "linear") model.texture_encoding = TextureEncoding::Linear;
+  if (value.value("texture_filter", "bilinear") == "nearest") model.texture_filter = TextureFilter::Nearest;
+  if (value.value("texture_wrap", "clamp") == "repeat") model.texture_wrap = TextureWrap::Repeat;
+  model.overrides = read_overrides(member(value, "overrides"), where / "overrides", materials);
+  return model;
+}
+
+EnvironmentSpec read_environment(const Json& value, const Source& where) {
+  EnvironmentSpec environment;
+  if (value.contains("radiance")) environment.radiance = read_vector3(value["radiance"]);
+  if (value.contains("file")) environment.file = existing_file(value["file"], where / "file", "the path of a latitude-longitude picture");
+  if (!environment.file && value.value("rotation_deg", 0.0) != 0.0) (where / "rotation_deg").fail(value["rotation_deg"], "a \"file\" that it turns");
+  environment.rotation = value.value("rotation_deg", 0.0) * std::numbers::pi / 180.0;
+  return environment;
 }
 
 MeshSpec read_mesh(const Json& value, const Source& where, const std::vector<MaterialSpec>& materials) {
@@ -83,12 +105,12 @@ SceneSpec read_scene(const Json& value, const Source& where) {
     scene.input_files.insert(scene.input_files.begin(), file.string());
     return scene;
   }
+  scene.materials = read_materials(member(value, "materials"), where / "materials");
   const Json& models = member(value, "models");
   for (std::size_t i = 0; i < models.size(); ++i) {
-    scene.models.push_back(read_model(models[i], where / "models" / i));
+    scene.models.push_back(read_model(models[i], where / "models" / i, scene.materials));
     scene.input_files.push_back(scene.models.back().file.string());
   }
-  scene.materials = read_materials(member(value, "materials"));
   const Json& meshes = member(value, "meshes");
   for (std::size_t i = 0; i < meshes.size(); ++i) scene.meshes.push_back(read_mesh(meshes[i], where / "meshes" / i, scene.materials));
   const Json& spheres = member(value, "spheres");
@@ -97,6 +119,10 @@ SceneSpec read_scene(const Json& value, const Source& where) {
                              read_material_name(spheres[i]["material"], where / "spheres" / i / "material", scene.materials)});
   for (const Json& light : member(value, "lights"))
     scene.lights.push_back({read_vector3(light["position_m"]), read_vector3(light["intensity"])});
+  if (const Json& environment = member(value, "environment"); environment.is_object()) {
+    scene.environment = read_environment(environment, where / "environment");
+    if (scene.environment->file) scene.input_files.push_back(scene.environment->file->string());
+  }
   return scene;
 }
 

@@ -3,15 +3,25 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/json.h"
+#include "io/material_spec.h"
 
 namespace sturm {
 
 enum class TextureEncoding { Linear, Srgb };
 enum class TextureFilter { Nearest, Bilinear };
+
+enum class TextureWrap { Clamp, Repeat };
+
+/// A material for one mesh of a model, in place of what the file says.
+struct MaterialOverride {
+  std::string mesh;  ///< name in the file
+  MaterialSpec material;
+};
 
 /// A model file (OBJ, glTF, …) and how to take it.
 struct ModelSpec {
@@ -19,13 +29,8 @@ struct ModelSpec {
   double scale = 1.0;          ///< metres per unit of the file
   TextureEncoding texture_encoding = TextureEncoding::Srgb;
   TextureFilter texture_filter = TextureFilter::Bilinear;
-};
-
-/// Lambertian material; linear Rec. 709.
-struct MaterialSpec {
-  std::string name;
-  Eigen::Vector3d albedo{0.0, 0.0, 0.0};
-  Eigen::Vector3d emission{0.0, 0.0, 0.0};  ///< radiance
+  TextureWrap texture_wrap = TextureWrap::Clamp;
+  std::vector<MaterialOverride> overrides{};
 };
 
 struct MeshSpec {
@@ -46,6 +51,13 @@ struct PointLightSpec {
   Eigen::Vector3d intensity;  ///< radiant intensity, linear Rec. 709 [radiance · m²]
 };
 
+/// Light from infinity: a colour, or a latitude–longitude picture times that colour.
+struct EnvironmentSpec {
+  Eigen::Vector3d radiance{1.0, 1.0, 1.0};
+  std::optional<std::filesystem::path> file;  ///< absolute
+  double rotation = 0.0;                      ///< [rad], to the right
+};
+
 /// What is in the world: model files and things given in place. Nothing of it has been loaded.
 struct SceneSpec {
   std::vector<ModelSpec> models;
@@ -53,7 +65,9 @@ struct SceneSpec {
   std::vector<MeshSpec> meshes;
   std::vector<SphereSpec> spheres;
   std::vector<PointLightSpec> lights;
-  std::vector<std::string> input_files;  ///< absolute paths: the scene's own file, if it has one, and the model files
+  std::optional<EnvironmentSpec> environment;
+  std::vector<std::string>
+      input_files;  ///< absolute paths: the scene's own file, if it has one, the model files and the environment's picture
 };
 
 /// Reads a scene object, or the path of a scene (.json) or model (any other) file relative to `where.file`.

@@ -4,6 +4,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
@@ -18,6 +19,8 @@
 #include "io/error.h"
 #include "io/image_formats.h"
 #include "io/tone_map.h"
+#include "pathtrace/collada_check.h"
+#include "pathtrace/gltf_check.h"
 #include "pathtrace/obj_references.h"
 
 namespace sturm {
@@ -25,13 +28,15 @@ namespace {
 
 class ModelImport {
  public:
-  ModelImport(const std::filesystem::path& file, double scale, TextureEncoding encoding, TextureFilter filter)
-      : file_(file), scale_(scale), encoding_(encoding), filter_(filter) {}
+  explicit ModelImport(const ModelSpec& spec) : spec_(spec), file_(spec.file), scale_(spec.scale) {}
 
   SceneDescription run() {
     if (!std::filesystem::is_regular_file(file_)) fail("", "", "a model file that exists");
     if (!(scale_ > 0.0 && std::isfinite(scale_))) fail("scale", std::to_string(scale_), "a positive number");
-    if (lower_case_extension() == ".obj") check_obj_references(file_);
+    const std::string extension = lower_case_extension();
+    if (extension == ".obj") check_obj_references(file_);
+    if (extension == ".gltf" || extension == ".glb") check_gltf(file_);
+    if (extension == ".dae") check_collada(file_);
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // No JoinIdenticalVertices: positions stay exactly those of the file, and flat shading needs no shared vertices.
@@ -41,8 +46,12 @@ class ModelImport {
     std::vector<bool> used(scene->mNumMaterials, false);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) used.at(scene->mMeshes[i]->mMaterialIndex) = true;
     for (unsigned i = 0; i < scene->mNumMaterials; ++i) add_material(*scene->mMaterials[i], used[i]);
+    shown_.assign(scene->mNumMeshes, 0);
+    prototype_of_.assign(scene->mNumMeshes, -1);
+    count_shown(*scene->mRootNode);
     add_node(*scene, *scene->mRootNode, aiMatrix4x4());
-    if (result_.meshes.empty()) fail("", "no triangles", "a model with at least one triangle");
+    note_what_is_left_out(*scene, used);
+    if (result_.meshes.empty() && result_.instances.empty()) fail("", "no triangles", "a model with at least one triangle");
     return std::move(result_);
   }
 
@@ -80,7 +89,8 @@ class ModelImport {
     if (used && (source.GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
                  source.GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS))
       material.albedo_texture = texture(path.C_Str(), where);
-    material.nearest_filter = filter_ == TextureFilter::Nearest;
+    material.nearest_filter = spec_.texture_filter == TextureFilter::Nearest;
+    material.repeat_texture = spec_.texture_wrap == TextureWrap::Repeat;
     result_.materials.push_back(std::move(material));
   }
 
@@ -92,7 +102,7 @@ class ModelImport {
     const auto path = file_.parent_path() / name;
     if (!std::filesystem::is_regular_file(path)) fail(where, path.string(), "a texture file that exists");
     Image stored = read_image(path);
-    if (encoding_ == TextureEncoding::Srgb) stored = srgb_to_linear(stored);
+    if (spec_.texture_encoding == TextureEncoding::Srgb) stored = srgb_to_linear(stored);
     Image rgb(stored.width, stored.height, 3);
     const bool grey = stored.channels <= 2;
     for (int y = 0; y < rgb.height; ++y)
@@ -101,13 +111,71 @@ class ModelImport {
     return known = std::make_shared<const Image>(std::move(rgb));
   }
 
+  void note(const std::string& text) { result_.notes.push_back(file_.filename().string() + ": " + text); }
+
+  void note_what_is_left_out(const aiScene& scene, const std::vector<bool>& used) {
+    if (scene.mNumLights) note(std::to_string(scene.mNumLights) + " lights of the file are left out");
+    if (scene.mNumCameras) note(std::to_string(scene.mNumCameras) + " cameras of the file are left out");
+    if (scene.mNumAnimations) note("animations are left out: everything stands as at the start");
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i)
+      if (scene.mMeshes[i]->HasBones()) note("mesh \"" + std::string(scene.mMeshes[i]->mName.C_Str()) + "\": its skeleton is left out");
+    for (unsigned i = 0; i < scene.mNumMaterials; ++i)
+      if (used[i]) note_material(*scene.mMaterials[i]);
+  }
+
+  void note_material(const aiMaterial& source) {
+    std::string left_out;
+    const auto add = [&](const char* what) { left_out += (left_out.empty() ? "" : ", ") + std::string(what); };
+    float value = 0.0f;
+    aiColor3D colour(0, 0, 0);
+    if (source.Get(AI_MATKEY_METALLIC_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("metallic");
+    if (source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack()) add("specular");
+    if (source.Get(AI_MATKEY_OPACITY, value) == aiReturn_SUCCESS && value < 1.0f) add("transparency");
+    if (source.Get(AI_MATKEY_TRANSMISSION_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("transmission");
+    for (const auto& [type, name] : {std::pair{aiTextureType_NORMALS, "normal map"},
+                                     {aiTextureType_HEIGHT, "bump map"},
+                                     {aiTextureType_EMISSIVE, "emission texture"},
+                                     {aiTextureType_OPACITY, "opacity texture"},
+                                     {aiTextureType_SPECULAR, "specular texture"},
+                                     {aiTextureType_DISPLACEMENT, "displacement"}})
+      if (source.GetTextureCount(type) > 0) add(name);
+    if (!left_out.empty()) note("material \"" + std::string(source.GetName().C_Str()) + "\" is taken as Lambert without its " + left_out);
+  }
+
+  void count_shown(const aiNode& node) {
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) ++shown_.at(node.mMeshes[i]);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) count_shown(*node.mChildren[i]);
+  }
+
   void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& world_from_parent) {
     const aiMatrix4x4 world_from_node = world_from_parent * node.mTransformation;
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) add_mesh(*scene.mMeshes[node.mMeshes[i]], world_from_node);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) place_mesh(*scene.mMeshes[node.mMeshes[i]], node.mMeshes[i], world_from_node);
     for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(scene, *node.mChildren[i], world_from_node);
   }
 
-  void add_mesh(const aiMesh& source, const aiMatrix4x4& world_from_node) {
+  /// A mesh in place, or an instance of its prototype.
+  void place_mesh(const aiMesh& source, unsigned index, const aiMatrix4x4& world_from_node) {
+    const bool emits = result_.materials.at(source.mMaterialIndex).emission.maxCoeff() > 0.0f;
+    if (shown_[index] < 2 || emits) {
+      if (Mesh mesh = converted(source, world_from_node); !mesh.triangles.empty()) result_.meshes.push_back(std::move(mesh));
+      return;
+    }
+    if (prototype_of_[index] < 0) {
+      Mesh mesh = converted(source, aiMatrix4x4());
+      if (mesh.triangles.empty()) return;
+      prototype_of_[index] = static_cast<int>(result_.prototypes.size());
+      result_.prototypes.push_back(std::move(mesh));
+    }
+    const aiMatrix4x4& m = world_from_node;
+    const float scale = static_cast<float>(scale_);  // the prototype's positions are scaled already
+    Instance instance{prototype_of_[index], {}};
+    instance.world_from_prototype << m.a1, m.a2, m.a3, scale * m.a4, m.b1, m.b2, m.b3, scale * m.b4, m.c1, m.c2, m.c3, scale * m.c4;
+    if (!instance.world_from_prototype.allFinite())
+      fail("mesh \"" + result_.prototypes.back().name + "\"", "a transformation that is not finite", "finite transformations");
+    result_.instances.push_back(instance);
+  }
+
+  Mesh converted(const aiMesh& source, const aiMatrix4x4& world_from_node) const {
     Mesh mesh;
     mesh.name = source.mName.C_Str();
     mesh.material = static_cast<int>(source.mMaterialIndex);
@@ -132,22 +200,44 @@ class ModelImport {
       if (mirrored) std::swap(triangle[1], triangle[2]);
       mesh.triangles.push_back(triangle);
     }
-    if (!mesh.triangles.empty()) result_.meshes.push_back(std::move(mesh));
+    if (source.HasNormals()) mesh.normals = vertex_normals(source, world_from_node, mesh);
+    return mesh;
   }
 
+  /// The file's normals, or none where they say no more than the triangles (or are no directions at all).
+  static std::vector<Eigen::Vector3f> vertex_normals(const aiMesh& source, const aiMatrix4x4& world_from_node, const Mesh& mesh) {
+    aiMatrix3x3 turn(world_from_node);
+    turn.Inverse().Transpose();
+    std::vector<Eigen::Vector3f> normals;
+    for (unsigned i = 0; i < source.mNumVertices; ++i) {
+      const aiVector3D n = turn * source.mNormals[i];
+      const Eigen::Vector3d world(n.x, n.y, n.z);
+      const double length = world.norm();
+      if (!(length > 0.0 && std::isfinite(length))) return {};
+      normals.push_back((world / length).cast<float>());
+    }
+    for (const auto& triangle : mesh.triangles) {
+      const Eigen::Vector3f& a = mesh.positions[triangle[0]];
+      const Eigen::Vector3f face = (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a).normalized();
+      for (const std::uint32_t corner : triangle)
+        if (!((normals[corner] - face).norm() < 1e-3f)) return normals;
+    }
+    return {};
+  }
+
+  const ModelSpec& spec_;
   const std::filesystem::path& file_;
   double scale_;
-  TextureEncoding encoding_;
-  TextureFilter filter_;
+  std::vector<unsigned> shown_;    // by how many nodes each mesh is
+  std::vector<int> prototype_of_;  // −1: none yet
   std::map<std::string, std::shared_ptr<const Image>> textures_;
   SceneDescription result_;
 };
 
 }  // namespace
 
-SceneDescription import_model(const std::filesystem::path& file, double scale, TextureEncoding texture_encoding,
-                              TextureFilter texture_filter) {
-  return ModelImport(file, scale, texture_encoding, texture_filter).run();
+SceneDescription import_model(const ModelSpec& spec) {
+  return ModelImport(spec).run();
 }
 
 }  // namespace sturm

@@ -1,6 +1,4 @@
 #pragma once
-#include <filesystem>
-
 #include "io/scene_spec.h"
 #include "pathtrace/scene_description.h"
 
@@ -13,13 +11,14 @@ namespace sturm {
 /// - Base colour (OBJ Kd) → albedo, in [0, 1]; emissive colour (OBJ Ke, glTF emissiveFactor with its strength) → radiance as it is;
 ///   base colour texture (OBJ map_Kd) → albedo texture, multiplied, its v coordinate running upwards from the image's last row. Texture
 ///   values are taken as linear or decoded from sRGB as `texture_encoding` says; a grey texture becomes RGB, alpha is left out.
-///   Textures of materials that no mesh uses are not loaded.
+///   Textures of materials that no mesh uses are not loaded. All materials are Lambert.
+/// - Vertex normals are kept where they differ from the triangles' own by more than 0.1 %.
+/// - A mesh that several nodes show becomes a prototype with instances, unless it emits.
 /// - An OBJ's groups and objects become meshes of that name. Its faces before any `usemtl` get Assimp's grey of 0.6.
-/// - Left out: every other property (specular, bump, transparency), texture wrapping (coordinates are clamped), lights, cameras, animation.
+/// - Left out, with a note in the description: other properties (specular, metallic, bump, transparency), lights, cameras, animation.
 ///
 /// Throws InputError, naming the file: unreadable or empty models, missing material libraries, materials and textures, embedded
-/// textures, positions that are not finite, colours out of range.
-SceneDescription import_model(const std::filesystem::path& file, double scale, TextureEncoding texture_encoding,
-                              TextureFilter texture_filter);
+/// textures, positions that are not finite, colours out of range, glTF files that gltf_check.h refuses. Overrides are not applied here.
+SceneDescription import_model(const ModelSpec& spec);
 
 }  // namespace sturm

@@ -19,7 +19,7 @@ RTCHit CameraHits::record(int i) const {
   hit.v = p.v[lane];
   hit.primID = p.primID[lane];
   hit.geomID = p.geomID[lane];
-  hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  hit.instID[0] = p.instID[0][lane];
   return hit;
 }
 

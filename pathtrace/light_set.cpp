@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "pathtrace/vector_math.h"
 
@@ -23,63 +24,49 @@ int LightSet::add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, c
   const Eigen::Vector3f scaled_normal = edge1.cross(edge2);
   const float area = 0.5f * scaled_normal.norm();
   lights_.push_back({Kind::triangle, a, edge1, edge2, scaled_normal, radiance, area, 0.0f});
-  power_.push_back(pi * area * luminance(radiance));
+  power_.push_back(static_cast<double>(pi * area * luminance(radiance)));
   return size() - 1;
 }
 
 int LightSet::add_sphere(const Eigen::Vector3f& center, float radius, const Eigen::Vector3f& radiance) {
   const Eigen::Vector3f none = Eigen::Vector3f::Zero();
   lights_.push_back({Kind::sphere, center, {radius, 0.0f, 0.0f}, none, none, radiance, 0.0f, 0.0f});
-  power_.push_back(4.0f * pi * pi * radius * radius * luminance(radiance));
+  power_.push_back(static_cast<double>(4.0f * pi * pi * radius * radius * luminance(radiance)));
   return size() - 1;
 }
 
 int LightSet::add_point(const Eigen::Vector3f& position, const Eigen::Vector3f& intensity) {
   const Eigen::Vector3f none = Eigen::Vector3f::Zero();
   lights_.push_back({Kind::point, position, none, none, none, intensity, 0.0f, 0.0f});
-  power_.push_back(4.0f * pi * luminance(intensity));
+  power_.push_back(static_cast<double>(4.0f * pi * luminance(intensity)));
   return size() - 1;
 }
 
+void LightSet::set_environment(std::shared_ptr<const EnvironmentMap> environment, float reach) {
+  environment_ = std::move(environment);
+  reach_ = reach;
+}
+
 void LightSet::finish() {
-  const int n = size();
-  double total = 0.0;
-  for (float p : power_) total += p;
-  slots_.assign(static_cast<std::size_t>(n), {1.0f, 0});
-  std::vector<double> scaled(static_cast<std::size_t>(n));
-  std::vector<int> small, large;
-  for (int i = 0; i < n; ++i) {
-    const double probability = total > 0.0 ? power_[i] / total : 1.0 / n;
-    lights_[i].probability = static_cast<float>(probability);
-    scaled[i] = probability * n;
-    slots_[i].alias = i;
-    (scaled[i] < 1.0 ? small : large).push_back(i);
-  }
-  while (!small.empty() && !large.empty()) {
-    const int s = small.back(), l = large.back();
-    small.pop_back();
-    slots_[s] = {static_cast<float>(scaled[s]), l};
-    scaled[l] -= 1.0 - scaled[s];
-    if (scaled[l] < 1.0) {
-      large.pop_back();
-      small.push_back(l);
-    }
-  }
+  if (environment_) environment_share_ = lights_.empty() ? 1.0f : 0.5f;
+  choices_ = AliasTable(power_);
+  for (int i = 0; i < size(); ++i) lights_[i].probability = (1.0f - environment_share_) * choices_.probability(i);
+}
+
+float LightSet::environment_pdf(const Eigen::Vector3f& direction) const {
+  return environment_ ? environment_share_ * environment_->pdf(direction) : 0.0f;
 }
 
 LightSample LightSet::sample(const Eigen::Vector3f& point, float u, float v) const {
-  const float position = u * static_cast<float>(slots_.size());
-  const int slot = std::min(static_cast<int>(position), size() - 1);
-  float rest = position - static_cast<float>(slot);
-  const Slot& choice = slots_[static_cast<std::size_t>(slot)];
-  int index = slot;
-  // What is left of u after the choice is uniform again.
-  if (rest < choice.keep) {
-    rest /= choice.keep;
-  } else {
-    index = choice.alias;
-    rest = (rest - choice.keep) / (1.0f - choice.keep);
+  if (environment_) {
+    if (u < environment_share_) {
+      const EnvironmentSample s = environment_->sample(u / environment_share_, v);
+      return {reach_ * s.direction, s.radiance, environment_share_ * s.pdf, false};
+    }
+    u = (u - environment_share_) / (1.0f - environment_share_);
   }
+  float rest = u;
+  const int index = choices_.choose(rest);
   const Light& light = lights_[static_cast<std::size_t>(index)];
   switch (light.kind) {
     case Kind::triangle:

@@ -1,7 +1,10 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
+
+#include "pathtrace/environment_map.h"
 
 namespace sturm {
 
@@ -13,21 +16,28 @@ struct LightSample {
   bool delta;                 ///< cannot be hit by chance
 };
 
-/// All lights of a scene; one is chosen with a probability in proportion to its power (alias method of Walker 1977 and Vose 1991).
+/// All lights of a scene; one is chosen with a probability in proportion to its power. What an environment map sends into a scene depends
+/// on how large the scene is and says little about any one point, so beside other lights it gets half of all choices.
 class LightSet {
  public:
   int add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, const Eigen::Vector3f& radiance);
   int add_sphere(const Eigen::Vector3f& center, float radius, const Eigen::Vector3f& radiance);
   int add_point(const Eigen::Vector3f& position, const Eigen::Vector3f& intensity);
 
+  /// `reach` [m]: a distance from any point of the scene that lies outside of it.
+  void set_environment(std::shared_ptr<const EnvironmentMap> environment, float reach);
+
   /// Builds the table of choices; call once after the last light.
   void finish();
 
-  bool empty() const { return lights_.empty(); }
+  bool empty() const { return lights_.empty() && !environment_; }
   int size() const { return static_cast<int>(lights_.size()); }
 
   /// Samples a light for `point` from two uniform numbers; pdf = 0 where it cannot shine there (e.g. the back of a triangle).
   LightSample sample(const Eigen::Vector3f& point, float u, float v) const;
+
+  /// Density of `sample` for a ray that leaves the scene in this direction (of any length); 0 without an environment map.
+  float environment_pdf(const Eigen::Vector3f& direction) const;
 
   /// Density of `sample` for the direction of a ray from `from` that hit emitter `light` at `at` with unit normal `normal` there.
   float pdf(int light, const Eigen::Vector3f& from, const Eigen::Vector3f& at, const Eigen::Vector3f& normal) const;
@@ -42,17 +52,14 @@ class LightSet {
     float area;         // triangle only
     float probability;  // of being chosen
   };
-  struct Slot {
-    float keep;  // probability of staying in this slot
-    int alias;
-  };
-
   LightSample sample_triangle(const Light& light, const Eigen::Vector3f& point, float u, float v) const;
   LightSample sample_sphere(const Light& light, const Eigen::Vector3f& point, float u, float v) const;
 
   std::vector<Light> lights_;
-  std::vector<float> power_;
-  std::vector<Slot> slots_;
+  std::vector<double> power_;
+  AliasTable choices_;
+  std::shared_ptr<const EnvironmentMap> environment_;
+  float reach_ = 0.0f, environment_share_ = 0.0f;
 };
 
 }  // namespace sturm

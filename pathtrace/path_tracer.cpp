@@ -3,19 +3,14 @@
 #include <numbers>
 
 #include "pathtrace/embree_rays.h"
+#include "pathtrace/mis.h"
 #include "pathtrace/vector_math.h"
 
 namespace sturm {
 
 namespace {
 constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
-
-/// Power heuristic with exponent 2 (Veach & Guibas 1995) for the technique of density `a` against one of density `b`.
-float mis_weight(float a, float b) {
-  const float ratio = b / a;
-  return 1.0f / (1.0f + ratio * ratio);
 }
-}  // namespace
 
 Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal, const Eigen::Vector3f& origin, float u,
                                          float v, RenderCounters& counters) const {
@@ -29,8 +24,20 @@ Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Ve
   return (weight * cosine * inverse_pi / light.pdf) * at.albedo.cwiseProduct(light.radiance);
 }
 
-Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, const PixelSequence& sequence,
+Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence,
                                      std::uint32_t sample, RenderCounters& counters) const {
+  switch (scene_.kind()) {
+    case Scene::Kind::plain:
+      return plain_radiance(first, direction, sequence, sample, counters);
+    case Scene::Kind::diffuse:
+      return diffuse_radiance(first, direction, sequence, sample, counters);
+    default:
+      return mixed_radiance(first, direction, sequence, sample, counters);
+  }
+}
+
+Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, const PixelSequence& sequence,
+                                           std::uint32_t sample, RenderCounters& counters) const {
   SurfacePoint at = first;
   Eigen::Vector3f direction = first_direction, throughput = Eigen::Vector3f::Ones(), sum = Eigen::Vector3f::Zero();
   Eigen::Vector3f previous_origin = Eigen::Vector3f::Zero();

@@ -4,6 +4,7 @@
 namespace sturm {
 
 /// Radiance along one camera ray that has already been traced, by unidirectional path tracing with next-event estimation.
+/// A scene of flat Lambertian surfaces without surroundings takes a loop of its own that knows no materials.
 class PathTracer {
  public:
   PathTracer(const Scene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {}
@@ -13,6 +14,17 @@ class PathTracer {
                            RenderCounters& counters) const;
 
  private:
+  Eigen::Vector3f plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence,
+                                 std::uint32_t sample, RenderCounters& counters) const;
+
+  /// For any scene; `Surfaces` evaluates and samples its surface models (path_tracer_surfaces.cpp).
+  template <class Surfaces>
+  Eigen::Vector3f surface_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence,
+                                   std::uint32_t sample, RenderCounters& counters) const;
+  Eigen::Vector3f diffuse_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence,
+                                   std::uint32_t sample, RenderCounters& counters) const;
+  Eigen::Vector3f mixed_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence,
+                                 std::uint32_t sample, RenderCounters& counters) const;
   Eigen::Vector3f direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal, const Eigen::Vector3f& origin, float u, float v,
                                RenderCounters& counters) const;
 

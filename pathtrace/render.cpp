@@ -54,6 +54,7 @@ class PixelRenderer {
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
           first_hit.add(point.albedo, point.normal, hits.distance(i));
         } else {
+          if (scene_.has_environment()) value = scene_.environment(hits.direction(i));
           first_hit.add_miss();
         }
         radiance.add(value);

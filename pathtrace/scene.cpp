@@ -11,8 +11,9 @@ namespace sturm {
 
 namespace {
 
-constexpr unsigned triangle_geometry = 0, sphere_geometry = 1;
-constexpr float largest_coordinate = 1e6f;  // [m]; beyond it single precision cannot resolve a millimetre
+constexpr unsigned triangle_geometry = 0, sphere_geometry = 1, first_instance = 2;
+constexpr float least_squared_area = 1e-36f;  // [m⁴], of the doubled area; below, its square root is lost in single precision
+constexpr float largest_coordinate = 1e6f;    // [m]; beyond it single precision cannot resolve a millimetre
 
 void require_usable(const Eigen::Vector3f& p, const std::string& where) {
   if (!(p.array().abs() <= largest_coordinate).all())
@@ -40,6 +41,12 @@ void validate(const Mesh& mesh, std::size_t material_count) {
   if (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != mesh.positions.size())
     throw InputError("", where, std::to_string(mesh.texture_coordinates.size()) + " texture coordinates",
                      "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
+  if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
+    throw InputError("", where, std::to_string(mesh.normals.size()) + " normals",
+                     "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
+  for (const Eigen::Vector3f& n : mesh.normals)
+    if (!(std::abs(n.squaredNorm() - 1.0f) < 1e-3f))
+      throw InputError("", where, "a normal of length " + std::to_string(n.norm()), "unit normals");
 }
 
 void validate(const Sphere& sphere, std::size_t material_count) {
@@ -60,29 +67,56 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
   if (!device_) throw RuntimeFailure("Embree cannot create a device (isa=" + isa + ")");
   scene_.reset(rtcNewScene(device_.get()));
   rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
-  add_triangles(description);
+  validate_meshes(description);
+  for (const Mesh& mesh : description.meshes)
+    for (const Eigen::Vector3f& p : mesh.positions) {
+      lower_ = lower_.cwiseMin(p);
+      upper_ = upper_.cwiseMax(p);
+    }
+  add_triangles(description.meshes, scene_.get());
+  add_instances(description);
   add_spheres(description);
   if (triangle_material_.empty() && sphere_material_.empty()) throw InputError("", "/scene", "no surface", "at least one mesh or sphere");
   for (const PointLight& light : description.lights) lights_.add_point(light.position, light.intensity);
+  if (description.environment) add_environment(*description.environment);
   lights_.finish();
+  const bool all_diffuse =
+      std::all_of(materials_.begin(), materials_.end(), [](const Material& m) { return std::holds_alternative<Diffuse>(m.surface); });
+  if (!all_diffuse)
+    kind_ = Kind::mixed;
+  else if (has_environment() || smooth_)
+    kind_ = Kind::diffuse;
   rtcCommitScene(scene_.get());
   if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
     throw RuntimeFailure("Embree could not build the scene (error " + std::to_string(error) + ")");
 }
 
-void Scene::add_triangles(const SceneDescription& description) {
-  std::size_t vertex_count = 0, triangle_count = 0;
-  bool textured = false;
-  for (const Mesh& mesh : description.meshes) {
+void Scene::validate_meshes(const SceneDescription& description) {
+  const auto check = [&](const Mesh& mesh) {
     validate(mesh, materials_.size());
-    vertex_count += mesh.positions.size();
-    triangle_count += mesh.triangles.size();
     const bool wants_texture = materials_[mesh.material].albedo_texture != nullptr;
     if (wants_texture && mesh.texture_coordinates.empty())
       throw InputError("", "mesh '" + mesh.name + "'", "a textured material", "texture coordinates on the mesh");
-    textured = textured || wants_texture;
+    textured_ = textured_ || wants_texture;
+    smooth_ = smooth_ || !mesh.normals.empty();
+  };
+  for (const Mesh& mesh : description.meshes) check(mesh);
+  for (const Mesh& mesh : description.prototypes) {
+    check(mesh);
+    if (emits(materials_[mesh.material]))
+      throw InputError("", "mesh '" + mesh.name + "'", "an emitter as a prototype", "emitters in place");
+  }
+}
+
+void Scene::add_triangles(std::span<const Mesh> meshes, RTCScene into) {
+  std::size_t vertex_count = 0, triangle_count = 0;
+  for (const Mesh& mesh : meshes) {
+    vertex_count += mesh.positions.size();
+    triangle_count += mesh.triangles.size();
   }
   if (triangle_count == 0) return;
+  if (vertex_count > std::numeric_limits<std::uint32_t>::max() || triangle_count > std::numeric_limits<std::uint32_t>::max())
+    throw InputError("", "/scene", std::to_string(triangle_count) + " triangles", "fewer than 2^32 triangles and vertices");
 
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices =
@@ -94,29 +128,65 @@ void Scene::add_triangles(const SceneDescription& description) {
     throw RuntimeFailure("Embree has no memory for " + std::to_string(triangle_count) + " triangles");
   }
   std::uint32_t first_vertex = 0;
-  for (const Mesh& mesh : description.meshes) {
-    for (const Eigen::Vector3f& p : mesh.positions) {
-      lower_ = lower_.cwiseMin(p);
-      upper_ = upper_.cwiseMax(p);
-      vertices = std::copy_n(p.data(), 3, vertices);
-    }
+  for (const Mesh& mesh : meshes) {
+    for (const Eigen::Vector3f& p : mesh.positions) vertices = std::copy_n(p.data(), 3, vertices);
     const Material& material = materials_[mesh.material];
     for (const auto& triangle : mesh.triangles) {
-      for (std::uint32_t v : triangle) *indices++ = first_vertex + v;
-      triangle_material_.push_back(mesh.material);
       const auto corner = [&](int k) { return mesh.positions[triangle[k]]; };
+      // A triangle without area has no normal; as a point it cannot be hit.
+      const bool has_area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).squaredNorm() > least_squared_area;
+      for (std::uint32_t v : triangle) *indices++ = first_vertex + (has_area ? v : triangle[0]);
+      triangle_material_.push_back(mesh.material);
       triangle_emitter_.push_back(emits(material) ? lights_.add_triangle(corner(0), corner(1), corner(2), material.emission) : -1);
-      if (textured) {
+      if (textured_) {
         const bool has = !mesh.texture_coordinates.empty();
         const auto uv = [&](int k) { return has ? mesh.texture_coordinates[triangle[k]] : Eigen::Vector2f(0.0f, 0.0f); };
         triangle_uv_.push_back({uv(0), uv(1), uv(2)});
+      }
+      if (smooth_) {
+        const auto normal = [&](int k) { return mesh.normals.empty() ? Eigen::Vector3f(0.0f, 0.0f, 0.0f) : mesh.normals[triangle[k]]; };
+        triangle_normals_.push_back({normal(0), normal(1), normal(2)});
       }
     }
     first_vertex += static_cast<std::uint32_t>(mesh.positions.size());
   }
   rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene_.get(), geometry, triangle_geometry);
+  rtcAttachGeometryByID(into, geometry, triangle_geometry);
   rtcReleaseGeometry(geometry);
+}
+
+void Scene::add_instances(const SceneDescription& description) {
+  std::vector<std::size_t> first_triangle;
+  for (const Mesh& mesh : description.prototypes) {
+    first_triangle.push_back(triangle_material_.size());
+    EmbreeScene& prototype = prototypes_.emplace_back(rtcNewScene(device_.get()));
+    rtcSetSceneBuildQuality(prototype.get(), RTC_BUILD_QUALITY_HIGH);
+    add_triangles({&mesh, 1}, prototype.get());
+    rtcCommitScene(prototype.get());
+  }
+  for (const Instance& instance : description.instances) {
+    if (instance.prototype < 0 || static_cast<std::size_t>(instance.prototype) >= prototypes_.size())
+      throw InputError("", "instance", "prototype " + std::to_string(instance.prototype), "one of the prototypes");
+    const Mesh& mesh = description.prototypes[static_cast<std::size_t>(instance.prototype)];
+    const Eigen::Matrix3f turn = instance.world_from_prototype.leftCols<3>();
+    // Against the lengths of the axes: a small instance is no singular one.
+    const float volume = turn.colwise().norm().prod();
+    if (!(std::abs(turn.determinant()) > 1e-6f * volume))
+      throw InputError("", "instance of mesh '" + mesh.name + "'", "a singular transformation", "one that keeps a volume");
+    for (const Eigen::Vector3f& p : mesh.positions) {
+      const Eigen::Vector3f world = turn * p + instance.world_from_prototype.col(3);
+      require_usable(world, "instance of mesh '" + mesh.name + "'");
+      lower_ = lower_.cwiseMin(world);
+      upper_ = upper_.cwiseMax(world);
+    }
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, prototypes_[static_cast<std::size_t>(instance.prototype)].get());
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, instance.world_from_prototype.data());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_.get(), geometry, first_instance + static_cast<unsigned>(instances_.size()));
+    rtcReleaseGeometry(geometry);
+    instances_.push_back({first_triangle[static_cast<std::size_t>(instance.prototype)], turn.inverse().transpose()});
+  }
 }
 
 void Scene::add_spheres(const SceneDescription& description) {
@@ -143,21 +213,47 @@ void Scene::add_spheres(const SceneDescription& description) {
   rtcReleaseGeometry(geometry);
 }
 
+void Scene::add_environment(const Environment& environment) {
+  if (!environment.map) {
+    constant_environment_ = environment.radiance;
+    return;
+  }
+  environment_map_ = std::make_shared<const EnvironmentMap>(environment.map, environment.radiance, environment.rotation);
+  lights_.set_environment(environment_map_, 2.0f * (upper_ - lower_).norm());
+}
+
+Eigen::Vector3f Scene::smooth_normal(std::size_t triangle, float u, float v, const PlacedInstance* instance,
+                                     const Eigen::Vector3f& geometric) const {
+  const auto& corner = triangle_normals_[triangle];
+  Eigen::Vector3f mean = (1.0f - u - v) * corner[0] + u * corner[1] + v * corner[2];
+  if (instance) mean = instance->normal_from_prototype * mean;
+  const float length = mean.norm();
+  if (!(length > 0.0f)) return geometric;  // a flat mesh, or normals that cancel out
+  const Eigen::Vector3f normal = mean / length;
+  return normal.dot(geometric) < 0.0f ? Eigen::Vector3f(-normal) : normal;
+}
+
 SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float t) const {
-  const bool triangle = hit.geomID == triangle_geometry;
-  const int material_index = triangle ? triangle_material_[hit.primID] : sphere_material_[hit.primID];
+  const PlacedInstance* instance = nullptr;
+  if (!instances_.empty() && hit.instID[0] != RTC_INVALID_GEOMETRY_ID) instance = &instances_[hit.instID[0] - first_instance];
+  const bool triangle = instance || hit.geomID == triangle_geometry;
+  const std::size_t primitive = instance ? instance->first_triangle + hit.primID : hit.primID;
+  const int material_index = triangle ? triangle_material_[primitive] : sphere_material_[primitive];
   const Material& material = materials_[static_cast<std::size_t>(material_index)];
   SurfacePoint point;
   point.position = origin + t * direction;
   // Embree's normal of a triangle is (v1 − v0) × (v2 − v0): it points to the side that sees the winding counter-clockwise.
-  point.normal = Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z).normalized();
+  const Eigen::Vector3f normal(hit.Ng_x, hit.Ng_y, hit.Ng_z);
+  // Of an instance it is the prototype's. The inverse transpose keeps the side, also under a mirror.
+  point.normal = instance ? (instance->normal_from_prototype * normal.normalized()).normalized() : normal.normalized();
+  point.shading_normal = triangle && smooth_ ? smooth_normal(primitive, hit.u, hit.v, instance, point.normal) : point.normal;
   point.material = &material;
-  point.emitter = triangle ? triangle_emitter_[hit.primID] : sphere_emitter_[hit.primID];
+  point.emitter = triangle ? triangle_emitter_[primitive] : sphere_emitter_[primitive];
   point.albedo = material.albedo;
-  if (triangle && material.albedo_texture && !triangle_uv_.empty()) {
-    const auto& uv = triangle_uv_[hit.primID];
+  if (triangle && material.albedo_texture) {
+    const auto& uv = triangle_uv_[primitive];
     const Eigen::Vector2f at = (1.0f - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
-    point.albedo = point.albedo.cwiseProduct(texel(*material.albedo_texture, at, material.nearest_filter));
+    point.albedo = point.albedo.cwiseProduct(texel(*material.albedo_texture, at, material.nearest_filter, material.repeat_texture));
   }
   return point;
 }

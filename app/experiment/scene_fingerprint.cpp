@@ -1,6 +1,7 @@
 #include "app/experiment/scene_fingerprint.h"
 
 #include <type_traits>
+#include <variant>
 
 #include "io/sha256.h"
 
@@ -24,6 +25,13 @@ void add_number(std::string& facts, T value) {
   facts.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+/// A surface model: nothing but floats, so that there is no padding among its bytes.
+template <class Model>
+void add_bytes(std::string& facts, const Model& model) {
+  static_assert(std::is_empty_v<Model> || sizeof(Model) % sizeof(float) == 0);
+  if constexpr (!std::is_empty_v<Model>) facts.append(reinterpret_cast<const char*>(&model), sizeof model);
+}
+
 }  // namespace
 
 std::string scene_fingerprint(const SceneDescription& scene) {
@@ -32,11 +40,24 @@ std::string scene_fingerprint(const SceneDescription& scene) {
     add(facts, m.albedo);
     add(facts, m.emission);
     add_number(facts, m.nearest_filter);
+    add_number(facts, m.repeat_texture);
+    add_number(facts, m.surface.index());
+    std::visit([&](const auto& surface) { add_bytes(facts, surface); }, m.surface);
     if (m.albedo_texture) facts += std::to_string(m.albedo_texture->width) + hash_of(m.albedo_texture->pixels);
   }
-  for (const Mesh& m : scene.meshes) {
-    facts += hash_of(m.positions) + hash_of(m.triangles) + hash_of(m.texture_coordinates);
-    add_number(facts, m.material);
+  for (const std::vector<Mesh>* meshes : {&scene.meshes, &scene.prototypes})
+    for (const Mesh& m : *meshes) {
+      facts += hash_of(m.positions) + hash_of(m.triangles) + hash_of(m.texture_coordinates) + hash_of(m.normals);
+      add_number(facts, m.material);
+    }
+  for (const Instance& i : scene.instances) {
+    add_number(facts, i.prototype);
+    facts.append(reinterpret_cast<const char*>(i.world_from_prototype.data()), 12 * sizeof(float));
+  }
+  if (scene.environment) {
+    add(facts, scene.environment->radiance);
+    add_number(facts, scene.environment->rotation);
+    if (scene.environment->map) facts += std::to_string(scene.environment->map->width) + hash_of(scene.environment->map->pixels);
   }
   for (const Sphere& s : scene.spheres) {
     add(facts, s.center);

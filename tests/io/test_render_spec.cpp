@@ -105,7 +105,7 @@ TEST_F(RenderSpecTest, SceneErrorsNameFileAndPlace) {
   EXPECT_THAT(error_with({"/scene/meshes/0/faces/1/2=0"}), HasSubstr("no two alike"));
   EXPECT_THAT(error_with({"/scene/materials/white/albedo/1=1.1"}), HasSubstr("/scene/materials/white/albedo/1: got 1.1, expected a number from 0 to 1"));
   EXPECT_THAT(error_with({"/scene/materials/white/albdo=[1,1,1]"}), HasSubstr("did you mean \"albedo\"?"));
-  EXPECT_THAT(error_with({"/scene/environment=sky.exr"}), HasSubstr("/scene/environment: got \"sky.exr\", expected null"));
+  EXPECT_THAT(error_with({"/scene/environment=sky.exr"}), HasSubstr("/scene/environment: got \"sky.exr\", expected an object or null"));
   write_text(folder_ / "scenes/bad.json", R"({"format": "sturm.scene/1", "model": []})");
   EXPECT_THAT(error_with({"/scene=../scenes/bad.json"}), AllOf(HasSubstr("scenes/bad.json: /model: got an unknown key"), HasSubstr("\"models\"")));
 }

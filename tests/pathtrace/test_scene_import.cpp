@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 const fs::path source_dir = STURM_SOURCE_DIR;
 
 SceneDescription import_linear(const fs::path& file, double scale = 1.0) {
-  return import_model(file, scale, TextureEncoding::Linear, TextureFilter::Nearest);
+  return import_model(
+      {.file = file, .scale = scale, .texture_encoding = TextureEncoding::Linear, .texture_filter = TextureFilter::Nearest});
 }
 
 /// A folder of small files that goes away with the test.
@@ -127,7 +128,7 @@ TEST(SceneImport, TexturesAreReadDecodedAndShared) {
                                     "o one\nusemtl chart\nf 1/1 2/2 3/3\no two\nusemtl tinted\nf 1/1 3/3 4/4\n");
   folder.write("a.mtl", "newmtl chart\nKd 1 1 1\nmap_Kd chart.png\nnewmtl tinted\nKd 0.5 0.25 1\nmap_Kd chart.png\n");
   const SceneDescription linear = import_linear(obj);
-  const SceneDescription srgb = import_model(obj, 1.0, TextureEncoding::Srgb, TextureFilter::Bilinear);
+  const SceneDescription srgb = import_model({.file = obj});
   const Mesh& two = mesh_named(linear, "two");
   const Material& tinted = linear.materials[two.material];
   ASSERT_TRUE(tinted.albedo_texture);
@@ -197,7 +198,8 @@ TEST(SceneImport, WrongModelsAreNamed) {
   expect_error(folder.path() / "absent.obj", {"exists"});
   expect_error(folder.write("empty.obj", ""), {});
   expect_error(folder.write("points.obj", triangle), {});
-  expect_error(folder.write("noise.gltf", "this is no model"), {"Assimp"});
+  expect_error(folder.write("noise.gltf", "this is no model"), {"noise.gltf:1", "JSON"});
+  expect_error(folder.write("noise.dae", "this is no model"), {"Assimp"});
   expect_error(folder.write("other.xyzzy", "this is no model"), {"Assimp"});
   expect_error(folder.write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), {"not finite"});
   expect_error(folder.write("no_library.obj", "mtllib gone.mtl\n" + triangle + "usemtl red\nf 1 2 3\n"), {"no_library.obj:1", "gone.mtl"});
