@@ -41,6 +41,12 @@ int LightSet::add_point(const Eigen::Vector3f& position, const Eigen::Vector3f& 
   return size() - 1;
 }
 
+LightShape LightSet::shape(int index) const {
+  const Light& light = lights_[static_cast<std::size_t>(index)];
+  if (light.kind == Kind::triangle) return {{light.a, light.a + light.edge1, light.a + light.edge2}, light.a, 0.0f, light.emission};
+  return {{}, light.a, light.kind == Kind::sphere ? light.edge1.x() : 0.0f, light.emission};
+}
+
 void LightSet::finish() {
   const int n = size();
   double total = 0.0;
