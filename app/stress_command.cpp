@@ -11,8 +11,9 @@ namespace sturm {
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output) {
   const std::uint64_t seed = options.seed.value_or(1);
   if (stress.replayed) {
-    const stress::CaseRun run = stress::run_case(seed, *stress.replayed);
-    write_result(stress::case_json(seed, *stress.replayed, run), output);
+    const stress::FreeFormLenses free_forms;
+    const stress::CaseRun run = stress::run_case(seed, *stress.replayed, free_forms);
+    write_result(stress::case_json(seed, *stress.replayed, run, free_forms), output);
     return run.outcomes.passed() ? 0 : 1;
   }
   Progress progress("stress", static_cast<double>(stress.cases), "cases", options.quiet);

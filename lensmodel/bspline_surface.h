@@ -43,10 +43,14 @@ class BSplineSurface {
 
   const KnotGrid& grid() const { return data_->grid; }
 
+  /// (cells_x + 3) × (cells_y + 3) [m], rows along x; the spline with these is this surface to the last bit.
+  using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Coefficients& coefficients() const { return data_->coefficients; }
+
  private:
   struct Data {
     KnotGrid grid;
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> coefficients;
+    Coefficients coefficients;
     double lowest, highest;
   };
   std::shared_ptr<const Data> data_;

@@ -1,6 +1,7 @@
 #include "lensmodel/prism.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "lensmodel/units.h"
@@ -27,19 +28,25 @@ Spectacles with_prism(const Spectacles& lens, double prism_cm_per_m, double base
   Spectacles straight = lens;
   straight.mounting = Mounting();
   straight.vertex_distance_m = 1e-3;  // any: a deviation does not depend on it
-  Eigen::Vector2d wedge = Eigen::Vector2d::Zero();
+  Eigen::Vector2d wedge = Eigen::Vector2d::Zero(), best = wedge;
+  double least = std::numeric_limits<double>::infinity();  // error, of the best
   // A thin wedge of slope g deviates by (n − 1) g: one step of that is wrong by the thickness times the front's power, a few per cent.
   constexpr int most_steps = 60;
   constexpr double settled = 1e-15;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_steps && least > settled; ++i) {
     straight.mounting = Mounting().with_wedge(wedge);
     const Eigen::Vector2d error = axial_deviation(straight) - wanted;
-    if (error.norm() <= settled) break;
-    if (!(excess > 0.0) || i + 1 == most_steps) throw std::domain_error("a prism that this lens cannot have");
+    if (error.norm() < least) {
+      least = error.norm();
+      best = wedge;
+    }
+    if (!(excess > 0.0)) break;
     wedge -= error / excess;
   }
+  // Rounding of the two refractions may keep the steps going above `settled` for ever.
+  if (!(least <= prism_accuracy)) throw std::domain_error("a prism that this lens cannot have");
   Spectacles result = lens;
-  result.mounting = lens.mounting.with_wedge(wedge);
+  result.mounting = lens.mounting.with_wedge(best);
   return result;
 }
 

@@ -56,10 +56,11 @@ void run_naked(CaseRun& run, double vergence_D) {
   run.outcomes.record(Check::correction, (run.footprint->angular - expected).norm(), formula_error * size, std::fmax(size, 1.0));
 }
 
-/// The points of a path that a lens standing straight gave: `trace` leaves those of a lost ray in the lens's frame.
+/// Where a path met the surfaces: `trace` leaves the points of a lost ray in the lens's frame.
 StartingPoints in_wearer_frame(const Spectacles& lens, const LensPath& path) {
-  const Eigen::Vector3d vertex = path.status == LensStatus::ok ? Eigen::Vector3d::Zero().eval() : lens.back_vertex();
-  return {vertex + path.back_point, vertex + path.exit.origin};
+  if (path.status == LensStatus::ok) return {path.back_point, path.exit.origin};
+  const Eigen::Matrix3d& turn = lens.mounting.wearer_from_lens();
+  return {lens.back_vertex() + turn * path.back_point, lens.back_vertex() + turn * path.exit.origin};
 }
 
 void run_through_lens(CaseRun& run, std::uint64_t seed, std::uint64_t index, double vergence_D, const ConoidTracer& tracer) {
@@ -113,10 +114,10 @@ void check_forms(CaseRun& run) {
 
 }  // namespace
 
-CaseRun run_case(std::uint64_t seed, std::uint64_t index, const ConoidTracer& tracer) {
+CaseRun run_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& free_forms, const ConoidTracer& tracer) {
   CaseRun run;
   try {
-    run.numbers = draw_case(seed, index);
+    run.numbers = draw_case(seed, index, free_forms);
     const double vergence_D = std::isinf(run.numbers.distance_m) ? 0.0 : 1.0 / run.numbers.distance_m;
     run.gaze = gaze_of(run.numbers);
     run.eye = eye_of(run.numbers);
@@ -124,7 +125,8 @@ CaseRun run_case(std::uint64_t seed, std::uint64_t index, const ConoidTracer& tr
     check_correction(run.outcomes, prescription_of(run.numbers), run.eye ? &*run.eye : nullptr);
     if (!run.eye) return run;
     if (run.numbers.lens) {
-      run.lens = spectacles_of(*run.numbers.lens);
+      run.lens = spectacles_of(*run.numbers.lens, free_forms);
+      if (const auto& made = run.numbers.lens->made) check_prism(run.outcomes, *run.lens, made->prism_cm_per_m, made->prism_base_deg);
       run_through_lens(run, seed, index, vergence_D, tracer);
     } else {
       run_naked(run, vergence_D);

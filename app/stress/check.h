@@ -21,9 +21,10 @@ enum class Check : std::uint8_t {
   transposed,
   five_variables,
   accommodation,
-  infinity
+  infinity,
+  prism
 };
-inline constexpr std::size_t check_count = 16;
+inline constexpr std::size_t check_count = 17;
 
 struct CheckInfo {
   const char *name, *meaning;
@@ -45,12 +46,13 @@ inline constexpr std::array<CheckInfo, check_count> checks{{
     {"five_variables", "matrix form against the scalar one"},
     {"accommodation", "linear in A; the best A has the least major axis"},
     {"infinity", "the limit 1/d to 0"},
+    {"prism", "deviation on the axis of a lens that was made with a prism, by the oracle"},
 }};
 
 /// Why a check did not run.
 enum class Skip : std::uint8_t {
   none,
-  not_applicable,  ///< no spectacles, or a prescription that is refused
+  not_applicable,  ///< no spectacles, a prescription that is refused, or a lens without prism
   lost,            ///< the chief ray is lost, and the oracle agrees
   at_the_edge,     ///< rounding decides what becomes of the ray
   focal_line       ///< a focal line lies where the quantity has a pole
@@ -81,9 +83,10 @@ class Outcomes {
   void skip(Check check, Skip why) {
     if (!at(check).ran) at(check).skip = why;
   }
+  /// All that were to follow the chief ray through the lens.
   void skip_rest(Skip why) {
     for (Outcome& o : outcomes_)
-      if (!o.ran && o.skip == Skip::not_applicable) o.skip = why;
+      if (&o != &at(Check::prism) && !o.ran && o.skip == Skip::not_applicable) o.skip = why;
   }
   const Outcome& operator[](Check check) const { return outcomes_[static_cast<std::size_t>(check)]; }
   const std::array<Outcome, check_count>& all() const { return outcomes_; }

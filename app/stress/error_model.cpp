@@ -9,12 +9,12 @@ namespace {
 
 constexpr double eta = formula_error;
 
-/// What rounding does to height, slope and curvature of a surface at one place.
+/// What rounding does to height, slope and Hessian of a surface at one place.
 struct SurfaceErrors {
-  double gradient = 0.0, hessian = 0.0, inclination = 1.0;  ///< |∇z|, |∇∇z|, √(1 + |∇z|²)
-  double value_error = 0.0;                                 ///< [m]
-  double relative_error = 0.0;                              ///< of gradient and Hessian
-  double hessian_change = 0.0;                              ///< |d∇∇z| per metre, by differences
+  double inclination = 1.0;  ///< √(1 + |∇z|²)
+  double value = 0.0;        ///< [m]
+  double gradient = 0.0;
+  double hessian = 0.0;  ///< [1/m]
 };
 
 /// The radicands p², q² lose their digits where the surface turns vertical: relative error eta · (size of their terms)/(their value).
@@ -33,22 +33,39 @@ double loss_of_radicands(const Surface& surface, double x, double y) {
   return (1.0 + std::abs(term)) / (1.0 - term);
 }
 
-SurfaceErrors errors_of(const Surface& surface, double x, double y) {
+/// A spline is a sum of the cell's 16 coefficients, as large as C, with basis polynomials whose absolute values sum to 1; those of the
+/// first derivative to at most 3/2, of the second to 4, by the knot's number. The number itself, (x − first)/h, is rounded: as if the point
+/// stood aside.
+SurfaceErrors errors_of(const BSplineSurface& spline, const Crossing& at) {
+  const KnotGrid& grid = spline.grid();
+  const auto cell = [](double x, int cells) { return std::clamp(static_cast<int>(x), 0, cells - 1); };
+  const double c = spline.coefficients()
+                       .block<4, 4>(cell((at.x - grid.first.x()) / grid.spacing.x(), grid.cells_x),
+                                    cell((at.y - grid.first.y()) / grid.spacing.y(), grid.cells_y))
+                       .cwiseAbs()
+                       .maxCoeff();
+  const double hx = grid.spacing.x(), hy = grid.spacing.y(), aside = eta * (std::hypot(at.x, at.y) + grid.first.norm());
+  const double first = 1.5 * std::hypot(1.0 / hx, 1.0 / hy), mixed = 2.25 / (hx * hy),
+               second = std::sqrt(16.0 / (hx * hx * hx * hx) + 16.0 / (hy * hy * hy * hy) + 2.0 * mixed * mixed);
   SurfaceErrors e;
-  const auto here = sag(surface, x, y);
-  if (!here) return e;
-  e.gradient = here->gradient.norm();
-  e.hessian = here->hessian.norm();
-  e.inclination = std::sqrt(1.0 + e.gradient * e.gradient);
-  const double loss = std::max(1.0, loss_of_radicands(surface, x, y));
-  e.value_error = eta * loss * (std::abs(here->value) + e.gradient * std::hypot(x, y));
-  e.relative_error = eta * loss;
-  const double h = 1e-6 * std::min(1e-2, e.hessian > 0.0 ? 1.0 / e.hessian : 1e-2);
-  for (const Eigen::Vector2d& by : {Eigen::Vector2d(h, 0.0), Eigen::Vector2d(0.0, h)}) {
-    auto there = sag(surface, x + by.x(), y + by.y());
-    if (!there) there = sag(surface, x - by.x(), y - by.y());
-    if (there) e.hessian_change = std::max(e.hessian_change, (there->hessian - here->hessian).norm() / h);
+  e.value = eta * c + at.shape.gradient * aside;
+  e.gradient = eta * c * first + at.shape.hessian * aside;
+  e.hessian = eta * c * second + at.shape.hessian_change * aside;
+  return e;
+}
+
+SurfaceErrors errors_of(const Surface& surface, const Crossing& at) {
+  if (!at.on_sheet) return {};
+  SurfaceErrors e;
+  if (const auto* spline = std::get_if<BSplineSurface>(&surface)) {
+    e = errors_of(*spline, at);
+  } else {
+    const double relative = eta * std::max(1.0, loss_of_radicands(surface, at.x, at.y));
+    e.value = relative * (std::abs(at.z) + at.shape.gradient * std::hypot(at.x, at.y));
+    e.gradient = relative * at.shape.gradient;
+    e.hessian = relative * at.shape.hessian;
   }
+  e.inclination = std::sqrt(1.0 + at.shape.gradient * at.shape.gradient);
   return e;
 }
 
@@ -57,22 +74,45 @@ struct Blocks {
   double offset = 0.0, slope = 0.0;
 };
 
+/// What is off at one surface: lengths, cosines and frames by parts (`relative`), the bend γK.
+struct PassErrors {
+  double length, relative, gamma_error, curvature_error;
+  double gamma, curvature;  ///< sizes
+};
+
+/// Transfer A + LB, then refraction A' = C'C⁻¹A, B' = C'⁻¹(μCB − γ K C⁻¹A), each rounded.
+void pass(Blocks& e, const Crossing& at, const PassErrors& by, double offset_in, double slope_in, double offset_out) {
+  const double c = at.cos_in, c_out = at.cos_out;
+  const double stretch = std::max(1.0, c_out / c), squeeze = at.mu * std::max(1.0, c / c_out), bend = by.gamma * by.curvature / (c * c_out);
+  const double offset_error = e.offset + at.path_m * e.slope + slope_in * by.length + eta * (offset_in + at.path_m * slope_in);
+  e.slope = squeeze * e.slope + bend * offset_error + (squeeze * slope_in + bend * offset_in) * by.relative +
+            offset_in * (by.gamma_error * by.curvature + by.gamma * by.curvature_error) / (c * c_out);
+  e.offset = stretch * offset_error + (stretch * offset_in + offset_out) * by.relative;
+}
+
 }  // namespace
 
 ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const ExtendedTrace& trace) {
   ErrorBounds bounds;
-  double point = eta * (rotation_center_m + lens.vertex_distance_m), direction = eta;  // of the ray
+  // A turn of the frame (mounting, wedge) is a product with rounded cosines: eta of the length of what is turned.
+  const Mounting& mounting = lens.mounting;
+  const double turned = mounting.straight() ? 0.0 : eta, wedged = mounting.has_wedge() ? eta : 0.0;
+  const double reach = rotation_center_m + lens.vertex_distance_m + mounting.decentration_m().norm();
+  double point = (eta + turned) * reach, direction = eta + turned;  // of the ray
   double hit_before = point;
   Blocks p{eta, 0.0}, q{0.0, eta};
   for (int i = 0; i < trace.crossings; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Crossing& at = trace.at[k];
-    const SurfaceErrors s = errors_of(i == 0 ? lens.back : lens.front, at.x, at.y);
+    const SurfaceErrors s = errors_of(i == 0 ? lens.back : lens.front, at);
+    const SurfaceShape& shape = at.shape;
+    // Into the back's own frame and out of it again, and out of the lens's.
+    const double frames = 2.0 * (i == 0 ? wedged : 0.0) + turned;
     const double c = at.cos_in, sine = std::sqrt(std::max(0.0, 1.0 - c * c)), length = at.path_m + std::hypot(at.x, at.y) + lens.diameter_m;
     // Where it meets the surface: the ray stands aside, the height is rounded, the search stops within 2 eta of its bracket.
-    const double aside = point + at.path_m * direction + 2.0 * eta * length;
-    const double hit = (aside + s.value_error / s.inclination) / c;
-    const double gradient = s.hessian * hit + s.gradient * s.relative_error, normal = gradient / s.inclination + eta;
+    const double aside = point + at.path_m * direction + 2.0 * eta * length + frames * (at.path_m + reach + std::hypot(at.x, at.y, at.z));
+    const double hit = (aside + s.value / s.inclination) / c;
+    const double gradient = shape.hessian * hit + s.gradient, normal = gradient / s.inclination + eta + frames;
     const double tilt = direction + normal, cos_in = sine * tilt + tilt * tilt + eta;
     bounds.hit[k] = hit;
     bounds.cos_in[k] = cos_in;
@@ -82,24 +122,18 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
     const double gamma = std::abs(c_out - at.mu * c), gamma_error = cos_out + at.mu * cos_in + eta * (c_out + at.mu * c);
     const double bent = at.mu * direction + gamma * normal + gamma_error + eta * (1.0 + at.mu);
 
-    // Transfer A + LB, then refraction A' = C'C⁻¹A, B' = C'⁻¹(μCB − γ K C⁻¹A). A turn of (u, v) by tilt/sin cancels but for 1/(cc') − 1.
+    // A turn of (u, v) by tilt/sin cancels but for 1/(cc') − 1.
     const double length_error = hit + hit_before + eta * length;
     const double turn = sine > 0.0 ? tilt * (1.0 / (c * c_out) - 1.0) / sine + tilt * sine : 0.0;
     const double relative = cos_in / c + cos_out / c_out + turn + eta;
-    const double stretch = std::max(1.0, c_out / c), squeeze = at.mu * std::max(1.0, c / c_out);
-    const double curvature = s.hessian / s.inclination;
+    const double curvature = shape.hessian / s.inclination;
     const double curvature_error =
-        (2.0 * s.hessian * normal + s.hessian * s.gradient * gradient + s.hessian * s.relative_error + s.hessian_change * hit) /
+        (shape.hessian * (2.0 * normal + shape.gradient * gradient / (s.inclination * s.inclination) + 2.0 * frames) + s.hessian +
+         shape.hessian_change * hit) /
         s.inclination;
-    const auto through = [&](Blocks& e, double offset_in, double slope_in, double offset_out) {
-      const double offset_error = e.offset + at.path_m * e.slope + slope_in * length_error + eta * (offset_in + at.path_m * slope_in);
-      const double bend = offset_in / (c * c_out);
-      e.slope = squeeze * e.slope + gamma * curvature * offset_error / (c * c_out) + squeeze * slope_in * relative +
-                bend * (gamma * curvature * relative + gamma_error * curvature + gamma * curvature_error);
-      e.offset = stretch * offset_error + (stretch * offset_in + offset_out) * relative;
-    };
-    through(p, at.offset_p_in, at.slope_p_in, at.offset_p_out);
-    through(q, at.offset_q_in, at.slope_q_in, at.offset_q_out);
+    const PassErrors by{length_error, relative, gamma_error, curvature_error, gamma, curvature};
+    pass(p, at, by, at.offset_p_in, at.slope_p_in, at.offset_p_out);
+    pass(q, at, by, at.offset_q_in, at.slope_q_in, at.offset_q_out);
     point = hit;
     hit_before = hit;
     direction = bent;
@@ -110,12 +144,26 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
                turn = direction * std::sqrt((1.0 + to_z) / (1.0 - to_z)) + eta * 2.0 / (1.0 - to_z);
   const Crossing& last = trace.at[1];
   bounds.exit_point = point + eta * lens.diameter_m;
-  bounds.direction = direction;
+  bounds.direction = direction + turned;
   bounds.offset_p = p.offset + last.offset_p_out * turn;
   bounds.offset_q = q.offset + last.offset_q_out * turn;
   bounds.slope_p = p.slope + last.slope_p_out * turn;
   bounds.slope_q = q.slope + last.slope_q_out * turn;
   return bounds;
+}
+
+BlockBounds split_bounds(const ExtendedTrace& trace) {
+  Blocks p{eta, 0.0}, q{0.0, eta};
+  for (const Crossing& at : trace.at) {
+    const double gamma = std::abs(at.cos_out - at.mu * at.cos_in);
+    const double curvature = at.shape.hessian / std::sqrt(1.0 + at.shape.gradient * at.shape.gradient);
+    const PassErrors by{0.0, eta, eta * gamma, eta * curvature, gamma, curvature};
+    pass(p, at, by, at.offset_p_in, at.slope_p_in, at.offset_p_out);
+    pass(q, at, by, at.offset_q_in, at.slope_q_in, at.offset_q_out);
+  }
+  const Crossing& last = trace.at[1];
+  return {p.offset + eta * last.offset_p_out, q.offset + eta * last.offset_q_out, p.slope + eta * last.slope_p_out,
+          q.slope + eta * last.slope_q_out};
 }
 
 }  // namespace sturm::stress

@@ -29,4 +29,13 @@ struct ErrorBounds {
 /// Bounds as far as the trace came; `trace` may have been lost on the way.
 ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const ExtendedTrace& trace);
 
+struct BlockBounds {
+  double offset_p, offset_q;  ///< [1], [m]
+  double slope_p, slope_q;    ///< [1/m], [1]
+};
+
+/// How far a chain is from the exact one with the same points, cosines, frames and curvatures: only its own products and sums are rounded.
+/// Of a trace that came through.
+BlockBounds split_bounds(const ExtendedTrace& trace);
+
 }  // namespace sturm::stress

@@ -39,6 +39,9 @@ inline Dual operator*(const Dual& a, const Dual& b) {
   for (std::size_t i = 0; i < 4; ++i) r.d[i] = a.d[i] * b.value + a.value * b.d[i];
   return r;
 }
+inline Dual operator*(Extended a, const Dual& b) {
+  return chained(a * b.value, a, b);
+}
 inline Dual inverse(const Dual& a) {
   const Extended v = 1.0L / a.value;
   return chained(v, -v * v, a);

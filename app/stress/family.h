@@ -27,7 +27,9 @@ enum class Family : std::uint8_t {
   no_pupil,
   index_one,
   strong_surface,
-  surface_ends
+  surface_ends,
+  mounted,
+  free_form
 };
 
 struct FamilyInfo {
@@ -36,7 +38,7 @@ struct FamilyInfo {
   double share;  ///< of the cases; they sum to 1
 };
 
-inline constexpr std::array<FamilyInfo, 22> families{{{Family::ordinary, "ordinary", 0.40},
+inline constexpr std::array<FamilyInfo, 24> families{{{Family::ordinary, "ordinary", 0.32},
                                                       {Family::naked_eye, "naked_eye", 0.05},
                                                       {Family::total_reflection, "total_reflection", 0.04},
                                                       {Family::missed_rim, "missed_rim", 0.02},
@@ -57,6 +59,8 @@ inline constexpr std::array<FamilyInfo, 22> families{{{Family::ordinary, "ordina
                                                       {Family::no_pupil, "no_pupil", 0.01},
                                                       {Family::index_one, "index_one", 0.02},
                                                       {Family::strong_surface, "strong_surface", 0.05},
-                                                      {Family::surface_ends, "surface_ends", 0.02}}};
+                                                      {Family::surface_ends, "surface_ends", 0.02},
+                                                      {Family::mounted, "mounted", 0.05},
+                                                      {Family::free_form, "free_form", 0.03}}};
 
 }  // namespace sturm::stress

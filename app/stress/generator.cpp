@@ -70,28 +70,54 @@ void draw_gaze(Random& random, CaseNumbers& n, double most_deg) {
   n.elevation_deg = random.uniform(-most_deg, most_deg);
 }
 
+/// As frames hold lenses, or as far as documents allow; some angles and shifts exactly 0.
+MountingNumbers drawn_mounting(Random& random, bool extreme) {
+  const auto up_to = [&](double usual, double most) {
+    return random.chance(0.2) ? 0.0 : random.uniform(-1.0, 1.0) * (extreme ? most : usual);
+  };
+  MountingNumbers m;
+  m.right_mm = up_to(5.0, 20.0);
+  m.up_mm = up_to(5.0, 20.0);
+  m.pantoscopic_tilt_deg = up_to(20.0, 45.0);
+  m.wrap_deg = up_to(25.0, 45.0);
+  return m;
+}
+
+/// The lens becomes a single-vision lens for the prescription, with a prism.
+void make_prism(Random& random, CaseNumbers& n, double most_cm_per_m) {
+  const double base_curve = std::max(0.5, random.uniform(0.0, 8.0) + 0.5 * std::max(0.0, n.sphere_D));
+  SingleVisionNumbers made{n.sphere_D, n.cylinder_D, n.axis_deg, base_curve, 0.0, 0.0};
+  made.prism_cm_per_m = random.chance(0.5) ? random.stepped(0.25, most_cm_per_m, 0.25) : random.uniform(0.0, most_cm_per_m);
+  if (random.chance(0.1)) made.prism_cm_per_m = random.log_uniform(1e-17, 1e-3);
+  made.prism_base_deg = random.chance(0.5) ? random.stepped(0.0, 360.0, 45.0) : random.uniform(0.0, 360.0);
+  n.lens->made = made;
+}
+
 void draw_ordinary(Random& random, CaseNumbers& n) {
   draw_prescription(random, n);
   draw_accommodation(random, n);
   n.pupil_diameter_mm = random.uniform(1.0, 8.0);
   n.rotation_center_mm = random.uniform(11.0, 16.0);
   n.lens = real_lens(random, n);
+  if (random.chance(0.2)) n.lens->mounting = drawn_mounting(random, false);
+  if (n.family == Family::ordinary && random.chance(0.1)) make_prism(random, n, 10.0);
   draw_gaze(random, n, 35.0);
   n.distance_m = drawn_distance(random);
 }
 
 /// The lens's back becomes a sphere about the eye's centre of rotation, off by the part `off` of its radius: every gaze meets it at right
-/// angles.
+/// angles. That takes a lens that stands straight.
 void make_concentric(CaseNumbers& n, double off) {
+  n.lens->mounting = {};
   n.lens->back = {SurfaceNumbers::Kind::sphere, (n.rotation_center_mm + n.lens->vertex_distance_mm) * (1.0 + off), flat, 0.0, 0.0};
 }
 
 /// Sets the distance at which X = A + dB loses its rank, where there is one ahead.
-void aim_at_focal_line(CaseNumbers& n) {
+void aim_at_focal_line(CaseNumbers& n, const FreeFormLenses& free_forms) {
   n.mode = CaseNumbers::Mode::relaxed;
   const auto eye = eye_of(n);
   if (!eye) return;
-  const SpectacleConoid conoid = trace_conoid(spectacles_of(*n.lens), gaze_of(n), eye->rotation_center_m);
+  const SpectacleConoid conoid = trace_conoid(spectacles_of(*n.lens, free_forms), gaze_of(n), eye->rotation_center_m);
   if (conoid.status != LensStatus::ok) return;
   const auto k = conoid.exit_curvature(eye->slope_matrix(0.0).matrix());
   if (!k) return;
@@ -101,12 +127,12 @@ void aim_at_focal_line(CaseNumbers& n) {
 }
 
 /// Accommodation that focuses the sphere `fraction` of the way through the glass: slopes S = −1/distance, the way to the back at least.
-void focus_near_lens(Random& random, CaseNumbers& n, bool on_surface) {
+void focus_near_lens(Random& random, CaseNumbers& n, bool on_surface, const FreeFormLenses& free_forms) {
   n.sphere_D = n.cylinder_D = 0.0;
   if (random.chance(0.5)) n.cylinder_D = random.uniform(-4.0, 4.0);
   n.mode = CaseNumbers::Mode::fixed;
-  const LensPath path =
-      trace(spectacles_of(*n.lens), {turned_pupil_center(gaze_of(n), metres_per_millimetre * n.rotation_center_mm), gaze_of(n)});
+  const LensPath path = trace(spectacles_of(*n.lens, free_forms),
+                              {turned_pupil_center(gaze_of(n), metres_per_millimetre * n.rotation_center_mm), gaze_of(n)});
   const double to_back = path.status == LensStatus::ok
                              ? (path.back_point - turned_pupil_center(gaze_of(n), metres_per_millimetre * n.rotation_center_mm)).norm()
                              : metres_per_millimetre * n.lens->vertex_distance_mm;
@@ -122,7 +148,7 @@ void make_strong(Random& random, SurfaceNumbers& s) {
   s.conic_constant = random.either_sign(random.log_uniform(0.1, 1000.0));
 }
 
-void make_adversarial(Random& random, CaseNumbers& n) {
+void make_adversarial(Random& random, CaseNumbers& n, const FreeFormLenses& free_forms) {
   LensNumbers& lens = *n.lens;
   switch (n.family) {
     case Family::ordinary:
@@ -168,17 +194,18 @@ void make_adversarial(Random& random, CaseNumbers& n) {
       lens.back.generator_radius_mm = random.either_sign(random.log_uniform(1e2, 1e9));
       break;
     case Family::focus_in_glass:
-      focus_near_lens(random, n, false);
+      focus_near_lens(random, n, false, free_forms);
       break;
     case Family::focus_on_surface:
-      focus_near_lens(random, n, true);
+      focus_near_lens(random, n, true, free_forms);
       break;
     case Family::focus_on_target:
-      aim_at_focal_line(n);
+      aim_at_focal_line(n, free_forms);
       break;
     case Family::equal_eigenvalues:
       n.cylinder_D = random.chance(0.5) ? 0.0 : random.either_sign(random.log_uniform(1e-17, 1e-9));
       lens.back.generator_radius_mm = lens.back.radius_mm;
+      lens.mounting = {};
       n.azimuth_deg = n.elevation_deg = 0.0;
       break;
     case Family::no_cylinder:
@@ -212,17 +239,25 @@ void make_adversarial(Random& random, CaseNumbers& n) {
                    0.0};
       lens.diameter_mm = random.uniform(60.0, 200.0);
       break;
+    case Family::mounted:
+      lens.mounting = drawn_mounting(random, true);
+      if (random.chance(0.4)) make_prism(random, n, 20.0);
+      if (random.chance(0.1)) lens.mounting.pantoscopic_tilt_deg = random.either_sign(random.log_uniform(1e-17, 1e-3));
+      break;
+    case Family::free_form:
+      lens.free_form = random.below(FreeFormLenses::count);
+      break;
   }
 }
 
 }  // namespace
 
-CaseNumbers draw_case(std::uint64_t seed, std::uint64_t index) {
+CaseNumbers draw_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& free_forms) {
   Random random(seed, index);
   CaseNumbers n;
   n.family = drawn_family(random);
   draw_ordinary(random, n);
-  make_adversarial(random, n);
+  make_adversarial(random, n, free_forms);
   return n;
 }
 

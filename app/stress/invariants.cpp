@@ -90,14 +90,23 @@ void check_split(Outcomes& outcomes, const Traced& t, double fraction) {
   const auto front = Interface::refracting(rays.direction, path.front.normal, t.lens.refractive_index, 1.0);
   if (!front) return outcomes.expect(Check::split, false);
   const Eigen::Matrix3d out = smallest_rotation(ahead, path.exit.direction);
-  compare(outcomes, Check::split, t, t.conoid, on_frame(through(rays, *front, path.front), out.col(0), out.col(1)), path.exit.origin);
+  const RayTransfer pieces = on_frame(through(rays, *front, path.front), out.col(0), out.col(1));
+  const BlockBounds bounds = split_bounds(t.oracle);
+  const auto record = [&](const Eigen::Matrix2d& a, const Eigen::Matrix2d& b, double bound) {
+    outcomes.record(Check::split, (a - b).norm(), 2.0 * bound, std::max(1e-300, a.norm()));  // both chains are rounded
+  };
+  record(t.conoid.exit.offset_from_offset, pieces.offset_from_offset, bounds.offset_p);
+  record(t.conoid.exit.offset_from_slope, pieces.offset_from_slope, bounds.offset_q);
+  record(t.conoid.exit.slope_from_offset, pieces.slope_from_offset, bounds.slope_p);
+  record(t.conoid.exit.slope_from_slope, pieces.slope_from_slope, bounds.slope_q);
 }
 
 void check_turned(Outcomes& outcomes, const Traced& t, const ConoidTracer& tracer, double angle_deg) {
-  const auto [sine, cosine] = sine_cosine_of_degrees(angle_deg);
+  const double by_deg = possible_turn_deg(t.lens, angle_deg);
+  const auto [sine, cosine] = sine_cosine_of_degrees(by_deg);
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() << cosine, -sine, sine, cosine;
-  const SpectacleConoid copy = tracer(turned(t.lens, angle_deg), turn * t.gaze, t.eye.rotation_center_m);
+  const SpectacleConoid copy = tracer(turned(t.lens, by_deg), turn * t.gaze, t.eye.rotation_center_m);
   compare(outcomes, Check::turned, t, copy, conjugated(copy.exit, turn.topLeftCorner<2, 2>()), turn.transpose() * copy.chief_ray.origin);
 }
 
@@ -144,7 +153,7 @@ double largest(const FiveVariables& w) {
 
 void check_five_variables(Outcomes& outcomes, const Traced& t) {
   const Eigen::Matrix2d a = t.conoid.exit.offsets(t.slopes);
-  const double s = t.slopes.norm(), inverse = a.norm() / std::abs(a.determinant());
+  const double s = t.slopes.norm(), inverse = 1.0 / singular_values(a).small;
   const auto matrix_form = t.conoid.exit_curvature(t.slopes);
   const double a_error = t.bounds.offset_p + t.bounds.offset_q * s, b_error = t.bounds.slope_p + t.bounds.slope_q * s;
   if (!matrix_form || !(a_error * inverse < 0.01)) return outcomes.skip(Check::five_variables, Skip::focal_line);
@@ -179,9 +188,9 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
     wave = *refracted_wave;
     const double amplified = (formula_error + t.bounds.cos_in[i] / at.cos_in + 0.5 * t.bounds.radicand[i] / (at.cos_out * at.cos_out)) /
                              (at.cos_out * at.cos_out);
-    const double gamma = std::abs(at.cos_out - at.mu * at.cos_in) + formula_error;
+    const double gamma = std::abs(at.cos_out - at.mu * at.cos_in), gamma_terms = at.cos_out + at.mu * at.cos_in;
     arriving(behind, at.offset_p_out, at.offset_q_out,
-             amplified * (at.mu * k_in + (gamma + 1.0) * bend.norm()) + formula_error * largest(wave));
+             amplified * (at.mu * k_in + (gamma + gamma_terms) * bend.norm()) + formula_error * largest(wave));
     hit_before = t.bounds.hit[i];
   }
   const Eigen::Vector3d &f1 = t.conoid.exit.e1, &f2 = t.conoid.exit.e2;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/stress/implicit_surface.h"
+#include "app/stress/placement.h"
 
 namespace sturm::stress {
 
@@ -93,15 +94,14 @@ double across(const Vec3<Dual>& v, const Vec3<Extended>& direction, std::size_t 
   return static_cast<double>(std::sqrt(sum));
 }
 
-/// Through one surface whose vertex stands at z. Changes ray; false where it is lost.
-bool pass(ExtendedTrace& trace, DualRay& ray, const Surface& surface, double vertex_z, double rim, double index_before, double index_behind,
-          const std::optional<Eigen::Vector3d>& start) {
-  DualRay local = ray;
-  local.origin.z = local.origin.z - Dual(vertex_z);
+/// Through one surface. Changes ray; false where it is lost.
+bool pass(ExtendedTrace& trace, DualRay& ray, const Surface& surface, const Placement& place, double rim, double index_before,
+          double index_behind, const std::optional<Eigen::Vector3d>& start) {
+  const DualRay local{place.point_on_surface(ray.origin), place.direction_on_surface(ray.direction)};
   const PlainRay chief = plain(local);
   std::optional<Extended> t;
   if (start) {
-    const Vec3<Extended> away = extended(*start) - value_of(ray.origin);
+    const Vec3<Extended> away = place.point_on_surface(extended(*start)) - chief.origin;
     t = converged(surface, chief, dot(away, chief.direction));
     if (!t) trace.status = LensStatus::no_convergence;
   } else {
@@ -122,6 +122,9 @@ bool pass(ExtendedTrace& trace, DualRay& ray, const Surface& surface, double ver
   c.path_m = static_cast<double>(*t);
   c.x = static_cast<double>(point.x.value);
   c.y = static_cast<double>(point.y.value);
+  c.z = static_cast<double>(point.z.value);
+  c.on_sheet = g.on_sheet;
+  if (g.on_sheet) c.shape = shape_at(surface, value_of(point));
   c.mu = static_cast<double>(mu.value);
   c.cos_in = static_cast<double>(cosine.value);
   c.radicand = static_cast<double>(radicand.value);
@@ -135,11 +138,11 @@ bool pass(ExtendedTrace& trace, DualRay& ray, const Surface& surface, double ver
   }
   const Dual cos_out = sqrt(radicand);
   c.cos_out = static_cast<double>(cos_out.value);
-  ray.origin = {point.x, point.y, point.z + Dual(vertex_z)};
-  ray.direction = normalized(mu * local.direction + (cos_out - mu * cosine) * normal);
-  const Vec3<Extended> out = value_of(ray.direction);
+  const Vec3<Dual> bent = normalized(mu * local.direction + (cos_out - mu * cosine) * normal);
+  const Vec3<Extended> out = value_of(bent);
   c.offset_p_out = across(point, out, 0), c.offset_q_out = across(point, out, 2);
-  c.slope_p_out = across(ray.direction, out, 0), c.slope_q_out = across(ray.direction, out, 2);
+  c.slope_p_out = across(bent, out, 0), c.slope_q_out = across(bent, out, 2);
+  ray = {place.point_before_eye(point), place.direction_before_eye(bent)};
   return true;
 }
 
@@ -151,8 +154,8 @@ ExtendedTrace trace_extended(const Spectacles& lens, const Eigen::Vector3d& gaze
   DualRay ray = launched(normalized(extended(gaze)), rotation_center_m);
   const double rim = 0.5 * lens.diameter_m, n = lens.refractive_index;
   const auto back = start ? std::optional(start->back) : std::nullopt, front = start ? std::optional(start->front) : std::nullopt;
-  if (!pass(trace, ray, lens.back, -lens.vertex_distance_m, rim, 1.0, n, back)) return trace;
-  if (!pass(trace, ray, lens.front, -lens.vertex_distance_m - lens.center_thickness_m, rim, n, 1.0, front)) return trace;
+  if (!pass(trace, ray, lens.back, Placement(lens, Placement::Side::back), rim, 1.0, n, back)) return trace;
+  if (!pass(trace, ray, lens.front, Placement(lens, Placement::Side::front), rim, n, 1.0, front)) return trace;
   trace.status = LensStatus::ok;
   trace.exit_point = value_of(ray.origin);
   trace.direction = value_of(ray.direction);

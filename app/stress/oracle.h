@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/stress/extended.h"
+#include "app/stress/surface_shape.h"
 #include "lensmodel/spectacles.h"
 
 namespace sturm::stress {
@@ -11,7 +12,9 @@ namespace sturm::stress {
 struct Crossing {
   double path_m = 0.0;                                           ///< from the point before
   double cos_in = 1.0, cos_out = 1.0, radicand = 1.0, mu = 1.0;  ///< radicand: 1 − μ² sin²φ; ≤ 0 is total reflection
-  double x = 0.0, y = 0.0;                                       ///< where, surface frame [m]
+  double x = 0.0, y = 0.0, z = 0.0;                              ///< where, surface frame [m]
+  bool on_sheet = false;                                         ///< else the shape means nothing
+  SurfaceShape shape;                                            ///< there
   double offset_p_in = 0.0, offset_q_in = 0.0, slope_p_in = 0.0, slope_q_in = 0.0;
   double offset_p_out = 0.0, offset_q_out = 0.0, slope_p_out = 0.0, slope_q_out = 0.0;
 };
@@ -41,7 +44,6 @@ struct StartingPoints {
 
 /// Follows the eye's chief ray of the gaze, a vector of length 1 but for rounding. Without starting points each surface is searched along
 /// the whole ray, for rays of which the program says that they are lost. `no_convergence`: Newton's iteration did not settle to 2^-58.
-/// The lens stands straight, without prism, and its surfaces are spheres, conics or tori.
 ExtendedTrace trace_extended(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m,
                              const std::optional<StartingPoints>& start);
 

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "conoid/footprint.h"
+#include "lensmodel/prism.h"
+#include "lensmodel/symmetric2.h"
 
 namespace sturm::stress {
 
@@ -45,7 +47,7 @@ void check_curvature(Outcomes& outcomes, const SpectacleConoid& conoid, const Ex
                          formula_error * (conoid.exit.offset_from_offset.norm() + conoid.exit.offset_from_slope.norm() * s);
   const double b_error = bounds.slope_p + bounds.slope_q * s +
                          formula_error * (conoid.exit.slope_from_offset.norm() + conoid.exit.slope_from_slope.norm() * s);
-  const double inverse = a.norm() / std::abs(a.determinant());  // ‖A⁻¹‖ of a 2×2 matrix
+  const double inverse = 1.0 / singular_values(a).small;  // ‖A⁻¹‖ in the spectral norm: ‖δB A⁻¹‖ ≤ ‖δB‖ of that
   // First order in the errors: where A's error is not small against A there is no bound, and a program that says none is right.
   if (!(a_error * inverse < 0.01)) return outcomes.skip(Check::curvature, Skip::focal_line);
   const auto k = conoid.exit_curvature(slopes);
@@ -78,6 +80,18 @@ void check_against_oracle(Outcomes& outcomes, const SpectacleConoid& conoid, con
   check_curvature(outcomes, conoid, oracle, bounds, slopes);
 }
 
+namespace {
+
+/// Distance of a crossing from the border of a surface that has one within its reach [m].
+double from_border(const Surface& surface, const Crossing& at) {
+  const auto* spline = std::get_if<BSplineSurface>(&surface);
+  if (!spline) return HUGE_VAL;
+  const Eigen::Vector2d p(at.x, at.y);
+  return std::min((p - spline->grid().first).cwiseAbs().minCoeff(), (spline->grid().last() - p).cwiseAbs().minCoeff());
+}
+
+}  // namespace
+
 void check_status(Outcomes& outcomes, LensStatus status, const Spectacles& lens, const ExtendedTrace& oracle, const ErrorBounds& bounds) {
   if (status == oracle.status) return outcomes.expect(Check::status, status != LensStatus::no_convergence);
   // A search that did not end is no defect where there is nothing to find: the ray is lost either way.
@@ -89,11 +103,11 @@ void check_status(Outcomes& outcomes, LensStatus status, const Spectacles& lens,
     const Crossing& at = oracle.at[static_cast<std::size_t>(i)];
     const auto k = static_cast<std::size_t>(i);
     const double from_axis = std::hypot(at.x, at.y);
-    const auto surface = sag(i == 0 ? lens.back : lens.front, at.x, at.y);
-    const double bend = surface ? surface->hessian.norm() / std::sqrt(1.0 + surface->gradient.squaredNorm()) : HUGE_VAL;
+    const double bend = at.on_sheet ? at.shape.hessian / std::sqrt(1.0 + at.shape.gradient * at.shape.gradient) : HUGE_VAL;
     const bool at_rim = std::abs(from_axis - rim) <= bounds.hit[k] + 1e-11 * rim, critical = std::abs(at.radicand) <= bounds.radicand[k];
+    const bool at_border = from_border(i == 0 ? lens.back : lens.front, at) <= bounds.hit[k];
     const bool grazes = at.cos_in <= bounds.cos_in[k], close_pair = 2.0 * at.cos_in <= bend * 4.0 * rim / 16.0;
-    if (at_rim || critical || grazes || (close_pair && status == LensStatus::missed_lens))
+    if (at_rim || at_border || critical || grazes || (close_pair && status == LensStatus::missed_lens))
       return outcomes.skip(Check::status, Skip::at_the_edge);
   }
   outcomes.expect(Check::status, false);
@@ -102,6 +116,24 @@ void check_status(Outcomes& outcomes, LensStatus status, const Spectacles& lens,
 namespace {
 
 constexpr Extended radians = std::numbers::pi_v<Extended> / 180.0L;
+
+}  // namespace
+
+void check_prism(Outcomes& outcomes, const Spectacles& lens, double prism_cm_per_m, double base_deg) {
+  Spectacles straight = lens;
+  straight.mounting = Mounting().with_wedge(lens.mounting.wedge());
+  const StartingPoints axis{straight.back_vertex(), straight.back_vertex() - Eigen::Vector3d(0.0, 0.0, lens.center_thickness_m)};
+  const ExtendedTrace t = trace_extended(straight, {0.0, 0.0, -1.0}, 0.0, axis);
+  if (t.status != LensStatus::ok) return outcomes.expect(Check::prism, false);
+  // Towards the base: 0 is the wearer's left, 90 up.
+  const Extended wanted = 0.01L * prism_cm_per_m, base = radians * base_deg;
+  const Extended x = t.direction.x / -t.direction.z + wanted * std::cos(base), y = t.direction.y / -t.direction.z - wanted * std::sin(base);
+  const double size = static_cast<double>(wanted);
+  const double bound = prism_accuracy + (1.0 + size * size) * error_bounds(straight, 0.0, t).direction + formula_error * size;
+  outcomes.record(Check::prism, static_cast<double>(std::hypot(x, y)), bound, std::max(1e-300, size));
+}
+
+namespace {
 
 struct ExactCorrection {
   Extended xx, xy, yy, determinant, size_F;

@@ -149,7 +149,7 @@ Json report_of(const SuiteSummary& s) {
           {"published", {{"cases", s.published_tried}, {"without_solution", s.published_failed}}}};
 }
 
-Json case_json(std::uint64_t seed, std::uint64_t index, const CaseRun& run) {
+Json case_json(std::uint64_t seed, std::uint64_t index, const CaseRun& run, const FreeFormLenses& free_forms) {
   Json list = Json::array();
   for (std::size_t i = 0; i < check_count; ++i) {
     const Outcome& o = run.outcomes.all()[i];
@@ -165,11 +165,13 @@ Json case_json(std::uint64_t seed, std::uint64_t index, const CaseRun& run) {
             {"case", index},
             {"family", family_name(run.numbers.family)},
             {"passed", run.outcomes.passed()},
-            {"query", query_json(run.numbers)},
+            {"query", query_json(run.numbers, free_forms)},
             {"refused", !run.eye},
             {"double", run.eye ? double_json(run) : Json(nullptr)},
             {"extended", extended_json(run)},
             {"checks", std::move(list)}};
+  if (run.numbers.lens && run.numbers.lens->free_form)
+    if (const auto& table = free_forms.table(*run.numbers.lens->free_form)) j["tables"] = {{table->file, table->text}};
   if (!run.thrown.empty()) j["thrown"] = run.thrown;
   return j;
 }

@@ -6,6 +6,7 @@
 
 #include "app/json_values.h"
 #include "lensmodel/gaze.h"
+#include "lensmodel/single_vision.h"
 #include "lensmodel/units.h"
 
 namespace sturm::stress {
@@ -41,13 +42,33 @@ Json surface_json(const SurfaceNumbers& n) {
   }
 }
 
-Json lens_json(const LensNumbers& n) {
-  return {{"back", surface_json(n.back)},
-          {"front", surface_json(n.front)},
-          {"center_thickness_mm", n.center_thickness_mm},
-          {"refractive_index", n.refractive_index},
-          {"vertex_distance_mm", n.vertex_distance_mm},
-          {"diameter_mm", n.diameter_mm}};
+Json mounting_json(const MountingNumbers& n) {
+  return {{"decentration_mm", {n.right_mm, n.up_mm}}, {"pantoscopic_tilt_deg", n.pantoscopic_tilt_deg}, {"wrap_deg", n.wrap_deg}};
+}
+
+Mounting mounting_of(const MountingNumbers& n) {
+  return {metres_per_millimetre * Eigen::Vector2d(n.right_mm, n.up_mm), radians_per_degree * n.pantoscopic_tilt_deg,
+          radians_per_degree * n.wrap_deg};
+}
+
+Json lens_json(const LensNumbers& n, const FreeFormLenses& free_forms) {
+  Json stands = {{"vertex_distance_mm", n.vertex_distance_mm}};
+  if (n.mounting != MountingNumbers()) stands["mounting"] = mounting_json(n.mounting);
+  if (n.free_form) return free_forms.document(*n.free_form, stands);
+  Json j = {{"center_thickness_mm", n.center_thickness_mm}, {"refractive_index", n.refractive_index}, {"diameter_mm", n.diameter_mm}};
+  j.update(stands);
+  if (!n.made) {
+    j["back"] = surface_json(n.back);
+    j["front"] = surface_json(n.front);
+    return j;
+  }
+  j["base_curve_D"] = n.made->base_curve_D;
+  j["prescription"] = {{"sphere_D", n.made->sphere_D},
+                       {"cylinder_D", n.made->cylinder_D},
+                       {"axis_deg", n.made->axis_deg},
+                       {"prism_cm_per_m", n.made->prism_cm_per_m},
+                       {"prism_base_deg", n.made->prism_base_deg}};
+  return {{"single_vision", std::move(j)}};
 }
 
 Json accommodation_json(const CaseNumbers& n) {
@@ -75,14 +96,31 @@ std::optional<Eye> eye_of(const CaseNumbers& n) {
   }
 }
 
-Spectacles spectacles_of(const LensNumbers& n) {
+Spectacles spectacles_of(const LensNumbers& n, const FreeFormLenses& free_forms) {
+  const double vertex_distance = metres_per_millimetre * n.vertex_distance_mm;
+  if (n.free_form) {
+    Spectacles lens = free_forms.lens(*n.free_form);
+    lens.vertex_distance_m = vertex_distance;
+    lens.mounting = mounting_of(n.mounting);
+    return lens;
+  }
+  const double thickness = metres_per_millimetre * n.center_thickness_mm, diameter = metres_per_millimetre * n.diameter_mm;
+  if (n.made)
+    return single_vision({.sphere_D = n.made->sphere_D,
+                          .cylinder_D = n.made->cylinder_D,
+                          .axis_deg = n.made->axis_deg,
+                          .vertex_distance_m = vertex_distance,
+                          .prism_cm_per_m = n.made->prism_cm_per_m,
+                          .prism_base_deg = n.made->prism_base_deg},
+                         {n.made->base_curve_D, thickness, n.refractive_index, vertex_distance, diameter, mounting_of(n.mounting)});
   Spectacles lens;
   lens.back = surface_of(n.back);
   lens.front = surface_of(n.front);
-  lens.center_thickness_m = metres_per_millimetre * n.center_thickness_mm;
+  lens.center_thickness_m = thickness;
   lens.refractive_index = n.refractive_index;
-  lens.vertex_distance_m = metres_per_millimetre * n.vertex_distance_mm;
-  lens.diameter_m = metres_per_millimetre * n.diameter_mm;
+  lens.vertex_distance_m = vertex_distance;
+  lens.diameter_m = diameter;
+  lens.mounting = mounting_of(n.mounting);
   return lens;
 }
 
@@ -90,7 +128,7 @@ Eigen::Vector3d gaze_of(const CaseNumbers& n) {
   return gaze_direction(radians_per_degree * n.azimuth_deg, radians_per_degree * n.elevation_deg);
 }
 
-Json query_json(const CaseNumbers& n) {
+Json query_json(const CaseNumbers& n, const FreeFormLenses& free_forms) {
   return {{"format", "sturm.ellipse/1"},
           {"eye",
            {{"prescription",
@@ -101,7 +139,7 @@ Json query_json(const CaseNumbers& n) {
             {"pupil_diameter_mm", n.pupil_diameter_mm},
             {"rotation_center_mm", n.rotation_center_mm},
             {"accommodation", accommodation_json(n)}}},
-          {"spectacles", n.lens ? lens_json(*n.lens) : Json(nullptr)},
+          {"spectacles", n.lens ? lens_json(*n.lens, free_forms) : Json(nullptr)},
           {"targets", Json::array({{{"gaze_deg", {n.azimuth_deg, n.elevation_deg}}, {"distance_m", distance_json(n.distance_m)}}})},
           {"methods", {"conoid", "conoid_published"}}};
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/stress/family.h"
+#include "app/stress/free_form.h"
 #include "io/ellipse_query.h"
 #include "io/json.h"
 
@@ -22,9 +23,25 @@ struct SurfaceNumbers {
   bool operator==(const SurfaceNumbers&) const = default;
 };
 
+struct MountingNumbers {
+  double right_mm = 0.0, up_mm = 0.0;  ///< decentration
+  double pantoscopic_tilt_deg = 0.0, wrap_deg = 0.0;
+
+  bool operator==(const MountingNumbers&) const = default;
+};
+
+/// A single-vision lens; only these can have a prism.
+struct SingleVisionNumbers {
+  double sphere_D = 0.0, cylinder_D = 0.0, axis_deg = 180.0, base_curve_D = 0.0;
+  double prism_cm_per_m = 0.0, prism_base_deg = 0.0;
+};
+
 struct LensNumbers {
   SurfaceNumbers back, front;
   double center_thickness_mm = 2.0, refractive_index = 1.5, vertex_distance_mm = 12.0, diameter_mm = 70.0;
+  MountingNumbers mounting;
+  std::optional<SingleVisionNumbers> made;  ///< instead of back and front
+  std::optional<int> free_form;             ///< instead of all but vertex distance and mounting: number of a lens in `FreeFormLenses`
 };
 
 /// A case in the numbers of a sturm.ellipse/1 document, so that replaying its document repeats it to the last bit.
@@ -43,11 +60,11 @@ struct CaseNumbers {
 std::optional<Eye> eye_of(const CaseNumbers& numbers);
 
 /// The only place that knows the fields of `Spectacles`, as io reads them.
-Spectacles spectacles_of(const LensNumbers& numbers);
+Spectacles spectacles_of(const LensNumbers& numbers, const FreeFormLenses& free_forms);
 
 Eigen::Vector3d gaze_of(const CaseNumbers& numbers);
 
 /// The case as a sturm.ellipse/1 document for the methods `conoid` and `conoid_published`.
-Json query_json(const CaseNumbers& numbers);
+Json query_json(const CaseNumbers& numbers, const FreeFormLenses& free_forms);
 
 }  // namespace sturm::stress

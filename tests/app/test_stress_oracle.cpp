@@ -99,6 +99,83 @@ TEST(StressOracle, RimEndsTheLens) {
             LensStatus::missed_lens);
 }
 
+TEST(StressOracle, AWrappedPlateShiftsTheRayToTheSideThatIsNearer) {
+  // Incidence of 60 degrees as above, but the plate stands oblique. Its outward normal leans to the right, (0.866, 0, -0.5), so does the
+  // ray inside: by gamma sin 60 a unit of way, gamma = cos' - cos/1.5. A pantoscopic tilt does the same downwards.
+  Spectacles lens;
+  lens.back = lens.front = SphereSurface{0.0};
+  const double angle = std::acos(0.5), cos_in_glass = std::sqrt(2.0 / 3.0), way = 0.002 / cos_in_glass;
+  const double shift = way * (cos_in_glass - 0.5 / 1.5) * std::sqrt(0.75);
+  const double along = 0.012 + 0.002 * 0.25 / (1.5 * cos_in_glass * cos_in_glass * cos_in_glass), across = 0.012 + way / 1.5;
+  lens.mounting = Mounting(Eigen::Vector2d::Zero(), 0.0, angle);
+  const ExtendedTrace wrapped = trace_extended(lens, ahead, 13.5e-3, std::nullopt);
+  ASSERT_EQ(wrapped.status, LensStatus::ok);
+  EXPECT_LT((rounded(wrapped.exit_point).head<2>() - Eigen::Vector2d(shift, 0.0)).norm(), 1e-17);
+  EXPECT_NEAR(static_cast<double>(wrapped.offset[0][2]), along, 1e-16);
+  EXPECT_NEAR(static_cast<double>(wrapped.offset[1][3]), across, 1e-16);
+  lens.mounting = Mounting(Eigen::Vector2d::Zero(), angle, 0.0);
+  const ExtendedTrace tilted = trace_extended(lens, ahead, 13.5e-3, std::nullopt);
+  ASSERT_EQ(tilted.status, LensStatus::ok);
+  EXPECT_LT((rounded(tilted.exit_point).head<2>() - Eigen::Vector2d(0.0, -shift)).norm(), 1e-17);
+  EXPECT_NEAR(static_cast<double>(tilted.offset[1][3]), along, 1e-16);
+  EXPECT_LT((rounded(tilted.direction) - ahead).norm(), 1e-16);
+}
+
+TEST(StressOracle, FirstTheTiltThenTheWrap) {
+  // By 3-4-5 angles: the axis (0, 0, -1) tilts to (0, -0.6, -0.8), and the wrap
+  // about the vertical takes that to (0.48, -0.6, -0.64). The other way round it would be (0.6, -0.48, -0.64). A ray along the axis through
+  // the back vertex goes straight on.
+  Spectacles lens;
+  lens.back = lens.front = SphereSurface{4.0};
+  const Eigen::Vector3d axis(0.48, -0.6, -0.64);
+  lens.mounting = Mounting(0.02 * axis.head<2>(), std::asin(0.6), std::asin(0.6));
+  lens.vertex_distance_m = 0.02 * 0.64;
+  const ExtendedTrace t = trace_extended(lens, axis, 0.0, std::nullopt);
+  ASSERT_EQ(t.status, LensStatus::ok);
+  EXPECT_LT((rounded(t.direction) - axis).norm(), 1e-15);  // rounding of the angles
+  EXPECT_LT((rounded(t.exit_point) - 0.022 * axis).norm(), 1e-16);
+}
+
+TEST(StressOracle, AWedgeIsAPrism) {
+  // Back plane leaning by 30 degrees towards the right (z = x tan 30), front plane straight: inside sin 30/1.5 = 1/3, so 30 - asin(1/3)
+  // from the axis, and Snell's law at the front: sin out = 1.5 sin of that, to the right. The back vertex stands 1 mm to the right.
+  Spectacles lens;
+  lens.back = lens.front = SphereSurface{0.0};
+  const double slope = std::sqrt(1.0 / 3.0);
+  lens.mounting = Mounting({1e-3, 2e-3}, 0.0, 0.0).with_wedge({slope, 0.0});
+  const ExtendedTrace t = trace_extended(lens, ahead, 13.5e-3, std::nullopt);
+  ASSERT_EQ(t.status, LensStatus::ok);
+  EXPECT_NEAR(t.at[0].path_m, 12e-3 + 1e-3 * slope, 1e-17);
+  EXPECT_NEAR(static_cast<double>(t.direction.x), 1.5 * std::sin(std::asin(0.5) - std::asin(1.0 / 3.0)), 1e-15);
+  EXPECT_EQ(static_cast<double>(t.direction.y), 0.0);
+  EXPECT_EQ(static_cast<double>(t.exit_point.y), 0.0);
+}
+
+TEST(StressOracle, ASplineThroughAParaboloidIsTheParaboloid) {
+  // Bicubic splines hold it exactly, but for the rounding of the coefficients C: 2^-53 C (16 + 16 + 2·2.25²)^½/h² in a curvature, with
+  // C = 1.3e-2, h = 5e-3, 4e-13; times n − 1.
+  Spectacles lens;
+  lens.back = ConicSurface{10.0, -1.0};
+  lens.front = TorusSurface(5.0, 3.0, 30.0);
+  Spectacles spline = lens;
+  const KnotGrid grid = KnotGrid::centred(35e-3, 5e-3);
+  Eigen::MatrixXd heights(grid.cells_x + 1, grid.cells_y + 1);
+  for (int i = 0; i <= grid.cells_x; ++i)
+    for (int j = 0; j <= grid.cells_y; ++j)
+      heights(i, j) = 5.0 * (grid.first + grid.spacing.cwiseProduct(Eigen::Vector2d(i, j))).squaredNorm();
+  spline.back = BSplineSurface::interpolating(grid, heights);
+  const Eigen::Vector3d gaze = Eigen::Vector3d(0.4, -0.3, -1.0).normalized();
+  const ExtendedTrace exact = trace_extended(lens, gaze, 13.5e-3, std::nullopt), t = trace_extended(spline, gaze, 13.5e-3, std::nullopt);
+  ASSERT_EQ(exact.status, LensStatus::ok);
+  ASSERT_EQ(t.status, LensStatus::ok);
+  EXPECT_LT((rounded(t.exit_point) - rounded(exact.exit_point)).norm(), 1e-16);
+  EXPECT_LT((offsets(t, 2) - offsets(exact, 2)).norm(), 1e-14);
+  EXPECT_LT((slopes(t, 0) - slopes(exact, 0)).norm(), 4e-13);
+  EXPECT_GT(slopes(exact, 0).norm(), 1.0);
+  EXPECT_NEAR(t.at[0].shape.hessian, 10.0 * std::sqrt(2.0), 1e-12);
+  EXPECT_LT(t.at[0].shape.hessian_change, 1e-6);  // third derivatives from rounded coefficients: 4e-13 on 5e-3
+}
+
 TEST(StressOracle, ThickLensReference) {
   for (const auto& c : testing::thick_lens_cases()) {
     const ExtendedTrace t = trace_extended(c.lens, c.gaze, c.eye.rotation_center_m, std::nullopt);

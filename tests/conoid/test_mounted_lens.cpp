@@ -108,6 +108,32 @@ TEST(Prism, IsThickestAtItsBase) {
   EXPECT_NEAR(range->min - before->min, -1.8 * mm, 0.1 * mm);
 }
 
+TEST(Prism, RoundingOfTheStepsIsNoReasonToRefuse) {
+  // The steps towards the wedge had to come below 1e-15, and for a few lenses in a million rounding held them at 1.1e-15 for ever: the prism
+  // was refused. sturm stress found these three.
+  struct Case {
+    Prescription rx;
+    SingleVisionDesign design;
+  };
+  const std::vector<Case> cases{
+      {{.sphere_D = -24.331856210183062,
+        .cylinder_D = -9.34495842494958,
+        .axis_deg = 24.31381488791785,
+        .prism_cm_per_m = 14.233798562948667,
+        .prism_base_deg = 360.0},
+       {.base_curve_D = 1.3691564477172715, .center_thickness_m = 5.278285777847939 * mm, .refractive_index = 1.67}},
+      {{.sphere_D = -16.25, .cylinder_D = -8.0, .axis_deg = 64.0, .prism_cm_per_m = 9.75, .prism_base_deg = 0.622474269874731},
+       {.base_curve_D = 7.2628318175963855, .center_thickness_m = 1.989860699965808 * mm, .refractive_index = 1.523}},
+      {{.sphere_D = -24.75, .cylinder_D = 10.75, .axis_deg = 27.0, .prism_cm_per_m = 9.997098402071083, .prism_base_deg = 360.0},
+       {.base_curve_D = 0.5, .center_thickness_m = 2.052074944976788 * mm, .refractive_index = 1.498}}};
+  for (const Case& c : cases) {
+    const LensPath path = trace(single_vision(c.rx, c.design), {{0.0, 0.0, 0.0}, ahead});
+    ASSERT_EQ(path.status, LensStatus::ok);
+    const double slope = path.exit.direction.x() / path.exit.direction.z();  // to the left, where the base is but for half a degree
+    EXPECT_NEAR(slope, 0.01 * c.rx.prism_cm_per_m, 1e-4 * 0.01 * c.rx.prism_cm_per_m);  // 1 − cos 0.6°
+  }
+}
+
 TEST(Prism, OnlyWhereThereIsGlass) {
   Spectacles air = lens_with({.sphere_D = -3.0}, {});
   air.refractive_index = 1.0;

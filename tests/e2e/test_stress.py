@@ -44,6 +44,8 @@ class Suite(FolderTest):
         self.assertGreater(by_name["missed_rim"]["missed_lens"], 100)
         self.assertGreater(by_name["vertex_at_focus"]["refused"], 100)
         self.assertGreater(by_name["focus_on_target"]["ok"], 100)
+        self.assertGreater(by_name["mounted"]["ok"], 100)
+        self.assertGreater(by_name["free_form"]["ok"], 100)
 
 
 class Replay(unittest.TestCase):
@@ -82,7 +84,29 @@ class Replay(unittest.TestCase):
                 extended = case["extended"]["angular_footprint"][i][j]
                 self.assertIsInstance(extended, str)
                 self.assertAlmostEqual(float(extended), case["double"]["angular_footprint"][i][j], delta=1e-9 * (1 + abs(float(extended))))
-        self.assertEqual(len(case["checks"]), 16)
+        self.assertEqual(len(case["checks"]), 17)
+
+
+class ReplayWithTables(FolderTest):
+    def test_ellipse_repeats_a_lens_that_is_a_table(self):
+        found = 0
+        for index in range(1000):
+            if found == 2:
+                break
+            case = replay(index)
+            if "tables" not in case or case["refused"] or case["double"]["status"] != "ok":
+                continue
+            found += 1
+            for name, text in case["tables"].items():
+                (self.folder / name).write_text(text)
+            query = self.folder / "query.json"
+            query.write_text(json.dumps(case["query"]))
+            process = sturm("ellipse", query)
+            self.assertEqual(process.returncode, PASSED, process.stderr)
+            result = strict_json(process.stdout)["results"][0]
+            self.assertEqual(result["chief_ray"], case["double"]["chief_ray"])
+            self.assertEqual(result["wavefront_curvature_D"], case["double"]["wavefront_curvature_D"])
+        self.assertEqual(found, 2)
 
 
 class Errors(unittest.TestCase):

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "lensmodel/bracketed_root.h"
 #include "lensmodel/surface.h"
@@ -191,6 +192,37 @@ TEST_P(Misses, TheFirstOfTwoCrossingsCounts) {
   const SurfaceHit hit = intersect(shape(-1.0 / (30 * mm)), level, 25 * mm);
   ASSERT_EQ(hit.status, LensStatus::ok);
   EXPECT_NEAR(hit.position.x(), -10.770329614269007 * mm, 1e-15);
+}
+
+TEST(Intersect, ASurfaceThatIsInterruptedBetweenTheEndsOfTheWayIsSearchedInPieces) {
+  // A steep sweep (radius 9 mm) with a weak generator of the other sign reaches far along the generator and ends 9 mm from it along the
+  // sweep, so an oblique ray finds surface at both ends of its way and none between them. Newton's iteration in the bracket of the whole
+  // way met the gap and gave up (no_convergence), although the ray crosses the surface well before it. sturm stress found these.
+  struct Case {
+    TorusSurface torus;
+    double rim_radius;
+    LightRay ray;  // surface frame
+    Eigen::Vector2d crossing;
+  };
+  const auto from_eye = [](double vertex_distance, double rotation_center, const Eigen::Vector3d& gaze) -> LightRay {
+    return {rotation_center * (gaze + Eigen::Vector3d::UnitZ()) + vertex_distance * Eigen::Vector3d::UnitZ(), gaze};
+  };
+  const std::vector<Case> cases{
+      {TorusSurface(1.0 / (9.639824857228763 * mm), -1.0 / (25.44644772246195 * mm), 122.03920144796109),
+       42.09365890485692 * mm,
+       from_eye(8.357516212984038 * mm, 15.82838842734457 * mm, {-0.2996212720472478, -0.08141222950157229, -0.950578319879205}),
+       {-0.007270760723619083, -0.0019755901730133243}},
+      {TorusSurface(1.0 / (8.878450371518507 * mm), -1.0 / (29.30803214468138 * mm), 159.62358032518645),
+       37.49689547500397 * mm,
+       from_eye(9.012128888769553 * mm, 15.601569252738905 * mm, {0.4892786924994799, -0.2673701966347581, -0.8301322418852854}),
+       {0.012584491677369133, -0.006876894632664263}}};
+  for (const Case& c : cases) {
+    const SurfaceHit hit = intersect(c.torus, c.ray, c.rim_radius);
+    EXPECT_EQ(hit.status, LensStatus::ok);
+    if (hit.status != LensStatus::ok) continue;
+    EXPECT_LT((hit.position.head<2>() - c.crossing).norm(),
+              1e-16);  // the numbers of an extended-precision search; rounding of 42 mm over cos 58°
+  }
 }
 
 TEST(BracketedRoot, SaysWhenItDoesNotConverge) {
