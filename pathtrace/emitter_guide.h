@@ -29,7 +29,7 @@ class EmitterGuide {
   };
 
   /// Emitters that are worth it: seen from less than `largest_share` of the pupil at a time. The conoid's S is that of the power matrix.
-  EmitterGuide(const EmitterClusters& clusters, const EyeCamera& camera, float largest_share = 0.25f);
+  EmitterGuide(const EmitterClusters& clusters, const EyeCamera& camera, float largest_share = 0.9f);
 
   bool empty() const { return lenses_.empty(); }
 
