@@ -99,4 +99,17 @@ void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSe
   }
 }
 
+EyeCamera::SamplePlace EyeCamera::place_of(int x, int y, std::uint32_t sample, const PixelSequence& sequence) const {
+  const auto film = sequence.pair(sample, dimension::film), lens = sequence.pair(sample, dimension::lens);
+  const auto disk = concentric_disk(unit_float(lens.x), unit_float(lens.y));
+  const float radius = rays_.pupil_radius();
+  return {static_cast<float>(x) + unit_float(film.x), static_cast<float>(y) + unit_float(film.y), radius * disk.x, radius * disk.y};
+}
+
+EyeCamera::SingleRay EyeCamera::single(float film_x, float film_y, float px, float py) const {
+  const auto ray = rays_.through(px, py);
+  const float cx = slope_x(film_x) + ray.sx, cy = slope_y(film_y) + ray.sy;
+  return {position_ + ray.px * right_ + ray.py * up_, forward_ + cx * right_ + cy * up_, ray.status};
+}
+
 }  // namespace sturm

@@ -48,6 +48,25 @@ class EyeCamera {
   const EyeRays<float>& rays() const { return rays_; }
   const Eigen::Vector3f& forward() const { return forward_; }
 
+  /// A point of the world on (right, up, forward) of the eye [m].
+  Eigen::Vector3f in_eye_frame(const Eigen::Vector3f& world) const {
+    const Eigen::Vector3f from = world - position_;
+    return {right_.dot(from), up_.dot(from), forward_.dot(from)};
+  }
+
+  /// The ray of film place (film_x, film_y) [px] through the pupil point (px, py) [m], as `generate` makes it.
+  struct SingleRay {
+    Eigen::Vector3f origin, direction;
+    LaunchStatus status;
+  };
+  SingleRay single(float film_x, float film_y, float px, float py) const;
+
+  /// Film place [px] and pupil point [m] of one sample.
+  struct SamplePlace {
+    float film_x, film_y, px, py;
+  };
+  SamplePlace place_of(int x, int y, std::uint32_t sample, const PixelSequence& sequence) const;
+
   /// Chief slopes (x right, y up) [rad] at pixel coordinates, (0, 0) = upper left corner of the image.
   float slope_x(float px) const { return (px - 0.5f * static_cast<float>(width_)) * pixel_slope_; }
   float slope_y(float py) const { return (0.5f * static_cast<float>(height_) - py) * pixel_slope_; }

@@ -47,6 +47,12 @@ void LightSet::set_environment(std::shared_ptr<const EnvironmentMap> environment
   reach_ = reach;
 }
 
+LightShape LightSet::shape(int index) const {
+  const Light& light = lights_[static_cast<std::size_t>(index)];
+  if (light.kind == Kind::triangle) return {{light.a, light.a + light.edge1, light.a + light.edge2}, light.a, 0.0f, light.emission};
+  return {{}, light.a, light.kind == Kind::sphere ? light.edge1.x() : 0.0f, light.emission};
+}
+
 void LightSet::finish() {
   if (environment_) environment_share_ = lights_.empty() ? 1.0f : 0.5f;
   choices_ = AliasTable(power_);

@@ -16,6 +16,14 @@ struct LightSample {
   bool delta;                 ///< cannot be hit by chance
 };
 
+/// Where a light is: three corners of a triangle, or centre and radius of a sphere; a point light has neither corners nor radius.
+struct LightShape {
+  std::vector<Eigen::Vector3f> corners;
+  Eigen::Vector3f center;
+  float radius = 0.0f;
+  Eigen::Vector3f emission;  ///< radiance; of a point light its intensity
+};
+
 /// All lights of a scene; one is chosen with a probability in proportion to its power. What an environment map sends into a scene depends
 /// on how large the scene is and says little about any one point, so beside other lights it gets half of all choices.
 class LightSet {
@@ -32,6 +40,7 @@ class LightSet {
 
   bool empty() const { return lights_.empty() && !environment_; }
   int size() const { return static_cast<int>(lights_.size()); }
+  LightShape shape(int light) const;
 
   /// Samples a light for `point` from two uniform numbers; pdf = 0 where it cannot shine there (e.g. the back of a triangle).
   LightSample sample(const Eigen::Vector3f& point, float u, float v) const;

@@ -25,19 +25,19 @@ Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Ve
 }
 
 Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence,
-                                     std::uint32_t sample, RenderCounters& counters) const {
+                                     std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
   switch (scene_.kind()) {
     case Scene::Kind::plain:
-      return plain_radiance(first, direction, sequence, sample, counters);
+      return plain_radiance(first, direction, sequence, sample, counters, first_emission_weight);
     case Scene::Kind::diffuse:
-      return diffuse_radiance(first, direction, sequence, sample, counters);
+      return diffuse_radiance(first, direction, sequence, sample, counters, first_emission_weight);
     default:
-      return mixed_radiance(first, direction, sequence, sample, counters);
+      return mixed_radiance(first, direction, sequence, sample, counters, first_emission_weight);
   }
 }
 
 Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, const PixelSequence& sequence,
-                                           std::uint32_t sample, RenderCounters& counters) const {
+                                           std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
   SurfacePoint at = first;
   Eigen::Vector3f direction = first_direction, throughput = Eigen::Vector3f::Ones(), sum = Eigen::Vector3f::Zero();
   Eigen::Vector3f previous_origin = Eigen::Vector3f::Zero();
@@ -45,8 +45,8 @@ Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eige
   for (int bounce = 0;; ++bounce) {
     const bool seen_from_front = at.normal.dot(direction) < 0.0f;
     if (at.emitter >= 0 && seen_from_front) {
-      const float weight =
-          bounce == 0 ? 1.0f : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin, at.position, at.normal));
+      const float weight = bounce == 0 ? first_emission_weight
+                                       : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
     if (bounce == settings_.max_bounces || !(at.albedo.maxCoeff() > 0.0f)) return sum;

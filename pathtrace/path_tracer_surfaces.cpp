@@ -64,7 +64,7 @@ constexpr std::uint32_t dimensions_per_vertex = 4, lobe_dimension = 3;
 
 template <class Surfaces>
 Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f& first_direction, const PixelSequence& sequence,
-                                      std::uint32_t sample, RenderCounters& counters) const {
+                                      std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
   const LightSet& lights = scene_.lights();
   SurfacePoint at = first;
   Vector3f direction = first_direction.normalized(), throughput = Vector3f::Ones(), sum = Vector3f::Zero();
@@ -73,7 +73,9 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
   bool sharp = true;  // lights cannot have been sampled in this direction before
   for (int bounce = 0;; ++bounce) {
     if (at.emitter >= 0 && at.normal.dot(direction) < 0.0f) {
-      const float weight = sharp ? 1.0f : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, at.position, at.normal));
+      const float weight = bounce == 0 ? first_emission_weight
+                           : sharp     ? 1.0f
+                                       : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
     if (bounce == settings_.max_bounces) return sum;
@@ -132,13 +134,13 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
 }
 
 Vector3f PathTracer::diffuse_radiance(const SurfacePoint& first, const Vector3f& direction, const PixelSequence& sequence,
-                                      std::uint32_t sample, RenderCounters& counters) const {
-  return surface_radiance<DiffuseSurfaces>(first, direction, sequence, sample, counters);
+                                      std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
+  return surface_radiance<DiffuseSurfaces>(first, direction, sequence, sample, counters, first_emission_weight);
 }
 
 Vector3f PathTracer::mixed_radiance(const SurfacePoint& first, const Vector3f& direction, const PixelSequence& sequence,
-                                    std::uint32_t sample, RenderCounters& counters) const {
-  return surface_radiance<AnySurfaces>(first, direction, sequence, sample, counters);
+                                    std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
+  return surface_radiance<AnySurfaces>(first, direction, sequence, sample, counters, first_emission_weight);
 }
 
 }  // namespace sturm

@@ -96,6 +96,9 @@ class EyeRays {
   RayModel model() const { return model_; }
   T pupil_radius() const { return radius_; }
 
+  /// S = F − A·I of wavefront theory, whatever the model.
+  Eigen::Matrix<T, 2, 2> slope_matrix() const { return Eigen::Matrix<T, 2, 2>{{sxx_, xy_}, {xy_, syy_}}; }
+
   /// The ray through the pupil point (px, py) [m].
   PupilRay<T> through(T px, T py) const {
     return for_model(model_, [&](auto model) { return through_as<model>(px, py); });

@@ -5,11 +5,13 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "io/error.h"
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/film.h"
+#include "pathtrace/guided_pixel.h"
 #include "pathtrace/path_tracer.h"
 
 namespace sturm {
@@ -28,13 +30,18 @@ template <class Camera>
 class PixelRenderer {
  public:
   PixelRenderer(const Scene& scene, const Camera& camera, const RenderSettings& settings, RenderResult& result)
-      : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings), result_(result) {}
+      : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings), result_(result) {
+    if constexpr (can_guide)
+      if (settings.guide_emitters) guide_.emplace(scene, camera);
+  }
 
   void render_pixel(int x, int y, RenderCounters& counters) const {
     const PixelSequence sequence(settings_.sequence, settings_.seed, static_cast<std::uint32_t>(y * camera_.width() + x));
     PixelStatistics radiance;
     FirstHitStatistics first_hit;
     CameraHits hits;
+    std::optional<GuidedPixel> guided;
+    if (guide_ && !guide_->empty()) guided.emplace(*guide_, x, y, sequence);
     const auto samples = static_cast<std::uint32_t>(settings_.samples_per_pixel);
     for (std::uint32_t first = 0; first < samples; first += CameraRayBlock::size) {
       const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, samples - first));
@@ -49,7 +56,9 @@ class PixelRenderer {
         if (hits.hit(i)) {
           const Eigen::Vector3f direction = hits.direction(i);
           const SurfacePoint point = scene_.surface_point(hits.record(i), hits.origin(i), direction, hits.distance(i));
-          value = tracer_.radiance(point, direction, sequence, first + static_cast<std::uint32_t>(i), counters);
+          const std::uint32_t sample = first + static_cast<std::uint32_t>(i);
+          const float emission_weight = guided && point.emitter >= 0 ? guided->plain_weight(point.emitter, sample) : 1.0f;
+          value = tracer_.radiance(point, direction, sequence, sample, counters, emission_weight);
           if constexpr (Camera::weighted) value *= hits.rays.weight[i];
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
           first_hit.add(point.albedo, point.normal, hits.distance(i));
@@ -57,6 +66,7 @@ class PixelRenderer {
           if (scene_.has_environment()) value = scene_.environment(hits.direction(i));
           first_hit.add_miss();
         }
+        if (guided && guided->active()) value += guided->sample(first + static_cast<std::uint32_t>(i), counters);
         radiance.add(value);
       }
     }
@@ -79,12 +89,16 @@ class PixelRenderer {
   const RenderSettings& settings_;
   PathTracer tracer_;
   RenderResult& result_;
+  static constexpr bool can_guide = std::is_same_v<Camera, EyeCamera>;  ///< of the others the footprint is not known here
+  std::optional<SceneGuide> guide_;
 };
 
 void add(RenderCounters& total, const RenderCounters& part) {
   total.camera += part.camera;
   total.bounce_rays += part.bounce_rays;
   total.shadow_rays += part.shadow_rays;
+  total.guided_rays += part.guided_rays;
+  total.guided_hits += part.guided_hits;
 }
 
 template <class Camera>

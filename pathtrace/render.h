@@ -15,6 +15,7 @@ struct RenderSettings {
   int max_bounces = 16;  ///< a path has at most max_bounces + 1 edges
   Sequence sequence = Sequence::Sobol;
   std::uint64_t seed = 1;
+  bool guide_emitters = false;                    ///< one guided camera ray for each sample of a pixel that may see a small emitter
   int first_roulette_bounce = 2;                  ///< Russian roulette may end a path from this bounce on
   std::function<void(double fraction)> progress;  ///< called from worker threads as tiles finish; may be empty
 };
@@ -22,6 +23,7 @@ struct RenderSettings {
 struct RenderCounters {
   RayCounters camera;
   std::uint64_t bounce_rays = 0, shadow_rays = 0;
+  std::uint64_t guided_rays = 0, guided_hits = 0;  ///< rays sent by pathtrace/emitter_guide.h, and those that met their emitter
 };
 
 /// Layers of one size: radiance (3, mean over pixel and pupil), variance (3, of single samples), albedo (3), normal (3, world),

@@ -12,6 +12,8 @@ namespace sturm {
 namespace dimension {
 inline constexpr std::uint32_t film = 0, lens = 1, first_vertex = 2, per_vertex = 3;
 inline constexpr std::uint32_t scatter = 0, light = 1, survive = 2;
+/// Of guided samples, behind all vertices that a path can have.
+inline constexpr std::uint32_t guided_film = 1u << 20, guided_lens = guided_film + 1, guided_choice = guided_film + 2;
 }  // namespace dimension
 
 /// The samples of one pixel, addressed by (sample, dimension).
