@@ -71,6 +71,7 @@ RenderSettings settings_of(const RenderSpec& spec, const ProgressFunction& progr
   RenderSettings settings;
   settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
   settings.max_bounces = spec.max_bounces;
+  settings.guide_emitters = spec.guide_emitters && spec.method == RenderMethod::PathTrace;
   settings.sequence = spec.sampler;
   settings.seed = spec.seed;
   settings.progress = progress;
@@ -131,6 +132,8 @@ Json counters_json(const RenderCounters& c) {
           {"lost_rim_rays", c.camera.lost_rim},
           {"lost_tir_rays", c.camera.lost_total_reflection},
           {"lost_no_convergence_rays", c.camera.lost_no_convergence},
+          {"guided_rays", c.guided_rays},
+          {"guided_hits", c.guided_hits},
           {"bounce_rays", c.bounce_rays},
           {"shadow_rays", c.shadow_rays}};
 }

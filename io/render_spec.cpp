@@ -15,7 +15,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   };
   if (value["type"] == "predict") {
     spec.method = RenderMethod::Predict;
-    for (const char* key : {"ray_model", "sampling", "rings"}) refuse(key, "predict");
+    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters"}) refuse(key, "predict");
     spec.oversampling = value.value("oversampling", spec.oversampling);
   } else {
     refuse("oversampling", "path_trace");
@@ -25,6 +25,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   }
   spec.samples_per_pixel = value.value("samples_per_pixel", spec.samples_per_pixel);
   spec.max_bounces = value.value("max_bounces", spec.max_bounces);
+  spec.guide_emitters = value.value("guide_emitters", spec.guide_emitters);
   spec.sampler = read_sequence(value.value("sampler", "sobol"));
   spec.sampling = read_pupil_sampling(value, where);
 }
@@ -71,7 +72,13 @@ Json resolved_render(const Json& document, const Source& root) {
     resolved["left"]["eye"].erase("$schema");
   }
   resolved = with_defaults(resolved, "render");
-  resolved["method"].erase(resolved["method"]["type"] == "path_trace" ? "oversampling" : "sampling");
+  Json& method = resolved["method"];
+  if (method["type"] == "path_trace") {
+    method.erase("oversampling");
+  } else {
+    method.erase("sampling");
+    method.erase("guide_emitters");
+  }
   return resolved;
 }
 
