@@ -87,7 +87,7 @@ class Files(Render):
         kind, text = attributes["sturm"]
         self.assertEqual(kind, "string")
         spec = strict_json(text.decode())
-        self.assertEqual(spec["method"], {**view["method"], "max_bounces": 16, "sampler": "sobol", "sampling": "uniform_disk", "filter": "box"})
+        self.assertEqual(spec["method"], {**view["method"], "max_bounces": 16, "guide_emitters": True, "sampler": "sobol", "sampling": "uniform_disk", "filter": "box"})
         self.assertEqual(spec["eye"]["rotation_center_mm"], 13.5)
         self.assertEqual(spec["seed"], 1)
         header = data[:header_end].lower()

@@ -148,7 +148,7 @@ TEST_F(RenderSpecTest, ResolvedSpellsOutAndMeansTheSame) {
   EXPECT_EQ(resolved["eye"]["rotation_center_mm"], 13.5);
   EXPECT_EQ(resolved["scene"], "../scenes/s.json");
   EXPECT_EQ(resolved["camera"]["up"], (Json{0, 1, 0}));
-  EXPECT_EQ(resolved["method"], (Json{{"type", "path_trace"}, {"ray_model", "sin2_radial"}, {"samples_per_pixel", 64}, {"max_bounces", 16}, {"sampler", "sobol"}, {"sampling", "uniform_disk"}, {"filter", "box"}}));
+  EXPECT_EQ(resolved["method"], (Json{{"type", "path_trace"}, {"ray_model", "sin2_radial"}, {"samples_per_pixel", 64}, {"max_bounces", 16}, {"guide_emitters", true}, {"sampler", "sobol"}, {"sampling", "uniform_disk"}, {"filter", "box"}}));
   EXPECT_EQ(resolved["seed"], 1);
   // The defaults of the schema and those of the structs are the same ones.
   const RenderSpec again = read_render_spec(resolved, file_);
