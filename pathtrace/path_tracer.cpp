@@ -24,19 +24,19 @@ Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Ve
   return (weight * cosine * inverse_pi / light.pdf) * at.albedo.cwiseProduct(light.radiance);
 }
 
-Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, const PixelSequence& sequence,
+Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, VertexNumbers& numbers,
                                      std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
   switch (scene_.kind()) {
     case Scene::Kind::plain:
-      return plain_radiance(first, direction, sequence, sample, counters, first_emission_weight);
+      return plain_radiance(first, direction, numbers, sample, counters, first_emission_weight);
     case Scene::Kind::diffuse:
-      return diffuse_radiance(first, direction, sequence, sample, counters, first_emission_weight);
+      return diffuse_radiance(first, direction, numbers, sample, counters, first_emission_weight);
     default:
-      return mixed_radiance(first, direction, sequence, sample, counters, first_emission_weight);
+      return mixed_radiance(first, direction, numbers, sample, counters, first_emission_weight);
   }
 }
 
-Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, const PixelSequence& sequence,
+Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, VertexNumbers& numbers,
                                            std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
   SurfacePoint at = first;
   Eigen::Vector3f direction = first_direction, throughput = Eigen::Vector3f::Ones(), sum = Eigen::Vector3f::Zero();
@@ -53,21 +53,18 @@ Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eige
 
     const Eigen::Vector3f normal = seen_from_front ? at.normal : Eigen::Vector3f(-at.normal);
     const Eigen::Vector3f origin = offset_from_surface(at.position, normal);
-    const std::uint32_t first_dimension = dimension::first_vertex + dimension::per_vertex * static_cast<std::uint32_t>(bounce);
-    if (!scene_.lights().empty()) {
-      const auto u = sequence.pair(sample, first_dimension + dimension::light);
-      sum += throughput.cwiseProduct(direct_light(at, normal, origin, unit_float(u.x), unit_float(u.y), counters));
-    }
+    const VertexNumbers::Vertex random = numbers.vertex(sample, bounce);
+    if (!scene_.lights().empty())
+      sum += throughput.cwiseProduct(direct_light(at, normal, origin, random.light_u, random.light_v, counters));
 
     throughput = throughput.cwiseProduct(at.albedo);
     if (bounce >= settings_.first_roulette_bounce) {
       const float survival = std::min(0.95f, throughput.maxCoeff());
-      if (unit_float(sequence.single(sample, first_dimension + dimension::survive)) >= survival) return sum;
+      if (numbers.survive(sample, bounce) >= survival) return sum;
       throughput /= survival;
     }
 
-    const auto u = sequence.pair(sample, first_dimension + dimension::scatter);
-    direction = cosine_direction(normal, unit_float(u.x), unit_float(u.y));
+    direction = direction_about(normal, random.scatter);
     scatter_pdf = std::max(0.0f, normal.dot(direction)) * inverse_pi;
     ++counters.bounce_rays;
     RTCRayHit ray = ray_from(origin, direction);

@@ -63,7 +63,7 @@ constexpr std::uint32_t dimensions_per_vertex = 4, lobe_dimension = 3;
 }  // namespace
 
 template <class Surfaces>
-Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f& first_direction, const PixelSequence& sequence,
+Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f& first_direction, VertexNumbers& numbers,
                                       std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
   const LightSet& lights = scene_.lights();
   SurfacePoint at = first;
@@ -85,7 +85,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     const Vector3f out = frame.to_local(-direction);
     const std::uint32_t first_dimension = dimension::first_vertex + dimensions_per_vertex * static_cast<std::uint32_t>(bounce);
     if (!lights.empty() && !Surfaces::only_sharp(surface)) {
-      const auto u = sequence.pair(sample, first_dimension + dimension::light);
+      const auto u = numbers.sequence().pair(sample, first_dimension + dimension::light);
       const LightSample light = lights.sample(at.position, unit_float(u.x), unit_float(u.y));
       const Vector3f to_light = light.direction.normalized();
       if (light.pdf > 0.0f && frame.agrees(to_light)) {
@@ -101,8 +101,8 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
       }
     }
 
-    const auto u = sequence.pair(sample, first_dimension + dimension::scatter);
-    const float lobe = unit_float(sequence.single(sample, first_dimension + lobe_dimension));
+    const auto u = numbers.sequence().pair(sample, first_dimension + dimension::scatter);
+    const float lobe = unit_float(numbers.sequence().single(sample, first_dimension + lobe_dimension));
     const BsdfSample scattered = Surfaces::sample(surface, out, {unit_float(u.x), unit_float(u.y), lobe}, at.albedo);
     if (!(scattered.pdf > 0.0f)) return sum;
     direction = frame.to_world(scattered.in).normalized();
@@ -113,7 +113,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     if (bounce >= settings_.first_roulette_bounce) {
       // Radiance inside glass is larger by the index squared; that is no reason to end or keep a path.
       const float survival = std::min(0.95f, throughput.maxCoeff() * spread);
-      if (unit_float(sequence.single(sample, first_dimension + dimension::survive)) >= survival) return sum;
+      if (unit_float(numbers.sequence().single(sample, first_dimension + dimension::survive)) >= survival) return sum;
       throughput /= survival;
     }
     scatter_pdf = scattered.pdf;
@@ -133,14 +133,14 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
   }
 }
 
-Vector3f PathTracer::diffuse_radiance(const SurfacePoint& first, const Vector3f& direction, const PixelSequence& sequence,
-                                      std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
-  return surface_radiance<DiffuseSurfaces>(first, direction, sequence, sample, counters, first_emission_weight);
+Vector3f PathTracer::diffuse_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
+                                      RenderCounters& counters, float first_emission_weight) const {
+  return surface_radiance<DiffuseSurfaces>(first, direction, numbers, sample, counters, first_emission_weight);
 }
 
-Vector3f PathTracer::mixed_radiance(const SurfacePoint& first, const Vector3f& direction, const PixelSequence& sequence,
-                                    std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
-  return surface_radiance<AnySurfaces>(first, direction, sequence, sample, counters, first_emission_weight);
+Vector3f PathTracer::mixed_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
+                                    RenderCounters& counters, float first_emission_weight) const {
+  return surface_radiance<AnySurfaces>(first, direction, numbers, sample, counters, first_emission_weight);
 }
 
 }  // namespace sturm

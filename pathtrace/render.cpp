@@ -39,6 +39,7 @@ class PixelRenderer {
     const PixelSequence sequence(settings_.sequence, settings_.seed, static_cast<std::uint32_t>(y * camera_.width() + x));
     PixelStatistics radiance;
     FirstHitStatistics first_hit;
+    VertexNumbers numbers(sequence);
     CameraHits hits;
     std::optional<GuidedPixel> guided;
     if (guide_ && !guide_->empty()) guided.emplace(*guide_, x, y, sequence);
@@ -46,6 +47,7 @@ class PixelRenderer {
     for (std::uint32_t first = 0; first < samples; first += CameraRayBlock::size) {
       const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, samples - first));
       trace_camera_rays(scene_, camera_, x, y, first, count, sequence, hits);
+      numbers.begin_block(first);
       for (int i = 0; i < count; ++i) {
         if constexpr (Camera::weighted)
           count_with_losses(counters.camera, hits.rays.status[i]);
@@ -58,7 +60,7 @@ class PixelRenderer {
           const SurfacePoint point = scene_.surface_point(hits.record(i), hits.origin(i), direction, hits.distance(i));
           const std::uint32_t sample = first + static_cast<std::uint32_t>(i);
           const float emission_weight = guided && point.emitter >= 0 ? guided->plain_weight(point.emitter, sample) : 1.0f;
-          value = tracer_.radiance(point, direction, sequence, sample, counters, emission_weight);
+          value = tracer_.radiance(point, direction, numbers, sample, counters, emission_weight);
           if constexpr (Camera::weighted) value *= hits.rays.weight[i];
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
           first_hit.add(point.albedo, point.normal, hits.distance(i));

@@ -22,12 +22,21 @@ struct TangentFrame {
   }
 };
 
-/// Direction about the unit normal n with density cos θ / π (Malley's method).
-inline Eigen::Vector3f cosine_direction(const Eigen::Vector3f& n, float u, float v) {
+/// A unit vector in the frame of a normal, which is its z.
+struct LocalDirection {
+  float x, y, z;
+};
+
+/// Direction with density cos θ / π (Malley's method).
+inline LocalDirection cosine_local(float u, float v) {
   const auto d = concentric_disk(u, v);
-  const float z = std::sqrt(std::max(0.0f, 1.0f - d.x * d.x - d.y * d.y));
+  return {d.x, d.y, std::sqrt(std::max(0.0f, 1.0f - d.x * d.x - d.y * d.y))};
+}
+
+/// A local direction turned to the unit normal n.
+inline Eigen::Vector3f direction_about(const Eigen::Vector3f& n, const LocalDirection& d) {
   const TangentFrame frame(n);
-  return d.x * frame.tangent + d.y * frame.bitangent + z * n;
+  return d.x * frame.tangent + d.y * frame.bitangent + d.z * n;
 }
 
 /// A point moved off its surface along n, so far that a ray from it cannot hit that surface again

@@ -107,9 +107,11 @@ TEST(CosineDirection, JacobianIsPiOverCosine) {
   constexpr float h = 1.0f / 256.0f;
   for (float u : {0.12f, 0.33f, 0.62f, 0.85f})
     for (float v : {0.2f, 0.43f, 0.72f, 0.9f}) {
-      const Eigen::Vector3d du = (cosine_direction(n, u + h, v) - cosine_direction(n, u - h, v)).cast<double>() / (2.0 * h);
-      const Eigen::Vector3d dv = (cosine_direction(n, u, v + h) - cosine_direction(n, u, v - h)).cast<double>() / (2.0 * h);
-      const Eigen::Vector3f w = cosine_direction(n, u, v);
+      const Eigen::Vector3d du =
+          (direction_about(n, cosine_local(u + h, v)) - direction_about(n, cosine_local(u - h, v))).cast<double>() / (2.0 * h);
+      const Eigen::Vector3d dv =
+          (direction_about(n, cosine_local(u, v + h)) - direction_about(n, cosine_local(u, v - h))).cast<double>() / (2.0 * h);
+      const Eigen::Vector3f w = direction_about(n, cosine_local(u, v));
       EXPECT_NEAR(w.norm(), 1.0f, 1e-6f);
       const double solid_angle = std::sqrt(du.squaredNorm() * dv.squaredNorm() - std::pow(du.dot(dv), 2));
       EXPECT_NEAR(solid_angle * static_cast<double>(n.dot(w)) / std::numbers::pi, 1.0, 0.01) << u << " " << v;  // O(h²) near the horizon
