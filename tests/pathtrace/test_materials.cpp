@@ -57,7 +57,7 @@ double normal_deviate(double chi_squared, double k) {
   return (std::cbrt(chi_squared / k) - (1.0 - 2.0 / (9.0 * k))) / std::sqrt(2.0 / (9.0 * k));
 }
 
-TEST(MaterialSampling, FollowsTheDensity) {
+TEST(MaterialSampling, SlowFollowsTheDensity) {
   // 72² points a bin: densities have square-root edges (ball lobes) and poles (refraction near the critical angle).
   constexpr int rows = 16, columns = 24, fine = 72, n = 1 << 17;
   const auto all = cases();
