@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +13,8 @@
 #include "compare/ellipse_layers_svg.h"
 #include "compare/report_numbers.h"
 #include "lensmodel/gaze.h"
-#include "pathtrace/embree_rays.h"
-#include "pathtrace/scene.h"
+#include "lensmodel/units.h"
+#include "pathtrace/camera_hits.h"
 #include "pathtrace/scene_import.h"
 
 namespace sturm {
@@ -33,10 +32,8 @@ FieldMethod method_of(const std::string& name) {
 /// Looks into every cell of the field and marks the voxels that a look-up at what is seen there reads.
 VoxelMask visible_voxels(const BlurFieldSpec& spec, const FieldGrid& grid) {
   const Scene scene(build_scene(spec.visible->scene));
-  const Eigen::Vector3d forward = (spec.visible->look_at - spec.visible->position).normalized();
-  const Eigen::Vector3d right = forward.cross(spec.visible->up).normalized();
-  Eigen::Matrix3d world_from_wearer;
-  world_from_wearer << right, right.cross(forward), -forward;
+  const LineOfSight& sight = spec.visible->sight;
+  const Eigen::Matrix3d world_from_wearer = head_axes({.position = sight.position, .look_at = sight.look_at, .up = sight.up});
 
   const int looks = spec.visible->looks_per_cell, columns = (grid.nx - 1) * looks, rows = (grid.ny - 1) * looks;
   const auto ndc = [](int at, int count) { return (2.0 * at + 1.0) / count - 1.0; };
@@ -50,11 +47,8 @@ VoxelMask visible_voxels(const BlurFieldSpec& spec, const FieldGrid& grid) {
         if (path.status != LensStatus::ok) continue;
         ray = path.exit;
       }
-      RTCRayHit hit = ray_from((spec.visible->position + world_from_wearer * ray.origin).cast<float>(),
-                               (world_from_wearer * ray.direction).cast<float>());
-      const bool found = intersect(scene.embree(), hit);
       vergences[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)] =
-          found ? 1.0 / hit.ray.tfar : 0.0;
+          vergence_of(distance_along(scene, {sight.position + world_from_wearer * ray.origin, world_from_wearer * ray.direction}));
     }
   });
   VoxelMask mask(grid);
@@ -67,8 +61,8 @@ VoxelMask visible_voxels(const BlurFieldSpec& spec, const FieldGrid& grid) {
 
 /// Largest error that the interpolation between lines of sight makes: in the middle of each cell, at the nearest and the farthest distance,
 /// relaxed; as blur [D] (rad/m), the larger singular value of the difference.
-Json interpolation_error(const BlurFieldSpec& spec, const FieldGrid& grid, const TracedDirections& directions) {
-  const DepthAnalyticField field(grid, directions, spec.eye.correction);
+Json interpolation_error(const BlurFieldSpec& spec, const DepthAnalyticField& field) {
+  const FieldGrid& grid = field.grid();
   const Spectacles* lens = spec.spectacles ? &*spec.spectacles : nullptr;
   FieldGrid middles = grid;  // a grid whose nodes are the middles of the cells
   middles.nx = grid.nx - 1;
@@ -146,14 +140,16 @@ BlurField compute_blur_field(const BlurFieldSpec& spec) {
   field.summary = {{"directions", direction_summary(field.directions.counters, field.grid)},
                    {"depth_analytic", field.analytic ? Json{{"memory_bytes", field.analytic->memory_bytes()}} : Json(nullptr)},
                    {"voxels", field.voxels ? voxel_summary(*field.voxels) : Json(nullptr)},
-                   {"interpolation_error", interpolation_error(spec, field.grid, field.directions)}};
+                   {"interpolation_error",
+                    interpolation_error(
+                        spec, field.analytic ? *field.analytic : DepthAnalyticField(field.grid, field.directions, spec.eye.correction))}};
   return field;
 }
 
 std::string layers_svg(const BlurFieldSpec& spec, const TracedDirections& directions, double drawn_scale) {
   std::vector<EllipseLayer> layers;
   for (const double distance : spec.layers_m) {
-    const double vergence = std::isinf(distance) ? 0.0 : 1.0 / distance;
+    const double vergence = vergence_of(distance);
     EllipseLayer layer{std::isinf(distance) ? "∞" : plain_number(100.0 * distance, 4) + " cm", {}};
     for (const SpectacleConoid& conoid : directions.conoids) {
       if (conoid.status != LensStatus::ok || !(conoid.chief_ray.direction.z() < 0.0)) continue;

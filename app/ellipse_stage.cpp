@@ -11,6 +11,7 @@
 #include "conoid/published.h"
 #include "conoid/spectacle_conoid.h"
 #include "lensmodel/gaze.h"
+#include "lensmodel/units.h"
 #include "pathtrace/pupil_sampler.h"
 
 namespace sturm {
@@ -35,7 +36,7 @@ struct View {
 View view_of(const Target& target, const EllipseQuery& query) {
   View v;
   v.distance_m = target.distance_m;
-  v.vergence_D = std::isinf(target.distance_m) ? 0.0 : 1.0 / target.distance_m;
+  v.vergence_D = vergence_of(target.distance_m);
   const Eye& eye = query.eye;
   const Eigen::Vector3d gaze = gaze_direction(target.azimuth, target.elevation);
   v.pupil_center = turned_pupil_center(gaze, eye.rotation_center_m);
@@ -51,11 +52,7 @@ View view_of(const Target& target, const EllipseQuery& query) {
   if (v.status == LensStatus::ok) {
     v.accommodation_D = accommodation_through(*v.conoid, eye, v.vergence_D);
     v.chief = v.conoid->chief_ray;
-    // The rays' own chief ray: nothing of what they are measured by comes from the conoid.
-    const WornLens worn(*query.spectacles, gaze, eye.rotation_center_m);
-    const LightRay exit = worn.chief_ray().exit;
-    const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, exit.direction);
-    v.lens = LensView{worn, exit, across.col(0), across.col(1)};
+    v.lens = LensView::along(*query.spectacles, gaze, eye.rotation_center_m);
   }
   return v;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lensmodel/gaze.h"
 #include "pathtrace/pupil_points.h"
 
 namespace sturm {
@@ -60,78 +61,61 @@ struct WeightedMoments {
   Eigen::Matrix2d covariance() const { return second / weight - mean() * mean().transpose(); }
 };
 
-/// As summarise() does for unweighted rays: standard errors are the scatter between the replicates divided by √R; one has none.
-BundleEllipse summarise_weighted(const std::vector<WeightedMoments>& replicates) {
-  BundleEllipse e;
-  const double n = static_cast<double>(replicates.size());
-  e.replicates = static_cast<int>(replicates.size());
-  for (const WeightedMoments& m : replicates) {
-    e.points += m.count;
-    e.centroid += m.mean() / n;
-    e.covariance += m.covariance() / n;
+/// What the replicates of a bundle gathered.
+template <class Moments>
+struct Replicates {
+  std::vector<Moments> moments;
+  MeasuredBundle bundle;  ///< counters and losses of all; no ellipse yet
+};
+
+/// Runs add_chunk(replicate, first sample, size, moments, arrivals) over the chunks of every replicate, the replicates in parallel.
+template <class Moments, class AddChunk>
+Replicates<Moments> run_replicates(const RayBundleSpec& spec, const Arrivals& target, const AddChunk& add_chunk) {
+  const auto count = static_cast<std::size_t>(spec.replicates);
+  Replicates<Moments> result{std::vector<Moments>(count), {}};
+  std::vector<Arrivals> arrivals(count, target);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t r) {
+    for (std::uint64_t first = 0; first < spec.count; first += chunk_size)
+      add_chunk(static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(first), std::min(chunk_size, spec.count - first),
+                result.moments[r], arrivals[r]);
+  });
+  for (const Arrivals& a : arrivals) {
+    result.bundle.counters += a.counters;
+    result.bundle.losses += a.losses;
   }
-  e.ellipse = Ellipse::of_second_moments(e.covariance);
-  if (replicates.size() < 2) return e;
-  e.degrees_of_freedom = n - 1.0;
-  Eigen::Vector2d centroid_squares = Eigen::Vector2d::Zero();
-  Eigen::Matrix3d entries = Eigen::Matrix3d::Zero();
-  for (const WeightedMoments& m : replicates) {
-    centroid_squares += (m.mean() - e.centroid).cwiseAbs2();
-    const Eigen::Matrix2d d = m.covariance() - e.covariance;
-    const Eigen::Vector3d entry(d(0, 0), d(0, 1), d(1, 1));
-    entries += entry * entry.transpose();
-  }
-  e.centroid_standard_error = (centroid_squares / (n * (n - 1.0))).cwiseSqrt();
-  e.entry_covariance = entries / (n * (n - 1.0));
-  return e;
+  return result;
 }
 
 /// Replicates of a pupil whose points have weights.
 MeasuredBundle measure_weighted(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec, std::uint64_t seed,
                                 const PupilSampler& sampler) {
-  const auto replicates = static_cast<std::size_t>(spec.replicates);
-  std::vector<WeightedMoments> moments(replicates);
-  std::vector<Arrivals> arrivals(replicates, target);
-  tbb::parallel_for(std::size_t{0}, replicates, [&](std::size_t r) {
-    std::vector<Eigen::Vector2d> pupil;
-    std::vector<double> weights;
-    for (std::uint64_t first = 0; first < spec.count; first += chunk_size) {
-      pupil.resize(std::min(chunk_size, spec.count - first));
-      fill_pupil(sampler, spec.sequence, seed, static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(first), pupil, weights);
-      for (std::size_t i = 0; i < pupil.size(); ++i) {
-        const Eigen::Vector2d p = rays.pupil_radius() * pupil[i];
-        if (const auto angle = arrivals[r].angle(rays.through(p.x(), p.y()))) moments[r].add(*angle, weights[i]);
-      }
-    }
-  });
-  MeasuredBundle bundle;
-  for (const Arrivals& a : arrivals) {
-    bundle.counters += a.counters;
-    bundle.losses += a.losses;
+  auto [moments, bundle] = run_replicates<WeightedMoments>(
+      spec, target, [&](std::uint32_t r, std::uint32_t first, std::uint64_t size, WeightedMoments& sum, Arrivals& arrivals) {
+        std::vector<Eigen::Vector2d> pupil(size);
+        std::vector<double> weights;
+        fill_pupil(sampler, spec.sequence, seed, r, first, pupil, weights);
+        for (std::size_t i = 0; i < pupil.size(); ++i) {
+          const Eigen::Vector2d p = rays.pupil_radius() * pupil[i];
+          if (const auto angle = arrivals.angle(rays.through(p.x(), p.y()))) sum.add(*angle, weights[i]);
+        }
+      });
+  std::vector<ReplicateMoments> replicates;
+  for (const WeightedMoments& m : moments) {
+    if (m.count < 2 || !(m.weight > 0.0)) return bundle;
+    replicates.push_back({m.count, m.mean(), m.covariance()});
   }
-  if (std::all_of(moments.begin(), moments.end(), [](const WeightedMoments& m) { return m.count >= 2 && m.weight > 0.0; }))
-    bundle.angular = summarise_weighted(moments);
+  bundle.angular = summarise(replicates);
   return bundle;
 }
 
 MeasuredBundle measure_replicates(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec, std::uint64_t seed) {
-  const auto replicates = static_cast<std::size_t>(spec.replicates);
-  std::vector<BundleMoments> moments(replicates);
-  std::vector<Arrivals> arrivals(replicates, target);
-  tbb::parallel_for(std::size_t{0}, replicates, [&](std::size_t r) {
-    std::vector<Eigen::Vector2d> pupil, angles;
-    for (std::uint64_t first = 0; first < spec.count; first += chunk_size) {
-      pupil.resize(std::min(chunk_size, spec.count - first));
-      fill_unit_disk(spec.sequence, seed, static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(first), pupil);
-      trace_angles(rays, pupil, angles, arrivals[r]);
-      moments[r].add(angles);
-    }
-  });
-  MeasuredBundle bundle;
-  for (const Arrivals& a : arrivals) {
-    bundle.counters += a.counters;
-    bundle.losses += a.losses;
-  }
+  auto [moments, bundle] = run_replicates<BundleMoments>(
+      spec, target, [&](std::uint32_t r, std::uint32_t first, std::uint64_t size, BundleMoments& sum, Arrivals& arrivals) {
+        std::vector<Eigen::Vector2d> pupil(size), angles;
+        fill_unit_disk(spec.sequence, seed, r, first, pupil);
+        trace_angles(rays, pupil, angles, arrivals);
+        sum.add(angles);
+      });
   if (std::all_of(moments.begin(), moments.end(), [](const BundleMoments& m) { return m.count() >= 2; }))
     bundle.angular = summarise(moments, spec.sequence == Sequence::Sobol ? PointSet::LowDiscrepancy : PointSet::Independent);
   return bundle;
@@ -189,6 +173,13 @@ LensLosses& LensLosses::operator+=(const LensLosses& other) {
   total_reflection += other.total_reflection;
   no_convergence += other.no_convergence;
   return *this;
+}
+
+LensView LensView::along(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m) {
+  const WornLens worn(lens, gaze, rotation_center_m);
+  const LightRay exit = worn.chief_ray().exit;
+  const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, exit.direction);
+  return {worn, exit, across.col(0), across.col(1)};
 }
 
 Eigen::Vector2d LensView::angle(const LightRay& ray, double vergence_D) const {

@@ -30,6 +30,9 @@ struct LensView {
   LightRay chief;          ///< from the exit point
   Eigen::Vector3d e1, e2;  ///< across the chief ray
 
+  /// Of an eye that looks along `gaze`; its chief ray must come through. Nothing of it is taken from the conoid.
+  static LensView along(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m);
+
   /// Where a ray behind the lens meets the plane at vergence 1/d, as an angle: offset/d on (e1, e2); at infinity the difference of
   /// direction.
   Eigen::Vector2d angle(const LightRay& ray, double vergence_D) const;

@@ -149,7 +149,7 @@ std::optional<Eigen::Vector2d> BundleEllipse::semi_axis_standard_errors() const 
   return Eigen::Vector2d(error(p.high, p.high_direction), error(p.low, across));
 }
 
-BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind) {
+BundleEllipse summarise(std::span<const ReplicateMoments> replicates) {
   if (replicates.empty()) throw std::invalid_argument("summarise: no replicates");
   BundleEllipse e;
   e.replicates = static_cast<int>(replicates.size());
@@ -157,11 +157,10 @@ BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind
   std::vector<Eigen::Vector2d> centroids;
   std::vector<Eigen::Vector3d> covariances;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const BundleMoments& m : replicates) {
-    if (m.count() < 2) throw std::invalid_argument("summarise: a replicate has fewer than two points");
-    e.points += m.count();
-    centroids.push_back(m.mean());
-    covariances.push_back(entries(m.covariance(kind)));
+  for (const ReplicateMoments& m : replicates) {
+    e.points += m.points;
+    centroids.push_back(m.mean);
+    covariances.push_back(entries(m.covariance));
     e.centroid += centroids.back() / r;
     mean += covariances.back() / r;
   }
@@ -171,7 +170,18 @@ BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind
     e.entry_covariance = covariance_of_mean<3>(covariances, mean);
     e.centroid_standard_error = covariance_of_mean<2>(centroids, e.centroid).diagonal().cwiseSqrt();
     e.degrees_of_freedom = r - 1.0;
-  } else if (kind == PointSet::Independent) {
+  }
+  return e;
+}
+
+BundleEllipse summarise(std::span<const BundleMoments> replicates, PointSet kind) {
+  std::vector<ReplicateMoments> moments;
+  for (const BundleMoments& m : replicates) {
+    if (m.count() < 2) throw std::invalid_argument("summarise: a replicate has fewer than two points");
+    moments.push_back({m.count(), m.mean(), m.covariance(kind)});
+  }
+  BundleEllipse e = summarise(moments);
+  if (replicates.size() == 1 && kind == PointSet::Independent) {
     e.entry_covariance = replicates.front().sampling_covariance();
     e.centroid_standard_error = (e.covariance.diagonal() / static_cast<double>(e.points)).cwiseSqrt();
     e.degrees_of_freedom = static_cast<double>(e.points);

@@ -82,6 +82,17 @@ struct BundleEllipse {
 /// Weights (for the entries xx, xy, yy) that give uᵀ Σ v of a symmetric Σ.
 Eigen::Vector3d entry_weights(const Eigen::Vector2d& u, const Eigen::Vector2d& v);
 
+/// Moments of one replicate, however its points were weighted.
+struct ReplicateMoments {
+  std::uint64_t points = 0;
+  Eigen::Vector2d mean;
+  Eigen::Matrix2d covariance;  ///< about the mean
+};
+
+/// Puts the replicates of one bundle together, each counting alike. The standard errors are the scatter between the replicates divided by
+/// √R; a single replicate has none. Throws std::invalid_argument for an empty list.
+BundleEllipse summarise(std::span<const ReplicateMoments> replicates);
+
 /// Puts the replicates of one bundle together, each counting alike; they have at least two points, and all the same number up to a few rays
 /// that a model could not launch. The standard errors are the scatter between the replicates divided by √R. A single replicate of
 /// independent points falls back to its own fourth moments; a single low-discrepancy replicate has no standard error.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <span>
 #include <stdexcept>
 
@@ -71,6 +72,13 @@ Image sequential_false_colour(const Image& values, const SequentialScale& scale)
 
 Image diverging_false_colour(const Image& values, double limit) {
   return coloured(values, [&](double value) { return diverging_colour(value / limit); });
+}
+
+std::string hex_colour(const DisplayColour& colour) {
+  char buffer[8];
+  std::snprintf(buffer, sizeof buffer, "#%02x%02x%02x", static_cast<int>(std::lround(255 * colour[0])),
+                static_cast<int>(std::lround(255 * colour[1])), static_cast<int>(std::lround(255 * colour[2])));
+  return buffer;
 }
 
 }  // namespace sturm

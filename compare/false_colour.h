@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <string>
 
 #include "io/image.h"
 
@@ -17,6 +18,9 @@ DisplayColour diverging_colour(double t);
 
 /// What a pixel gets whose value is not finite: green, which neither map contains.
 DisplayColour not_finite_colour();
+
+/// As "#rrggbb", for markup and plot scripts.
+std::string hex_colour(const DisplayColour& colour);
 
 struct SequentialScale {
   double peak = 1.0;     ///< value that gets the lightest colour; > 0

@@ -18,11 +18,7 @@ constexpr SequentialScale scale{1.0, 3.0};
 
 /// Light is little: the map runs from dark to light, the eye from empty to full.
 std::string fill_of(double defocus_D) {
-  const DisplayColour colour = sequential_colour(1.0 - 0.85 * position_on(scale, defocus_D));
-  char hex[8];
-  std::snprintf(hex, sizeof hex, "#%02x%02x%02x", static_cast<int>(std::lround(255 * colour[0])),
-                static_cast<int>(std::lround(255 * colour[1])), static_cast<int>(std::lround(255 * colour[2])));
-  return hex;
+  return hex_colour(sequential_colour(1.0 - 0.85 * position_on(scale, defocus_D)));
 }
 
 std::string number_text(double defocus_D) {

@@ -39,10 +39,9 @@ std::string palette(bool signed_scale) {
     const double t = double(i) / (stops - 1);
     // Light at zero either way, so that contours can be seen there.
     const DisplayColour c = signed_scale ? diverging_colour(2.0 * t - 1.0) : sequential_colour(1.0 - 0.85 * t);
-    std::array<char, 32> entry;
-    std::snprintf(entry.data(), entry.size(), "%s%.4f '#%02x%02x%02x'", i ? ", " : "", t, static_cast<unsigned>(std::lround(255 * c[0])),
-                  static_cast<unsigned>(std::lround(255 * c[1])), static_cast<unsigned>(std::lround(255 * c[2])));
-    entries += entry.data();
+    char place[16];
+    std::snprintf(place, sizeof place, "%.4f", t);
+    entries += (i ? ", " : "") + std::string(place) + " '" + hex_colour(c) + "'";
   }
   return "set palette defined (" + entries + ")\n";
 }

@@ -16,13 +16,6 @@ namespace sturm {
 
 namespace {
 
-std::string hex(const DisplayColour& colour) {
-  char buffer[8];
-  std::snprintf(buffer, sizeof buffer, "#%02x%02x%02x", static_cast<int>(std::lround(255 * colour[0])),
-                static_cast<int>(std::lround(255 * colour[1])), static_cast<int>(std::lround(255 * colour[2])));
-  return buffer;
-}
-
 constexpr double round_steps[] = {1.0, 2.0, 5.0, 10.0};
 
 }  // namespace
@@ -115,7 +108,7 @@ std::string colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, 
   for (int i = 0; i < stops; ++i) {
     const double t = static_cast<double>(i) / (stops - 1);
     const DisplayColour colour = map == ColourMap::Sequential ? sequential_colour(t) : diverging_colour(2 * t - 1);
-    body += "<stop offset=\"" + plain_number(t) + "\" stop-color=\"" + hex(colour) + "\"/>";
+    body += "<stop offset=\"" + plain_number(t) + "\" stop-color=\"" + hex_colour(colour) + "\"/>";
   }
   body = element("linearGradient", "id=\"" + gradient + "\"", body);
   body += "<rect x=\"" + std::to_string(margin) + "\" y=\"20\" width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +

@@ -8,6 +8,7 @@
 
 #include "compare/drawing.h"
 #include "compare/report_numbers.h"
+#include "lensmodel/best_accommodation.h"
 #include "lensmodel/ellipse.h"
 
 namespace sturm {
@@ -37,15 +38,9 @@ std::vector<double> focal_distances(const SturmConoid& c) {
   return roots;
 }
 
-/// The larger semi-axis is convex in the distance: golden section.
+/// Where the larger semi-axis is least: X is affine in the distance as it is in an accommodation.
 double least_confusion(const SturmConoid& c, double low, double high) {
-  const auto larger = [&](double d) { return Ellipse::image_of_disc(map_at(c, d), 1.0).semi_major; };
-  constexpr double golden = std::numbers::phi - 1.0;
-  for (int i = 0; i < 80; ++i) {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    (larger(a) < larger(b) ? high : low) = larger(a) < larger(b) ? b : a;
-  }
-  return 0.5 * (low + high);
+  return low + best_accommodation(map_at(c, low), -c.slope, high - low);
 }
 
 /// Axonometric: the distance runs to the right, "up" upwards, and "to the wearer's right" towards the beholder.

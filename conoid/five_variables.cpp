@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "lensmodel/symmetric2.h"
+
 namespace sturm {
 
 namespace {
@@ -67,6 +69,12 @@ FiveVariables reflected(const FiveVariables& wave, const Eigen::Vector3d& normal
 FiveVariables through_thin_lens(const FiveVariables& wave, const PrincipalCurvatures& power) {
   const Form in{wave.kappa1, wave.kappa2, 0.0}, p = form_on(power, wave.e1, wave.e2);
   return principal(wave.direction, {in.along1 + p.along1, in.along2 + p.along2, in.twist + p.twist}, wave.e1, wave.e2);
+}
+
+PrincipalCurvatures principal_curvatures(const Eigen::Matrix2d& k, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2) {
+  const PrincipalValues p = principal_values(k(0, 0), k(0, 1), k(1, 1));
+  const Eigen::Vector2d& h = p.high_direction;
+  return {p.high, p.low, h.x() * f1 + h.y() * f2, -h.y() * f1 + h.x() * f2};
 }
 
 }  // namespace sturm

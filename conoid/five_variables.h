@@ -18,6 +18,9 @@ struct PrincipalCurvatures {
   Eigen::Vector3d e1, e2;
 };
 
+/// Of a curvature matrix on two unit vectors across each other, the higher one first.
+PrincipalCurvatures principal_curvatures(const Eigen::Matrix2d& curvature, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2);
+
 /// Eq. 1: κ' = κ/(1 − dκ); through and beyond a focus.
 FiveVariables transferred(const FiveVariables& wave, double distance);
 

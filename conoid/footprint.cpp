@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "lensmodel/units.h"
+
 namespace sturm {
 
 Footprint naked_eye_footprint(const Eye& eye, double distance_m, double accommodation_D) {
-  const double vergence = std::isinf(distance_m) ? 0.0 : 1.0 / distance_m;
+  const double vergence = vergence_of(distance_m);
   const PowerMatrix slope = eye.slope_matrix(accommodation_D);
   Footprint f;
   f.accommodation_D = accommodation_D;
@@ -16,7 +18,7 @@ Footprint naked_eye_footprint(const Eye& eye, double distance_m, double accommod
 }
 
 Footprint naked_eye_footprint(const Eye& eye, double distance_m) {
-  return naked_eye_footprint(eye, distance_m, eye.accommodation_for(std::isinf(distance_m) ? 0.0 : 1.0 / distance_m));
+  return naked_eye_footprint(eye, distance_m, eye.accommodation_for(vergence_of(distance_m)));
 }
 
 }  // namespace sturm

@@ -4,6 +4,7 @@
 
 #include "conoid/wavefront.h"
 #include "lensmodel/gaze.h"
+#include "lensmodel/units.h"
 
 namespace sturm {
 
@@ -61,7 +62,7 @@ std::optional<PreviousBlur> previous_blur(const Eye& eye, double accommodation_D
                                           double distance_m) {
   const PreviousMethod method(lens, gaze, eye.rotation_center_m);
   if (method.status() != LensStatus::ok) return std::nullopt;
-  return method.blur(eye.slope_matrix(accommodation_D).matrix(), std::isinf(distance_m) ? 0.0 : 1.0 / distance_m);
+  return method.blur(eye.slope_matrix(accommodation_D).matrix(), vergence_of(distance_m));
 }
 
 std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double accommodation_D, const Spectacles* lens,

@@ -26,12 +26,6 @@ bool is_circle(const PublishedConoid& c) {
   return std::abs(std::abs(c.epsilon1) - std::abs(c.epsilon2)) <= relative_roundness * std::max(std::abs(c.epsilon1), std::abs(c.epsilon2));
 }
 
-PrincipalCurvatures principal(const Eigen::Matrix2d& k, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2) {
-  const PrincipalValues p = principal_values(k(0, 0), k(0, 1), k(1, 1));
-  const Eigen::Vector2d& h = p.high_direction;
-  return {p.high, p.low, h.x() * f1 + h.y() * f2, -h.y() * f1 + h.x() * f2};
-}
-
 PublishedConoid transferred(const PublishedConoid& c, double distance) {
   return {transferred(c.wave, distance), (1.0 - distance * c.wave.kappa1) * c.epsilon1, (1.0 - distance * c.wave.kappa2) * c.epsilon2};
 }
@@ -39,7 +33,7 @@ PublishedConoid transferred(const PublishedConoid& c, double distance) {
 std::optional<PublishedConoid> through(const PublishedConoid& c, const SurfaceElement& surface, double index_before, double index_behind,
                                        TangentAxes tangent, PublishedTrace& trace) {
   const Eigen::Vector3d normal = surface.normal, t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
-  const PrincipalCurvatures bend = principal(tangent_curvature(surface, t1, t2), t1, t2);
+  const PrincipalCurvatures bend = principal_curvatures(tangent_curvature(surface, t1, t2), t1, t2);
   auto wave = refracted(c.wave, normal, bend, index_before, index_behind);
   if (!wave) return std::nullopt;
   const double size = std::abs(c.wave.kappa1) + std::abs(c.wave.kappa2) + std::abs(bend.kappa1) + std::abs(bend.kappa2);
@@ -90,7 +84,7 @@ std::optional<SemiAxes> refracted_semi_axes(const SemiAxes& axes, const FiveVari
 PublishedTrace trace_published_or_why(const Eye& eye, double accommodation_D, const Spectacles* lens, const Eigen::Vector3d& gaze,
                                       TangentAxes tangent) {
   const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
-  const PrincipalCurvatures start = principal(-eye.slope_matrix(accommodation_D).matrix(), turn.col(0), turn.col(1));
+  const PrincipalCurvatures start = principal_curvatures(-eye.slope_matrix(accommodation_D).matrix(), turn.col(0), turn.col(1));
   const PublishedConoid pupil{{gaze, start.kappa1, start.kappa2, start.e1, start.e2}, 1.0, 1.0};  // eq. 9 in units of a: eqs. 10–12 scale
   if (!lens) return {pupil, std::nullopt};
   const Eigen::Vector3d center = turned_pupil_center(gaze, eye.rotation_center_m);

@@ -5,6 +5,7 @@
 
 #include "lensmodel/best_accommodation.h"
 #include "lensmodel/gaze.h"
+#include "lensmodel/units.h"
 
 namespace sturm {
 
@@ -54,7 +55,7 @@ Footprint spectacle_footprint(const SpectacleConoid& conoid, const Eye& eye, dou
   Footprint f;
   f.accommodation_D = accommodation_D;
   f.distance_m = distance_m;
-  f.angular = conoid.angular_footprint(slopes, std::isinf(distance_m) ? 0.0 : 1.0 / distance_m);
+  f.angular = conoid.angular_footprint(slopes, vergence_of(distance_m));
   f.wavefront_curvature = conoid.exit_curvature(slopes);
   return f;
 }

@@ -1,12 +1,10 @@
 #include "io/blur_field_spec.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/error.h"
-#include "io/json_vectors.h"
 #include "io/schema.h"
 #include "io/worn_eye_spec.h"
 #include "lensmodel/units.h"
@@ -16,10 +14,6 @@ namespace sturm {
 namespace {
 
 constexpr double most_voxels = 1 << 28;  // 4 GiB of them
-
-double vergence_of(double distance_m) {
-  return std::isinf(distance_m) ? 0.0 : 1.0 / distance_m;
-}
 
 void read_field(const Json& value, const Source& where, BlurFieldSpec& spec) {
   spec.hfov = radians_per_degree * value["hfov_deg"].get<double>();
@@ -41,14 +35,8 @@ void read_field(const Json& value, const Source& where, BlurFieldSpec& spec) {
 VisibleSceneSpec read_visible(const Json& value, const Source& where) {
   VisibleSceneSpec visible;
   visible.scene = read_scene(value["scene"], where / "scene");
-  visible.position = read_vector3(value["position_m"]);
-  visible.look_at = read_vector3(value["look_at_m"]);
-  visible.up = value.contains("up") ? read_vector3(value["up"]) : Eigen::Vector3d::UnitY();
+  visible.sight = read_line_of_sight(value, where);
   visible.looks_per_cell = value.value("looks_per_cell", visible.looks_per_cell);
-  const Eigen::Vector3d forward = visible.look_at - visible.position;
-  if (!(forward.norm() > 0.0)) (where / "look_at_m").fail(value["look_at_m"], "a point that is not position_m");
-  if (!(forward.normalized().cross(visible.up.normalized()).norm() > 1e-9))
-    (where / "look_at_m").fail(value["look_at_m"], "a line of sight that is not parallel to \"up\"");
   return visible;
 }
 
@@ -58,11 +46,11 @@ BlurFieldSpec read_blur_field_spec(const Json& document, const std::string& file
   validate(document, "blurfield", file);
   const Source root{file, ""};
   BlurFieldSpec spec;
-  WornEyeSpec worn = read_worn_eye(document, root);
-  spec.eye = worn.eye;
-  spec.spectacles = std::move(worn.spectacles);
-  spec.notes = std::move(worn.notes);
-  spec.input_files = std::move(worn.input_files);
+  WornEyeSpec read = read_worn_eye(document, root);
+  spec.eye = read.worn.eye;
+  spec.spectacles = std::move(read.worn.spectacles);
+  spec.notes = std::move(read.notes);
+  spec.input_files = std::move(read.input_files);
   read_field(document["field"], root / "field", spec);
 
   const Json resolved = with_defaults(document, "blurfield");

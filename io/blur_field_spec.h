@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/camera_spec.h"
 #include "io/eye_spec.h"
 #include "io/scene_spec.h"
 #include "io/spectacles_spec.h"
@@ -13,8 +14,8 @@ namespace sturm {
 /// A scene and where the eye stands in it.
 struct VisibleSceneSpec {
   SceneSpec scene;
-  Eigen::Vector3d position, look_at, up;  ///< [m], world
-  int looks_per_cell = 8;                 ///< rows and columns of looks into each cell of the field
+  LineOfSight sight;       ///< of primary gaze, world
+  int looks_per_cell = 8;  ///< rows and columns of looks into each cell of the field
 };
 
 /// A validated document of format sturm.blurfield/1.

@@ -9,11 +9,19 @@
 
 namespace sturm {
 
+LineOfSight read_line_of_sight(const Json& value, const Source& where) {
+  const LineOfSight sight{read_vector3(value.at("position_m")), read_vector3(value.at("look_at_m")),
+                          value.contains("up") ? read_vector3(value["up"]) : Eigen::Vector3d(0.0, 1.0, 0.0)};
+  const Eigen::Vector3d look = sight.look_at - sight.position;
+  if (!(look.norm() > 1e-9 * (1.0 + sight.position.norm()))) (where / "look_at_m").fail(value["look_at_m"], "a point away from position_m");
+  // sin of the angle between them; 1e-6 leaves ten digits to the picture's horizontal.
+  if (!(sight.up.norm() > 0.0 && sight.up.normalized().cross(look.normalized()).norm() > 1e-6))
+    (where / "up").fail(value.value("up", Json::array({0, 1, 0})), "a direction that is not parallel to the line of sight");
+  return sight;
+}
+
 CameraSpec read_camera(const Json& value, const Source& where) {
   CameraSpec camera;
-  camera.position = read_vector3(value.at("position_m"));
-  camera.look_at = read_vector3(value.at("look_at_m"));
-  if (value.contains("up")) camera.up = read_vector3(value["up"]);
   if (value.value("projection", "perspective") == "equirectangular") camera.projection = Projection::Equirectangular;
   if (value.value("gaze", "camera") == "foveal") camera.gaze = Gaze::Foveal;
   if (camera.projection == Projection::Equirectangular) {
@@ -27,13 +35,10 @@ CameraSpec read_camera(const Json& value, const Source& where) {
     camera.interpupillary_distance_m = metres_per_millimetre * value["stereo"]["interpupillary_distance_mm"].get<double>();
   camera.width = value.at("resolution")[0].get<int>();
   camera.height = value.at("resolution")[1].get<int>();
-
-  const Eigen::Vector3d look = camera.look_at - camera.position;
-  if (!(look.norm() > 1e-9 * (1.0 + camera.position.norm())))
-    (where / "look_at_m").fail(value["look_at_m"], "a point away from position_m");
-  // sin of the angle between them; 1e-6 leaves ten digits to the picture's horizontal.
-  if (!(camera.up.norm() > 0.0 && camera.up.normalized().cross(look.normalized()).norm() > 1e-6))
-    (where / "up").fail(value.value("up", Json::array({0, 1, 0})), "a direction that is not parallel to the line of sight");
+  const LineOfSight sight = read_line_of_sight(value, where);
+  camera.position = sight.position;
+  camera.look_at = sight.look_at;
+  camera.up = sight.up;
   return camera;
 }
 

@@ -25,6 +25,14 @@ struct CameraSpec {
   std::optional<double> interpupillary_distance_m;  ///< of a stereo pair
 };
 
+/// Where something is and where it looks.
+struct LineOfSight {
+  Eigen::Vector3d position, look_at, up;  ///< [m]; `up` of any length
+};
+
+/// Reads position_m, look_at_m and up of an object. Throws InputError unless they give a direction that is not parallel to `up`.
+LineOfSight read_line_of_sight(const Json& value, const Source& where);
+
 /// Reads a "camera" object. Throws InputError.
 CameraSpec read_camera(const Json& value, const Source& where);
 

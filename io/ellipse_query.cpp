@@ -13,11 +13,11 @@ EllipseQuery read_ellipse_query(const Json& document, const std::string& file) {
   validate(document, "ellipse", file);
   const Source root{file, ""};
   EllipseQuery query;
-  WornEyeSpec worn = read_worn_eye(document, root);
-  query.eye = worn.eye;
-  query.spectacles = std::move(worn.spectacles);
-  query.notes = std::move(worn.notes);
-  query.input_files = std::move(worn.input_files);
+  WornEyeSpec read = read_worn_eye(document, root);
+  query.eye = read.worn.eye;
+  query.spectacles = std::move(read.worn.spectacles);
+  query.notes = std::move(read.notes);
+  query.input_files = std::move(read.input_files);
   const Json& targets = document["targets"];
   for (std::size_t i = 0; i < targets.size(); ++i) {
     Target target;

@@ -59,10 +59,10 @@ class FigureReader {
 
   void read_conoid(const Json& drawing, const Source& place) {
     SturmConoidFigure figure;
-    WornEyeSpec worn = read_worn_eye(drawing, place);
-    figure.eye = worn.eye;
-    figure.spectacles = std::move(worn.spectacles);
-    add_inputs(worn.input_files);
+    WornEyeSpec read = read_worn_eye(drawing, place);
+    figure.eye = read.worn.eye;
+    figure.spectacles = std::move(read.worn.spectacles);
+    add_inputs(read.input_files);
     if (const auto gaze = drawing.find("gaze_deg"); gaze != drawing.end()) {
       figure.azimuth = radians_per_degree * (*gaze)[0].get<double>();
       figure.elevation = radians_per_degree * (*gaze)[1].get<double>();

@@ -30,21 +30,12 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   spec.sampling = read_pupil_sampling(value, where);
 }
 
-/// Reads "eye" and "spectacles" of `value`; what it lacks it takes from `otherwise`.
-WornEye read_worn_eye(const Json& value, const Source& where, const WornEye& otherwise, RenderSpec& spec) {
-  WornEye worn = otherwise;
-  if (value.contains("eye")) {
-    EyeSpec eye = read_eye_spec(value["eye"], where / "eye");
-    worn.eye = eye.eye;
-    spec.notes.insert(spec.notes.end(), eye.notes.begin(), eye.notes.end());
-    spec.input_files.insert(spec.input_files.end(), eye.input_files.begin(), eye.input_files.end());
-  }
-  if (value.contains("spectacles")) {
-    SpectaclesSpec lens = read_spectacles(value["spectacles"], where / "spectacles", worn.eye);
-    worn.spectacles = std::move(lens.lens);
-    spec.input_files.insert(spec.input_files.end(), lens.input_files.begin(), lens.input_files.end());
-  }
-  return worn;
+/// Reads what one eye is and wears; notes and files go into the spec.
+WornEye read_eye_of(const Json& value, const Source& where, const WornEye& otherwise, RenderSpec& spec) {
+  WornEyeSpec read = read_worn_eye(value, where, otherwise);
+  spec.notes.insert(spec.notes.end(), read.notes.begin(), read.notes.end());
+  spec.input_files.insert(spec.input_files.end(), read.input_files.begin(), read.input_files.end());
+  return std::move(read.worn);
 }
 
 void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source& where) {
@@ -90,10 +81,10 @@ RenderSpec read_render_spec(const Json& document, const std::string& file) {
   RenderSpec spec;
   spec.scene = read_scene(document["scene"], root / "scene");
   spec.camera = read_camera(document["camera"], root / "camera");
-  spec.eye = read_worn_eye(document, root, {}, spec);
+  spec.eye = read_eye_of(document, root, {}, spec);
   if (document.contains("left")) {
     if (!spec.camera.interpupillary_distance_m) (root / "left").fail(document["left"], "no \"left\" without \"stereo\" in the camera");
-    spec.left = read_worn_eye(document["left"], root / "left", spec.eye, spec);
+    spec.left = read_eye_of(document["left"], root / "left", spec.eye, spec);
   }
   spec.input_files.insert(spec.input_files.end(), spec.scene.input_files.begin(), spec.scene.input_files.end());
   read_method(document["method"], root / "method", spec);

@@ -6,20 +6,13 @@
 #include <vector>
 
 #include "io/camera_spec.h"
-#include "io/eye_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
-#include "io/spectacles_spec.h"
+#include "io/worn_eye_spec.h"
 
 namespace sturm {
 
 enum class RenderMethod { PathTrace, Predict };
-
-/// An eye and what it wears.
-struct WornEye {
-  Eye eye;
-  std::optional<Spectacles> spectacles;
-};
 
 /// A validated document of format sturm.render/1.
 struct RenderSpec {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "io/error.h"
+#include "io/eye_spec.h"
 #include "io/named_file.h"
 #include "io/progressive_spec.h"
 #include "io/sag_grid.h"
@@ -123,17 +124,9 @@ Spectacles read_two_surfaces(const Json& value, const Source& where, SpectaclesS
 /// The back vertex power: stated, or what the eye needs where the lens is worn.
 Prescription lens_power(const Json& value, const Source& where, const Eye& eye, double vertex_distance_m) {
   if (const auto stated = value.find("prescription"); stated != value.end()) {
-    const double cylinder = stated->value("cylinder_D", 0.0);
-    if (cylinder != 0.0 && !stated->contains("axis_deg"))
-      missing("axis_deg", where / "prescription", "the AXIS of the cylinder [deg], from 0 to 180");
-    if (stated->value("prism_cm_per_m", 0.0) != 0.0 && !stated->contains("prism_base_deg"))
-      missing("prism_base_deg", where / "prescription", "the base of the prism [deg], from 0 to 360");
-    return {.sphere_D = stated->at("sphere_D").get<double>(),
-            .cylinder_D = cylinder,
-            .axis_deg = stated->value("axis_deg", 180.0),
-            .vertex_distance_m = vertex_distance_m,
-            .prism_cm_per_m = stated->value("prism_cm_per_m", 0.0),
-            .prism_base_deg = stated->value("prism_base_deg", 0.0)};
+    Prescription rx = read_prescription(*stated, where / "prescription");
+    rx.vertex_distance_m = vertex_distance_m;
+    return rx;
   }
   if (eye.prescription.vertex_distance_m == vertex_distance_m) return eye.prescription;
   Prescription moved = eye.correction.moved_towards_eye(-vertex_distance_m).as_prescription();

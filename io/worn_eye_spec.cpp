@@ -4,13 +4,20 @@
 
 namespace sturm {
 
-WornEyeSpec read_worn_eye(const Json& parent, const Source& where) {
-  EyeSpec eye = read_eye_spec(parent["eye"], where / "eye");
-  WornEyeSpec worn{eye.eye, {}, std::move(eye.notes), std::move(eye.input_files)};
-  SpectaclesSpec spectacles = read_spectacles(parent.value("spectacles", Json()), where / "spectacles", worn.eye);
-  worn.spectacles = std::move(spectacles.lens);
-  worn.input_files.insert(worn.input_files.end(), spectacles.input_files.begin(), spectacles.input_files.end());
-  return worn;
+WornEyeSpec read_worn_eye(const Json& parent, const Source& where, const WornEye& otherwise) {
+  WornEyeSpec spec{otherwise, {}, {}};
+  if (parent.contains("eye")) {
+    EyeSpec eye = read_eye_spec(parent["eye"], where / "eye");
+    spec.worn.eye = eye.eye;
+    spec.notes = std::move(eye.notes);
+    spec.input_files = std::move(eye.input_files);
+  }
+  if (parent.contains("spectacles")) {
+    SpectaclesSpec lens = read_spectacles(parent["spectacles"], where / "spectacles", spec.worn.eye);
+    spec.worn.spectacles = std::move(lens.lens);
+    spec.input_files.insert(spec.input_files.end(), lens.input_files.begin(), lens.input_files.end());
+  }
+  return spec;
 }
 
 }  // namespace sturm

@@ -8,14 +8,20 @@
 
 namespace sturm {
 
-/// An eye and what it wears, as the members "eye" and "spectacles" of a document.
-struct WornEyeSpec {
+/// An eye and what it wears.
+struct WornEye {
   Eye eye;
   std::optional<Spectacles> spectacles;  ///< none: the naked eye
+};
+
+/// The members "eye" and "spectacles" of a document, and what reading them brought along.
+struct WornEyeSpec {
+  WornEye worn;
   std::vector<std::string> notes, input_files;
 };
 
-/// `parent` is the validated object that has the two members, `where` its place. Throws InputError.
-WornEyeSpec read_worn_eye(const Json& parent, const Source& where);
+/// `parent` is the validated object that has the two members, `where` its place; what it lacks is taken from `otherwise`. Throws
+/// InputError.
+WornEyeSpec read_worn_eye(const Json& parent, const Source& where, const WornEye& otherwise = {});
 
 }  // namespace sturm

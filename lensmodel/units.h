@@ -9,6 +9,11 @@ inline constexpr double metres_per_micrometre = 1e-6;
 inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 inline constexpr double arcminutes_per_radian = 60.0 * 180.0 / std::numbers::pi;
 
+/// 1/d [D] of a distance > 0 [m]; 0 at infinity.
+inline double vergence_of(double distance_m) {
+  return 1.0 / distance_m;
+}
+
 struct SineCosine {
   double sine, cosine;
 };

@@ -5,6 +5,13 @@
 
 namespace sturm {
 
+Eigen::Matrix3d head_axes(const CameraPose& pose) {
+  const Eigen::Vector3d forward = (pose.look_at - pose.position).normalized(), right = forward.cross(pose.up).normalized();
+  Eigen::Matrix3d axes;
+  axes << right, right.cross(forward), -forward;
+  return axes;
+}
+
 double pixel_slope(const CameraPose& pose) {
   return 2.0 * std::tan(0.5 * pose.vertical_field) / pose.height;
 }
@@ -19,12 +26,11 @@ CameraPose widened(const CameraPose& pose, int margin_px, int oversampling) {
 
 EyeCamera::EyeCamera(const CameraPose& pose, const EyeRays<float>& rays)
     : width_(pose.width), height_(pose.height), pixel_slope_(static_cast<float>(pixel_slope(pose))), rays_(rays) {
-  const Eigen::Vector3d forward = (pose.look_at - pose.position).normalized();
-  const Eigen::Vector3d right = forward.cross(pose.up).normalized();
+  const Eigen::Matrix3f axes = head_axes(pose).cast<float>();
   position_ = pose.position.cast<float>();
-  forward_ = forward.cast<float>();
-  right_ = right.cast<float>();
-  up_ = right.cross(forward).cast<float>();
+  right_ = axes.col(0);
+  up_ = axes.col(1);
+  forward_ = -axes.col(2);
 }
 
 void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {

@@ -18,6 +18,9 @@ struct CameraPose {
   int width = 256, height = 256;   ///< [px]
 };
 
+/// Axes right, up and back of the pose as columns: takes the wearer frame to the world's.
+Eigen::Matrix3d head_axes(const CameraPose& pose);
+
 /// Pixel pitch in tangent image coordinates [rad].
 double pixel_slope(const CameraPose& pose);
 

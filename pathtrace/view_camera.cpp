@@ -26,14 +26,6 @@ LaunchStatus status_of(LensStatus status) {
   }
 }
 
-/// Axes right, up and back of the pose as columns.
-Eigen::Matrix3d head_axes(const CameraPose& pose) {
-  const Eigen::Vector3d forward = (pose.look_at - pose.position).normalized(), right = forward.cross(pose.up).normalized();
-  Eigen::Matrix3d axes;
-  axes << right, right.cross(forward), -forward;
-  return axes;
-}
-
 /// Axes of a head that has turned to the right by `longitude` and then up by `latitude`.
 Eigen::Matrix3d turned_head(double longitude, double latitude) {
   return (Eigen::AngleAxisd(-longitude, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(latitude, Eigen::Vector3d::UnitX()))

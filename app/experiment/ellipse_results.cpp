@@ -28,7 +28,7 @@ Json rays_json(RayModel model, const Eye& eye, const Footprint& footprint, const
                 {"against_conoid", nullptr},   {"against_closed_form", nullptr}};
   const auto rays = eye_rays_for(model, eye, footprint.accommodation_D);
   if (!rays) return entry;
-  const double vergence = std::isinf(footprint.distance_m) ? 0.0 : 1.0 / footprint.distance_m;
+  const double vergence = vergence_of(footprint.distance_m);
   const MeasuredBundle bundle = measure_bundle(*rays, vergence, spec, seed);
   entry["counters"] = {
       {"launched", bundle.counters.launched}, {"dropped", bundle.counters.dropped}, {"negative_focus", bundle.counters.negative_focus}};

@@ -51,10 +51,6 @@ Json gaze_json(const StudyGaze& gaze) {
           {"gaze_deg", {std::atan2(v.x(), -v.z()) / radians_per_degree, std::asin(v.y()) / radians_per_degree}}};
 }
 
-double vergence_at(double distance_m) {
-  return std::isinf(distance_m) ? 0.0 : 1.0 / distance_m;
-}
-
 /// One eye looking through its lens along one line of sight, traced by every method for all distances and pupils.
 struct Sight {
   Eye eye;
@@ -63,6 +59,7 @@ struct Sight {
   SpectacleConoid conoid;
   std::optional<LensView> lens;             ///< where the chief ray comes through
   std::array<PublishedTrace, 2> published;  ///< by TangentAxes::principal and ::incidence
+  std::optional<PreviousMethod> previous;
 
   /// F − A·I.
   Eigen::Matrix2d slopes() const { return eye.slope_matrix(accommodation_D).matrix(); }
@@ -73,6 +70,7 @@ struct Sight {
     if (!published[0].conoid) return std::nullopt;
     return angular_map(*published[0].conoid, conoid.exit.e1, conoid.exit.e2, vergence_D);
   }
+  std::optional<PreviousBlur> by_previous(double vergence_D) const { return previous->blur(slopes(), vergence_D); }
 };
 
 Sight sight_of(const LensStudySpec& spec, const StudyLens& lens, const Eigen::Vector3d& gaze) {
@@ -83,12 +81,10 @@ Sight sight_of(const LensStudySpec& spec, const StudyLens& lens, const Eigen::Ve
   s.gaze = gaze;
   s.conoid = trace_conoid(lens.lens, gaze, spec.rotation_center_m);
   if (s.conoid.status != LensStatus::ok) return s;
-  const WornLens worn(lens.lens, gaze, spec.rotation_center_m);
-  const LightRay exit = worn.chief_ray().exit;
-  const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, exit.direction);
-  s.lens = LensView{worn, exit, across.col(0), across.col(1)};
+  s.lens = LensView::along(lens.lens, gaze, spec.rotation_center_m);
   s.published = {trace_published_or_why(s.eye, s.accommodation_D, &lens.lens, gaze, TangentAxes::principal),
                  trace_published_or_why(s.eye, s.accommodation_D, &lens.lens, gaze, TangentAxes::incidence)};
+  s.previous.emplace(&lens.lens, gaze, spec.rotation_center_m);
   return s;
 }
 
@@ -172,11 +168,11 @@ Json mutant_orders(const Sight& sight, const Eigen::Matrix2d& mirrored, double v
   return {{"published_as_exact", order(sight.as_published(vergence_D))}, {"mirrored_gaze", order(mirrored)}};
 }
 
-Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& sight, const Sight& mirrored, double distance_m) {
-  const double vergence = vergence_at(distance_m);
+Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& sight, const SpectacleConoid& mirrored, double distance_m) {
+  const double vergence = vergence_of(distance_m);
   const Eigen::Matrix2d exact = sight.exact(vergence);
   const std::optional<Eigen::Matrix2d> published = sight.as_published(vergence);
-  const auto blur_inside = previous_blur(sight.eye, sight.accommodation_D, &lens.lens, sight.gaze, distance_m);
+  const auto blur_inside = sight.by_previous(vergence);
   const std::optional<Eigen::Matrix2d> previous = blur_inside ? std::optional(blur_inside->angular()) : std::nullopt;
   const SingularValues blur = singular_values(exact);
   Json view = {{"distance_m", distance_json(distance_m)},
@@ -206,9 +202,9 @@ Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& si
   Json mutants = {{"published_as_exact", nullptr}, {"mirrored_gaze", nullptr}};
   if (small && large) {
     fit = fit_orders(exact, *small, 0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
-    if (mirrored.conoid.status == LensStatus::ok)
-      mutants =
-          mutant_orders(sight, mirrored.exact(vergence), vergence, *small, 0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
+    if (mirrored.status == LensStatus::ok)
+      mutants = mutant_orders(sight, mirrored.angular_footprint(sight.slopes(), vergence), vergence, *small, 0.5 * spec.order_small_m,
+                              *large, 0.5 * spec.order_large_m);
   }
   view["order"] = number_or_null(fit.absolute);
   view["relative_order"] = number_or_null(fit.relative);
@@ -224,7 +220,8 @@ struct GazeResult {
 
 GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const StudyGaze& gaze) {
   const Eigen::Vector3d direction = gaze.vector();
-  const Sight sight = sight_of(spec, lens, direction), mirrored = sight_of(spec, lens, {-direction.x(), direction.y(), direction.z()});
+  const Sight sight = sight_of(spec, lens, direction);
+  const SpectacleConoid mirrored = trace_conoid(lens.lens, {-direction.x(), direction.y(), direction.z()}, spec.rotation_center_m);
   GazeResult result{gaze_json(gaze), Json::array()};
   result.gaze["lens"] = lens.id;
   result.gaze["status"] = word_for(sight.conoid.status);
@@ -276,7 +273,7 @@ Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const Progr
 
 Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
   const StudyLens& lens = spec.lenses[field.lens];
-  const double vergence = vergence_at(field.distance_m), a = 0.5 * field.pupil_diameter_m;
+  const double vergence = vergence_of(field.distance_m), a = 0.5 * field.pupil_diameter_m;
   Json points = Json::array();
   for (const double azimuth : field.azimuths_deg) {
     const Sight sight = sight_of(spec, lens, gaze_direction(azimuth * radians_per_degree, 0.0));
@@ -290,8 +287,8 @@ Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
       point["real_rays"] = ellipse_json(real_rays(sight, spec.quadrature, vergence, a).covariance);
       point["ray_transfer"] = ellipse_json(covariance(sight.exact(vergence)));
       point["published"] = ellipse_json(covariance(sight.as_published(vergence)));
-      point["previous"] =
-          ellipse_json(covariance(previous_angular_footprint(sight.eye, sight.accommodation_D, &lens.lens, sight.gaze, field.distance_m)));
+      const auto previous = sight.by_previous(vergence);
+      point["previous"] = ellipse_json(covariance(previous ? std::optional(previous->angular()) : std::nullopt));
     }
     points.push_back(std::move(point));
   }

@@ -118,7 +118,7 @@ CaseRun run_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& 
   CaseRun run;
   try {
     run.numbers = draw_case(seed, index, free_forms);
-    const double vergence_D = std::isinf(run.numbers.distance_m) ? 0.0 : 1.0 / run.numbers.distance_m;
+    const double vergence_D = vergence_of(run.numbers.distance_m);
     run.gaze = gaze_of(run.numbers);
     run.eye = eye_of(run.numbers);
     check_forms(run);

@@ -139,12 +139,6 @@ void check_transposed(Outcomes& outcomes, const Prescription& rx, const SingleVi
 
 namespace {
 
-PrincipalCurvatures principal(const Eigen::Matrix2d& k, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2) {
-  const PrincipalValues p = principal_values(k(0, 0), k(0, 1), k(1, 1));
-  const Eigen::Vector2d& h = p.high_direction;
-  return {p.high, p.low, h.x() * f1 + h.y() * f2, -h.y() * f1 + h.x() * f2};
-}
-
 double largest(const FiveVariables& w) {
   return std::max(std::abs(w.kappa1), std::abs(w.kappa2));
 }
@@ -166,7 +160,7 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
   const Eigen::Vector3d pupil = turned_pupil_center(t.gaze, t.eye.rotation_center_m);
   const LensPath path = trace(t.lens, {pupil, t.gaze});
   const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, t.gaze);
-  const PrincipalCurvatures start = principal(-t.slopes, turn.col(0), turn.col(1));
+  const PrincipalCurvatures start = principal_curvatures(-t.slopes, turn.col(0), turn.col(1));
   FiveVariables wave{t.gaze, start.kappa1, start.kappa2, start.e1, start.e2};
   arriving(1.0, std::sqrt(2.0), 0.0, formula_error * largest(wave));
   const double n = t.lens.refractive_index;
@@ -183,7 +177,7 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
              formula_error * k_in + (t.bounds.hit[i] + hit_before + formula_error * length) * k_in * k_in);
     const Eigen::Vector3d normal = surface.normal, t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
     const Eigen::Matrix2d bend = tangent_curvature(surface, t1, t2);
-    const auto refracted_wave = refracted(wave, normal, principal(bend, t1, t2), before, behind);
+    const auto refracted_wave = refracted(wave, normal, principal_curvatures(bend, t1, t2), before, behind);
     if (!refracted_wave) return outcomes.skip(Check::five_variables, Skip::at_the_edge);
     wave = *refracted_wave;
     const double amplified = (formula_error + t.bounds.cos_in[i] / at.cos_in + 0.5 * t.bounds.radicand[i] / (at.cos_out * at.cos_out)) /

@@ -6,6 +6,7 @@
 
 #include "app/json_values.h"
 #include "app/lens_status_word.h"
+#include "lensmodel/units.h"
 
 namespace sturm::stress {
 
@@ -69,7 +70,7 @@ Json extended_json(const CaseRun& run) {
   if (t.status != LensStatus::ok || !run.footprint) return j;
   const Eigen::Matrix2d slopes = run.eye->slope_matrix(run.footprint->accommodation_D).matrix();
   j["chief_ray"] = {{"origin_m", digits(t.exit_point)}, {"direction", digits(t.direction)}};
-  j["angular_footprint"] = digits(t.angular_footprint(slopes, std::isinf(run.numbers.distance_m) ? 0.0 : 1.0 / run.numbers.distance_m));
+  j["angular_footprint"] = digits(t.angular_footprint(slopes, vergence_of(run.numbers.distance_m)));
   const auto k = t.exit_curvature(slopes);
   j["wavefront_curvature_D"] = k ? digits(*k) : Json(nullptr);
   const ErrorBounds& b = *run.bounds;

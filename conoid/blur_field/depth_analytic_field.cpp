@@ -2,18 +2,9 @@
 
 #include <stdexcept>
 
+#include "conoid/blur_field/rows.h"
+
 namespace sturm {
-
-namespace {
-
-void store(const Eigen::Matrix2d& m, float* rows) {
-  rows[0] = static_cast<float>(m(0, 0));
-  rows[1] = static_cast<float>(m(0, 1));
-  rows[2] = static_cast<float>(m(1, 0));
-  rows[3] = static_cast<float>(m(1, 1));
-}
-
-}  // namespace
 
 DepthAnalyticField::DepthAnalyticField(const FieldGrid& grid, const TracedDirections& directions, const PowerMatrix& correction)
     : DepthAnalyticField(
@@ -24,10 +15,10 @@ DepthAnalyticField::DepthAnalyticField(const FieldGrid& grid, const TracedDirect
             for (std::size_t n = 0; n < nodes.size(); ++n) {
               const SpectacleConoid& conoid = directions.conoids[n];
               if (conoid.status != LensStatus::ok) continue;
-              store(conoid.exit.offsets(f), nodes[n].a);
-              store(conoid.exit.slopes(f), nodes[n].b);
-              store(conoid.exit.offset_from_slope, nodes[n].q0);
-              store(conoid.exit.slope_from_slope, nodes[n].q1);
+              store_rows(conoid.exit.offsets(f), nodes[n].a);
+              store_rows(conoid.exit.slopes(f), nodes[n].b);
+              store_rows(conoid.exit.offset_from_slope, nodes[n].q0);
+              store_rows(conoid.exit.slope_from_slope, nodes[n].q1);
             }
             return nodes;
           }(),

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "conoid/blur_field/rows.h"
 #include "conoid/previous.h"
 #include "conoid/published.h"
 #include "lensmodel/best_accommodation.h"
@@ -26,13 +27,6 @@ AffineFootprint affine(const SpectacleConoid& conoid, const Eigen::Matrix2d& slo
 AffineFootprint affine(const PublishedConoid& published, const RayTransfer& frame) {
   const Eigen::Matrix2d constant = angular_map(published, frame.e1, frame.e2, 0.0);
   return {constant, angular_map(published, frame.e1, frame.e2, 1.0) - constant};
-}
-
-void store(const Eigen::Matrix2d& m, float* voxel) {
-  voxel[0] = static_cast<float>(m(0, 0));
-  voxel[1] = static_cast<float>(m(0, 1));
-  voxel[2] = static_cast<float>(m(1, 0));
-  voxel[3] = static_cast<float>(m(1, 1));
 }
 
 /// The inner loop of a blur field: out[4k + c] = constant[c] + vergence[k]·slope[c], with each vergence repeated four times so that the
@@ -87,7 +81,7 @@ class ColumnFill {
       if (!field_.stores(direction_, k)) continue;
       const std::optional<Eigen::Matrix2d> footprint = footprint_at(k);
       if (footprint)
-        store(*footprint, field_.voxel(direction_, k));
+        store_rows(*footprint, field_.voxel(direction_, k));
       else
         field_.set_undefined(direction_, k);
     }
@@ -96,8 +90,8 @@ class ColumnFill {
   /// In single precision: where both terms cancel, near a focus, the error is that of the terms, 1e-7 of the footprint without that focus.
   void straight(const AffineFootprint& line) {
     float constant[4], slope[4];
-    store(line.constant, constant);
-    store(line.slope, slope);
+    store_rows(line.constant, constant);
+    store_rows(line.slope, slope);
     if (field_.sparse()) {
       for (int k = 0; k < job_.grid.nz; ++k) {
         if (!field_.stores(direction_, k)) continue;

@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 
 import documents
 from sturm_process import SOURCE, WRONG_INPUT, FolderTest, snapshot, strict_json, sturm
-from test_thick_lens import gaze_deg, surface
+from thick_lens_cases import EveryCase, gaze_deg, lens_of
 from wearer_frame import correction, from_examiner
 
 LENS = SOURCE / "configs/lenses/oblique_astigmat.json"
@@ -23,25 +23,11 @@ def report(lens, *options):
     return strict_json(process.stdout)
 
 
-def lens_of(case):
-    lens = case["inputs"]["lens"]
-    return {"format": "sturm.spectacles/1", "vertex_distance_mm": 12, "center_thickness_mm": lens["center_thickness_mm"], "refractive_index": lens["index"],
-            "front": surface(lens["front"]), "back": surface(lens["back"])}
-
-
-class Reference(unittest.TestCase):
-    CASES = json.loads((SOURCE / "tests/reference/thick_lens.json").read_text())["cases"]
-
-    def test_all_cases(self):
-        self.assertEqual(len(self.CASES), 117)
-        for case in self.CASES:
-            with self.subTest(case["id"]):
-                self.check(case)
-
+class Reference(EveryCase, unittest.TestCase):
     def check(self, case):
         out, rx = case["outputs"], case["inputs"]["Rx"]
         azimuth, elevation = gaze_deg(out)
-        document = report(lens_of(case), "--rotation-center-mm", "13", f"--azimuth-deg={azimuth!r}", f"--elevation-deg={elevation!r}")
+        document = report({"format": "sturm.spectacles/1", **lens_of(case)}, "--rotation-center-mm", "13", f"--azimuth-deg={azimuth!r}", f"--elevation-deg={elevation!r}")
         self.assertEqual(len(document["gazes"]), 1)
         gaze = document["gazes"][0]
         self.assertEqual(gaze["status"], "ok")

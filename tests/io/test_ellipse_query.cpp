@@ -4,9 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/ellipse_query.h"
-#include "io/json_pointer_set.h"
-#include "io_testing.h"
+#include "ellipse_query_testing.h"
 
 namespace sturm {
 namespace {
@@ -28,13 +26,10 @@ Json query() {
 }
 
 EllipseQuery read_with(const std::vector<std::string>& assignments) {
-  Json document = query();
-  for (const std::string& assignment : assignments) apply_set(document, assignment);
-  return read_ellipse_query(document, "q.json");
+  return query_with(query(), assignments);
 }
-
 std::string error_with(const std::vector<std::string>& assignments) {
-  return input_error([&] { read_with(assignments); });
+  return query_error_with(query(), assignments);
 }
 
 TEST(EllipseQuery, ReadsIntoSi) {
