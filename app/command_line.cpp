@@ -48,6 +48,7 @@ struct CommandLine {
   CommonOptions common;
   LensOptions lens;
   BlurFieldOptions blurfield;
+  PreviewOptions preview;
   StressOptions stress;
   CompareOptions compare;
   GateOptions gate;
@@ -122,7 +123,11 @@ struct CommandLine {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
     render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
-    render->callback([this] { action = [this] { return render_command(common, output); }; });
+    render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
+    render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->capture_default_str();
+    render->callback([this] { action = [this] { return render_command(common, preview, output); }; });
   }
 
   void add_stress() {

@@ -37,6 +37,12 @@ struct BlurFieldOptions {
   std::string layers;  ///< SVG, "" = not drawn
 };
 
+/// What `sturm render` writes beside its picture.
+struct PreviewOptions {
+  std::string file;  ///< PNG that is replaced while the picture grows; "" = none
+  double interval_s = 2.0;
+};
+
 /// What `sturm stress` is asked for.
 struct StressOptions {
   std::uint64_t cases = 1000000;
@@ -51,7 +57,7 @@ struct GateOptions {
 int ellipse_command(const CommonOptions& options, const std::string& output);
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
-int render_command(const CommonOptions& options, const std::string& output);
+int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/path_traced_layers.h"
 #include "app/stopwatch.h"
 #include "io/error.h"
 #include "pathtrace/camera_hits.h"
@@ -75,6 +76,9 @@ RenderSettings settings_of(const RenderSpec& spec, const ProgressFunction& progr
   settings.sequence = spec.sampler;
   settings.seed = spec.seed;
   settings.progress = progress;
+  settings.relative_error = spec.stop.relative_error;
+  settings.adaptive = spec.adaptive;
+  settings.guide_layers = spec.denoise.has_value();
   return settings;
 }
 
@@ -140,19 +144,29 @@ Json counters_json(const RenderCounters& c) {
 
 namespace {
 
+/// With a budget of time and previews, which need a clock.
+RenderResult path_trace_watched(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
+                                const RenderSettings& settings, const Preview& preview) {
+  PassWatch watch(spec.stop.seconds, preview);
+  if (!watch.needed()) return path_trace_view(scene, spec, worn, sideways_m, settings);
+  RenderSettings watched = settings;
+  watched.after_pass = [&watch](const PassReport& report) { return watch(report); };
+  return path_trace_view(scene, spec, worn, sideways_m, watched);
+}
+
 /// What one eye sees, with its counters and seconds added to `output`.
 std::map<std::string, Image> layers_of_eye(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
-                                           const RenderSettings& settings, RenderOutput& output, Json& counters) {
+                                           const RenderSettings& settings, const Preview& preview, RenderOutput& output, Json& counters) {
   Stopwatch watch;
   if (spec.method == RenderMethod::PathTrace) {
-    RenderResult result = path_trace_view(scene, spec, worn, sideways_m, settings);
+    RenderResult result = path_trace_watched(scene, spec, worn, sideways_m, settings, preview);
     output.seconds["path_tracing"] += watch.lap();
     counters = counters_json(result.counters);
-    return {{"", std::move(result.radiance)},
-            {"variance", std::move(result.variance)},
-            {"albedo", std::move(result.albedo)},
-            {"normal", std::move(result.normal)},
-            {"depth", std::move(result.depth)}};
+    if (may_stop_early(spec)) counters["sampling"] = sampling_json(result.passes, spec);
+    if (result.passes.interrupted) output.notes.push_back(interruption_note(result.passes, spec));
+    std::map<std::string, Image> layers = path_traced_layers(std::move(result), spec);
+    if (spec.denoise) output.seconds["denoising"] += watch.lap();
+    return layers;
   }
   PredictedImage result = predict(scene, camera_pose(spec.camera), worn.eye, spec.oversampling, settings);
   output.seconds["sharp_view"] += result.times.sharp_view_seconds;
@@ -163,7 +177,7 @@ std::map<std::string, Image> layers_of_eye(const Scene& scene, const RenderSpec&
 
 }  // namespace
 
-RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress) {
+RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress, const Preview& preview) {
   RenderOutput output;
   Stopwatch watch;
   const SceneDescription description = build_scene(spec.scene);
@@ -171,7 +185,7 @@ RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progres
   const Scene scene(description);
   output.seconds["scene"] = watch.lap();
   if (!spec.camera.interpupillary_distance_m) {
-    output.image.layers = layers_of_eye(scene, spec, spec.eye, 0.0, settings_of(spec, progress), output, output.counters);
+    output.image.layers = layers_of_eye(scene, spec, spec.eye, 0.0, settings_of(spec, progress), preview, output, output.counters);
   } else {
     const double half = 0.5 * *spec.camera.interpupillary_distance_m;
     const auto half_of_progress = [&](double done) {
@@ -180,12 +194,20 @@ RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progres
     RenderSettings left = settings_of(spec, half_of_progress(0.0)), right = settings_of(spec, half_of_progress(0.5));
     left.seed += left_eye_seed;
     output.counters = Json::object();
-    output.image.layers = layers_of_eye(scene, spec, spec.left.value_or(spec.eye), -half, left, output, output.counters["left"]);
-    for (const auto& [name, image] : layers_of_eye(scene, spec, spec.eye, half, right, output, output.counters["right"])) {
+    const Image black(spec.camera.width, spec.camera.height, 3);
+    Preview left_preview = preview, right_preview = preview;
+    if (preview.show) {
+      left_preview.show = [&](const Image& picture) { preview.show(beside(picture, black)); };
+      right_preview.show = [&](const Image& picture) { preview.show(beside(output.image.layers.at(""), picture)); };
+    }
+    output.image.layers =
+        layers_of_eye(scene, spec, spec.left.value_or(spec.eye), -half, left, left_preview, output, output.counters["left"]);
+    for (const auto& [name, image] : layers_of_eye(scene, spec, spec.eye, half, right, right_preview, output, output.counters["right"])) {
       Image& layer = output.image.layers.at(name);
       layer = beside(layer, image);
     }
   }
+  if (spec.denoise) output.notes.push_back(denoised_note);
   output.counters["triangles"] = scene.triangle_count();
   output.counters["embree_isa"] = scene.instruction_set();
   output.image.metadata["sturm"] = spec.resolved->dump();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/pass_watch.h"
 #include "conoid/image_predictor.h"
 #include "io/json.h"
 #include "io/render_spec.h"
@@ -48,6 +49,7 @@ struct RenderOutput {
   std::map<std::string, double> seconds;
 };
 
-RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress);
+/// The main layer is what was rendered; "denoised", where the document asks for it, is never in its place.
+RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress, const Preview& preview = {});
 
 }  // namespace sturm
