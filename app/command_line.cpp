@@ -52,7 +52,7 @@ struct CommandLine {
   CompareOptions compare;
   GateOptions gate;
   std::string output, folder, file, schema;
-  bool resume = false;
+  bool resume = false, explain = false;
   std::function<int()> action;
 
   CommandLine() {
@@ -121,8 +121,12 @@ struct CommandLine {
   void add_render() {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
-    render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
-    render->callback([this] { action = [this] { return render_command(common, output); }; });
+    auto* file_option = render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it");
+    render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")->excludes(file_option);
+    render->callback([this, file_option] {
+      if (!explain && file_option->empty()) throw CLI::RequiredError("--output");
+      action = [this] { return explain ? explain_command(common) : render_command(common, output); };
+    });
   }
 
   void add_stress() {

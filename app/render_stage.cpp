@@ -1,6 +1,5 @@
 #include "app/render_stage.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -49,14 +48,6 @@ Json prediction_counters_json(const PredictedImage& p) {
 /// What the left eye adds to the seed, beyond all seeds of documents, so that its noise is another.
 constexpr std::uint64_t left_eye_seed = std::uint64_t{1} << 53;
 
-CameraPose moved_sideways(const CameraPose& pose, double distance_m) {
-  CameraPose moved = pose;
-  const Eigen::Vector3d offset = distance_m * (pose.look_at - pose.position).cross(pose.up).normalized();
-  moved.position += offset;
-  moved.look_at += offset;
-  return moved;
-}
-
 /// Two pictures of one size side by side.
 Image beside(const Image& left, const Image& right) {
   Image both(left.width + right.width, left.height, left.channels);
@@ -67,12 +58,13 @@ Image beside(const Image& left, const Image& right) {
   return both;
 }
 
-RenderSettings settings_of(const RenderSpec& spec, const ProgressFunction& progress) {
+RenderSettings settings_of(const RenderSpec& spec, const RenderPlan& plan, const ProgressFunction& progress) {
   RenderSettings settings;
   settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
   settings.max_bounces = spec.max_bounces;
   settings.guide_emitters = spec.guide_emitters && spec.method == RenderMethod::PathTrace;
   settings.sequence = spec.sampler;
+  settings.least_kind = plan.least_kind;
   settings.seed = spec.seed;
   settings.progress = progress;
   return settings;
@@ -84,29 +76,29 @@ CameraPose camera_pose(const CameraSpec& spec) {
   return {spec.position, spec.look_at, spec.up, spec.vfov, spec.width, spec.height};
 }
 
-RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings) {
+RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings,
+                        const CameraSkips& skips) {
   const auto focus = eye.stated_focus_distance_m();
   if (model == RayModel::metalstigmatism && !focus)
     throw InputError("", "/eye/accommodation", "no focus distance",
                      "{\"mode\": \"fixed\", \"focus_distance_m\": …}, which the ray model metalstigmatism needs");
   const EyeRays<float> rays(model, eye, fixed_accommodation(eye), focus.value_or(std::numeric_limits<double>::infinity()));
-  return render(scene, EyeCamera(pose, rays), settings);
+  return render(scene, EyeCamera(pose, rays, skips), settings);
 }
 
 RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
-                             const RenderSettings& settings) {
+                             const RenderSettings& settings, const ViewPlan& plan) {
   const CameraPose pose = camera_pose(spec.camera);
-  const RayModel model = *ray_model_named(spec.ray_model);
   const Eye& eye = worn.eye;
+  if (plan.naked) return path_trace(scene, moved_sideways(pose, sideways_m), eye, plan.model, settings, plan.camera);
   ViewOptions options{
       spec.camera.projection, spec.camera.gaze, PupilSampler(spec.sampling, apodization_of(eye.stiles_crawford_per_m2, eye.pupil_radius_m)),
       worn.spectacles,        sideways_m,       [&scene](const LightRay& ray) { return distance_along(scene, ray); }};
-  const bool plain = options.projection == Projection::Perspective && options.gaze == Gaze::Camera && options.pupil.is_uniform();
-  if (plain && !options.spectacles) return path_trace(scene, moved_sideways(pose, sideways_m), eye, model, settings);
-  return render(scene, ViewCamera(pose, eye, model, std::move(options)), settings);
+  return render(scene, ViewCamera(pose, eye, plan.model, std::move(options)), settings);
 }
 
-PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling, const RenderSettings& settings) {
+PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling, const RenderSettings& settings,
+                       const PredictorSettings& spreading) {
   PredictedImage result;
   const double accommodation = fixed_accommodation(eye);
   const auto [nearest, farthest] = depth_range(scene, pose);
@@ -120,7 +112,7 @@ PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& ey
   result.times.sharp_view_seconds = watch.lap();
   result.sharp_counters = view.counters;
   const SharpView source{std::move(view.radiance), std::move(view.depth), result.margin_px * oversampling, pixel_slope(wide), oversampling};
-  result.prediction = predict_image(source, eye, accommodation);
+  result.prediction = predict_image(source, eye, accommodation, spreading);
   result.times.spreading_seconds = watch.lap();
   return result;
 }
@@ -140,54 +132,78 @@ Json counters_json(const RenderCounters& c) {
 
 namespace {
 
-/// What one eye sees, with its counters and seconds added to `output`.
+/// What one eye sees, with its counters and seconds added to `output`; `view` as in PlanItem.
 std::map<std::string, Image> layers_of_eye(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
-                                           const RenderSettings& settings, RenderOutput& output, Json& counters) {
+                                           const RenderSettings& settings, const std::string& view, RenderPlan& plan, RenderOutput& output,
+                                           Json& counters) {
   Stopwatch watch;
   if (spec.method == RenderMethod::PathTrace) {
-    RenderResult result = path_trace_view(scene, spec, worn, sideways_m, settings);
+    RenderResult result = path_trace_view(scene, spec, worn, sideways_m, settings, view == "left" ? plan.left : plan.right);
     output.seconds["path_tracing"] += watch.lap();
     counters = counters_json(result.counters);
+    count_saved(plan.items, view, result.counters);
     return {{"", std::move(result.radiance)},
             {"variance", std::move(result.variance)},
             {"albedo", std::move(result.albedo)},
             {"normal", std::move(result.normal)},
             {"depth", std::move(result.depth)}};
   }
-  PredictedImage result = predict(scene, camera_pose(spec.camera), worn.eye, spec.oversampling, settings);
+  PredictorSettings spreading;
+  spreading.sharp_below_px = plan.copied_below_px;
+  PredictedImage result = predict(scene, camera_pose(spec.camera), worn.eye, spec.oversampling, settings, spreading);
   output.seconds["sharp_view"] += result.times.sharp_view_seconds;
   output.seconds["spreading"] += result.times.spreading_seconds;
   counters = prediction_counters_json(result);
+  count_saved(plan.items, view, result.sharp_counters);
+  count_copied(plan.items, result.prediction.counters);
   return {{"", std::move(result.prediction.radiance)}, {"coverage", std::move(result.prediction.coverage)}};
+}
+
+/// A stereo pair. Eyes that see the same are rendered once.
+void render_pair(const Scene& scene, const RenderSpec& spec, const ProgressFunction& progress, RenderPlan& plan, RenderOutput& output) {
+  const double half = 0.5 * *spec.camera.interpupillary_distance_m;
+  const auto part_of_progress = [&](double done, double share) {
+    return progress ? ProgressFunction([&progress, done, share](double fraction) { progress(done + share * fraction); }) : progress;
+  };
+  const double left_share = plan.one_view ? 0.0 : 0.5;
+  const RenderSettings right = settings_of(spec, plan, part_of_progress(left_share, 1.0 - left_share));
+  Json &counters = output.counters = Json::object(), &left_counters = counters["left"] = counters_json({}),
+       &right_counters = counters["right"];
+  std::map<std::string, Image> left_layers;
+  if (!plan.one_view) {
+    RenderSettings left = settings_of(spec, plan, part_of_progress(0.0, left_share));
+    left.seed += left_eye_seed;
+    left_layers = layers_of_eye(scene, spec, spec.left.value_or(spec.eye), -half, left, "left", plan, output, left_counters);
+  }
+  const auto right_layers = layers_of_eye(scene, spec, spec.eye, half, right, "right", plan, output, right_counters);
+  for (const auto& [name, image] : right_layers) output.image.layers[name] = beside(plan.one_view ? image : left_layers.at(name), image);
+  if (plan.one_view) count_same_view(plan.items, right_counters.at("camera_rays").get<std::uint64_t>());
 }
 
 }  // namespace
 
+std::string explain_view(const RenderSpec& spec) {
+  SceneDescription description = build_scene(spec.scene);
+  return plan_table(plan_render(spec, description).items);
+}
+
 RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress) {
   RenderOutput output;
   Stopwatch watch;
-  const SceneDescription description = build_scene(spec.scene);
+  SceneDescription description = build_scene(spec.scene);
   output.notes = description.notes;
-  const Scene scene(description);
   output.seconds["scene"] = watch.lap();
-  if (!spec.camera.interpupillary_distance_m) {
-    output.image.layers = layers_of_eye(scene, spec, spec.eye, 0.0, settings_of(spec, progress), output, output.counters);
-  } else {
-    const double half = 0.5 * *spec.camera.interpupillary_distance_m;
-    const auto half_of_progress = [&](double done) {
-      return progress ? ProgressFunction([&progress, done](double fraction) { progress(done + 0.5 * fraction); }) : progress;
-    };
-    RenderSettings left = settings_of(spec, half_of_progress(0.0)), right = settings_of(spec, half_of_progress(0.5));
-    left.seed += left_eye_seed;
-    output.counters = Json::object();
-    output.image.layers = layers_of_eye(scene, spec, spec.left.value_or(spec.eye), -half, left, output, output.counters["left"]);
-    for (const auto& [name, image] : layers_of_eye(scene, spec, spec.eye, half, right, output, output.counters["right"])) {
-      Image& layer = output.image.layers.at(name);
-      layer = beside(layer, image);
-    }
-  }
+  RenderPlan plan = plan_render(spec, description);
+  output.seconds["plan"] = watch.lap();
+  const Scene scene(description);
+  output.seconds["scene"] += watch.lap();
+  if (spec.camera.interpupillary_distance_m)
+    render_pair(scene, spec, progress, plan, output);
+  else
+    output.image.layers = layers_of_eye(scene, spec, spec.eye, 0.0, settings_of(spec, plan, progress), "", plan, output, output.counters);
   output.counters["triangles"] = scene.triangle_count();
   output.counters["embree_isa"] = scene.instruction_set();
+  output.counters["plan"] = plan_json(plan.items);
   output.image.metadata["sturm"] = spec.resolved->dump();
   return output;
 }
