@@ -53,7 +53,7 @@ struct CommandLine {
   CompareOptions compare;
   GateOptions gate;
   std::string output, folder, file, schema;
-  bool resume = false;
+  bool resume = false, explain = false;
   std::function<int()> action;
 
   CommandLine() {
@@ -122,12 +122,16 @@ struct CommandLine {
   void add_render() {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
-    render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
+    auto* file_option = render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it");
     render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
     render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
         ->check(CLI::Range(0.0, 86400.0))
         ->capture_default_str();
-    render->callback([this] { action = [this] { return render_command(common, preview, output); }; });
+    render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")->excludes(file_option);
+    render->callback([this, file_option] {
+      if (!explain && file_option->empty()) throw CLI::RequiredError("--output");
+      action = [this] { return explain ? explain_command(common) : render_command(common, preview, output); };
+    });
   }
 
   void add_stress() {

@@ -58,6 +58,7 @@ int ellipse_command(const CommonOptions& options, const std::string& output);
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
+int explain_command(const CommonOptions& options);  ///< sturm render --explain
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);

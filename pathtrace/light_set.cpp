@@ -53,10 +53,17 @@ LightShape LightSet::shape(int index) const {
   return {{}, light.a, light.kind == Kind::sphere ? light.edge1.x() : 0.0f, light.emission};
 }
 
+void LightSet::leave_out(int light) {
+  power_[static_cast<std::size_t>(light)] = 0.0;
+  ++left_out_;
+}
+
 void LightSet::finish() {
-  if (environment_) environment_share_ = lights_.empty() ? 1.0f : 0.5f;
+  const bool none = left_out_ == size();
+  if (environment_) environment_share_ = none ? 1.0f : 0.5f;
   choices_ = AliasTable(power_);
-  for (int i = 0; i < size(); ++i) lights_[i].probability = (1.0f - environment_share_) * choices_.probability(i);
+  const float share = none ? 0.0f : 1.0f - environment_share_;
+  for (int i = 0; i < size(); ++i) lights_[i].probability = share * choices_.probability(i);
 }
 
 float LightSet::environment_pdf(const Eigen::Vector3f& direction) const {

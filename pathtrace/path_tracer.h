@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "pathtrace/render.h"
 #include "pathtrace/vertex_numbers.h"
 
@@ -8,7 +10,8 @@ namespace sturm {
 /// A scene of flat Lambertian surfaces without surroundings takes a loop of its own that knows no materials.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {}
+  PathTracer(const Scene& scene, const RenderSettings& settings)
+      : scene_(scene), settings_(settings), kind_(std::max(scene.kind(), settings.least_kind)) {}
 
   /// `first` is what the camera ray origin + t·direction hit; `sample` belongs to the block of `numbers`. `first_emission_weight`
   /// multiplies what it emits itself (multiple importance sampling with guided camera rays).
@@ -32,6 +35,7 @@ class PathTracer {
 
   const Scene& scene_;
   const RenderSettings& settings_;
+  Scene::Kind kind_;  ///< whose loop runs
 };
 
 }  // namespace sturm
