@@ -63,6 +63,7 @@ struct CommandLine {
     add_lens();
     add_blurfield();
     add_render();
+    add_bench();
     add_stress();
     add_compare();
     add_gate();
@@ -123,6 +124,14 @@ struct CommandLine {
     add_common_options(*render, common, "view (sturm.render/1)");
     render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
     render->callback([this] { action = [this] { return render_command(common, output); }; });
+  }
+
+  void add_bench() {
+    auto* bench = app.add_subcommand("bench", "run time against error: methods and settings over views");
+    add_common_options(*bench, common, "benchmark (sturm.bench/1)");
+    bench->add_option("--out", folder, "folder of the report (default: reports/NAME)");
+    bench->add_flag("--resume", resume, "take over the rounds that an interrupted run has finished");
+    bench->callback([this] { action = [this] { return bench_command(common, folder, resume); }; });
   }
 
   void add_stress() {

@@ -53,6 +53,7 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const std::string& output);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
+int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
 int gate_command(const GateOptions& options);
