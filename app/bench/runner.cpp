@@ -1,5 +1,6 @@
 #include "app/bench/runner.h"
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/bench/reference.h"
@@ -105,6 +106,8 @@ std::vector<MeasuredView> measured(const BenchSpec& spec, const std::vector<Benc
       const RunFolder::Part part = folder.part("round_" + std::to_string(round) + "_" + spec.views[v].id, [&] {
         return measured_round(spec.views[v], references[v].image, replicate_seed(spec.seed, static_cast<int>(v)), round, progress);
       });
+      if (part.reused && !quiet)
+        std::fprintf(stderr, "round %d of %s: taken from the interrupted run\n", round + 1, spec.views[v].id.c_str());
       for (std::size_t i = 0; i < part.value.size(); ++i) {
         const Json& sample = part.value[i];
         views[v].settings[i].rounds.push_back(

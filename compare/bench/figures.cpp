@@ -22,12 +22,36 @@ set border 3 lc rgb '#666666'
 set tics nomirror out
 set grid lc rgb '#e4e4e4' lw 1 lt 1
 set logscale xy
-set format "10^{%T}"
+set format "%g"
 set key outside right top Left reverse samplen 2 spacing 1.2 noenhanced
 )";
 
+/// Range of an axis a little wider than the values, with ticks at 1, 2, 5 × 10ⁿ (at the powers of ten alone over more than three decades).
+std::string axis(char name, double smallest, double largest) {
+  const double low = 0.8 * smallest, high = 1.25 * largest;
+  std::string ticks;
+  for (int decade = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, decade) <= high; ++decade)
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double tick = digit * std::pow(10.0, decade);
+      if (tick < low || tick > high || (digit > 1.0 && high > 1e3 * low)) continue;
+      ticks += (ticks.empty() ? "" : ", ") + plain_number(tick);
+    }
+  return std::string("set ") + name + "range [" + plain_number(low) + ":" + plain_number(high) + "]\nset " + name + "tics (" + ticks +
+         ")\n";
+}
+
 struct Series {
   std::string name, title, rows, look;
+};
+
+/// What the points of all curves span.
+struct Span {
+  double low_x = std::numeric_limits<double>::infinity(), high_x = 0.0, low_y = low_x, high_y = 0.0;
+
+  void add(double x, double y) {
+    low_x = std::min(low_x, x), high_x = std::max(high_x, x);
+    low_y = std::min(low_y, y), high_y = std::max(high_y, y);
+  }
 };
 
 /// One line of a data block: x, value, and the ends of its error bar (at the lower end not below a hundredth of the value: the axis is
@@ -39,7 +63,7 @@ std::string row(double x, const Json& error) {
 }
 
 /// A curve for each method of the view, by what stands at `x_path` of its points.
-std::vector<Series> series_of(const Json& view, std::string_view x_path, double x_scale, const std::string& error) {
+std::vector<Series> series_of(const Json& view, std::string_view x_path, double x_scale, const std::string& error, Span& span) {
   std::vector<Series> result;
   for (const Json& method : array_at(view, "methods")) {
     const std::size_t k = result.size();
@@ -48,7 +72,10 @@ std::vector<Series> series_of(const Json& view, std::string_view x_path, double 
     Series series{"$series" + std::to_string(k), title, "", std::string("lc rgb '") + colours[k % std::size(colours)] + "'"};
     for (const Json& point : array_at(method, "points")) {
       const auto x = number_at(point, x_path);
-      if (x && number_at(point, "errors/" + error + "/value")) series.rows += row(x_scale * *x, value_at(point, "errors/" + error));
+      const auto value = number_at(point, "errors/" + error + "/value");
+      if (!x || !value) continue;
+      series.rows += row(x_scale * *x, value_at(point, "errors/" + error));
+      span.add(x_scale * *x, *value);
     }
     result.push_back(std::move(series));
   }
@@ -83,7 +110,8 @@ std::string guide_line(const Json& view, double pixels) {
 
 std::optional<Figure> convergence_figure(const Json& view) {
   const double pixels = number_at(view, "resolution/0").value_or(1.0) * number_at(view, "resolution/1").value_or(1.0);
-  const std::string plot = plot_of(series_of(view, "samples", 1.0 / pixels, "rmse"));
+  Span span;
+  const std::string plot = plot_of(series_of(view, "samples", 1.0 / pixels, "rmse", span));
   if (plot.empty()) return std::nullopt;
   Figure figure;
   figure.id = "convergence_" + text_at(view, "id");
@@ -91,8 +119,8 @@ std::optional<Figure> convergence_figure(const Json& view) {
   figure.caption =
       "RMSE against the reference, whose own noise is taken off, with standard errors from the scatter of the rounds. Samples are "
       "camera rays per pixel, guided ones among them.";
-  const std::string script =
-      std::string(style) + "set xlabel \"samples per pixel\"\nset ylabel \"RMSE [radiance]\"\n" + plot + guide_line(view, pixels);
+  const std::string script = std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
+                             "set xlabel \"samples per pixel\"\nset ylabel \"RMSE [radiance]\"\n" + plot + guide_line(view, pixels);
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
   return figure;
 }
@@ -108,7 +136,8 @@ std::string front_steps(const Json& view, const std::string& error) {
 }
 
 std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
-  const std::string error(kind.name), plot = plot_of(series_of(view, "seconds/median", 1.0, error)), steps = front_steps(view, error);
+  Span span;
+  const std::string error(kind.name), plot = plot_of(series_of(view, "seconds/median", 1.0, error, span)), steps = front_steps(view, error);
   if (plot.empty() || steps.empty()) return std::nullopt;
   Figure figure;
   figure.id = "pareto_" + text_at(view, "id") + "_" + error;
@@ -116,8 +145,9 @@ std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
   figure.caption =
       "Medians of the seconds over all rounds, without loading the scene; grey steps: the best that any setting reaches in that time "
       "(Pareto front).";
-  const std::string script = std::string(style) + "set xlabel \"time [s]\"\nset ylabel \"" + std::string(kind.title) + "\"\n" + steps +
-                             plot + ", $front using 1:2 with steps lw 4 lc rgb '#66999999' title 'best in that time'";
+  const std::string script = std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
+                             "set xlabel \"time [s]\"\nset ylabel \"" + std::string(kind.title) + "\"\n" + steps + plot +
+                             ", $front using 1:2 with steps lw 4 lc rgb '#66999999' title 'best in that time'";
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
   return figure;
 }

@@ -164,7 +164,8 @@ std::string reference_facts(const Json& view, const std::filesystem::path& run_f
   std::string picture;
   if (const std::string name = text_at(reference, "picture"); !name.empty())
     if (const auto png = file_contents(run_folder / name))
-      picture = "<img alt=\"reference\" src=\"data:image/png;base64," + base64({png->begin(), png->end()}) + "\"/>\n";
+      picture = "<img alt=\"reference\" style=\"max-width: 24rem; width: 100%; image-rendering: pixelated\" src=\"data:image/png;base64," +
+                base64({png->begin(), png->end()}) + "\"/>\n";
   std::string floors;
   for (const ErrorKind& kind : error_kinds)
     floors += (floors.empty() ? "" : ", ") + escaped(kind.title) + " " +
