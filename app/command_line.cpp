@@ -64,6 +64,7 @@ struct CommandLine {
     add_lens();
     add_blurfield();
     add_render();
+    add_bench();
     add_stress();
     add_compare();
     add_gate();
@@ -132,6 +133,14 @@ struct CommandLine {
       if (!explain && file_option->empty()) throw CLI::RequiredError("--output");
       action = [this] { return explain ? explain_command(common) : render_command(common, preview, output); };
     });
+  }
+
+  void add_bench() {
+    auto* bench = app.add_subcommand("bench", "run time against error: methods and settings over views");
+    add_common_options(*bench, common, "benchmark (sturm.bench/1)");
+    bench->add_option("--out", folder, "folder of the report (default: reports/NAME)");
+    bench->add_flag("--resume", resume, "take over the rounds that an interrupted run has finished");
+    bench->callback([this] { action = [this] { return bench_command(common, folder, resume); }; });
   }
 
   void add_stress() {

@@ -60,6 +60,7 @@ int lens_command(const CommonOptions& options, const LensOptions& lens, const st
 int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
 int explain_command(const CommonOptions& options);  ///< sturm render --explain
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
+int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
 int gate_command(const GateOptions& options);

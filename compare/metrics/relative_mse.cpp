@@ -10,9 +10,25 @@
 namespace sturm {
 
 namespace {
-constexpr double offset = 0.01;  // keeps black pixels from dividing by zero; the value that the literature uses
+constexpr double offset = 0.01;
 constexpr double trimmed_share = 0.001;
+
+double mean(const std::vector<double>& values, std::size_t first) {
+  if (first >= values.size()) return 0.0;
+  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(first), values.end(), 0.0) /
+         static_cast<double>(values.size() - first);
+}
+
 }  // namespace
+
+double relative_square(double squared_difference, double reference) {
+  return squared_difference / (reference * reference + offset);
+}
+
+double trimmed_mean(std::vector<double> values) {
+  std::sort(values.begin(), values.end(), std::greater<>());
+  return mean(values, static_cast<std::size_t>(trimmed_share * static_cast<double>(values.size())));
+}
 
 RelativeMse relative_mse(const Image& test, const Image& reference) {
   require_comparable(test, reference);
@@ -21,15 +37,13 @@ RelativeMse relative_mse(const Image& test, const Image& reference) {
   for (std::size_t pixel = 0; pixel < errors.size(); ++pixel) {
     for (int c = 0; c < channels; ++c) {
       const double r = reference.pixels[pixel * channels + c], difference = test.pixels[pixel * channels + c] - r;
-      errors[pixel] += difference * difference / (r * r + offset);
+      errors[pixel] += relative_square(difference * difference, r);
     }
     errors[pixel] /= channels;
   }
-  const auto mean = [](auto first, auto last) { return std::accumulate(first, last, 0.0) / static_cast<double>(last - first); };
   RelativeMse result;
-  result.plain = mean(errors.begin(), errors.end());
-  std::sort(errors.begin(), errors.end(), std::greater<>());
-  result.trimmed = mean(errors.begin() + static_cast<std::ptrdiff_t>(trimmed_share * static_cast<double>(errors.size())), errors.end());
+  result.plain = mean(errors, 0);
+  result.trimmed = trimmed_mean(std::move(errors));
   return result;
 }
 
