@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "io/image.h"
 
 namespace sturm {
@@ -11,5 +13,8 @@ struct RelativeMse {
 
 /// Throws InputError as `require_comparable`.
 RelativeMse relative_mse(const Image& test, const Image& reference);
+
+/// The same two means of given errors of pixels (at least one).
+RelativeMse trimmed_mean(std::vector<double> errors);
 
 }  // namespace sturm
