@@ -85,6 +85,7 @@ void add_common(std::vector<ImageMetric>& metrics, const std::string& space, con
   const std::string suffix = space == "linear" ? "" : "_" + space;  // relative errors are about linear light unless said otherwise
   metrics.push_back(of_map("relative_mse" + suffix, means.plain, error_map(relative, width, height), mean_of));
   metrics.push_back(of_map("relative_mse" + suffix + "_trimmed", means.trimmed, error_map(relative, width, height), trimmed));
+  metrics.back().map = {};  // that of the plain mean
   metrics.push_back(of_map("smape" + suffix, mean_of(symmetric), error_map(symmetric, width, height), mean_of));
 }
 

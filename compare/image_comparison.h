@@ -27,7 +27,7 @@ struct ImageMetric {
 
   /// Local values, one channel; map pixel (x, y) belongs to image pixel (x + margin, y + margin). The metric is a mean of them, or a
   /// function of their mean (root, decibel); of MS-SSIM it is a picture for orientation. Empty where `value` is not defined for the
-  /// picture.
+  /// picture, and for trimmed means, which are none of the whole map.
   Image map;
   int margin = 0;
   bool map_is_similarity = false;  ///< larger local values are better (the map of a PSNR holds squared errors)

@@ -56,7 +56,8 @@ NoiseFloor noise_floor(const ImageMetric& metric, const std::vector<const ImageM
     const bool worse = !floor.value || (metric.more_is_better ? *value < *floor.value : *value > *floor.value);
     if (worse) floor.value = value;
   }
-  if (!metric.map.pixels.empty() && !between_seeds.empty()) floor.z = z_of(blocks_of(metric, between_seeds, mask));
+  const std::optional<double> value = mask ? metric.within(*mask) : metric.value;
+  if (floor.value && value && !metric.map.pixels.empty()) floor.z = z_of(blocks_of(metric, between_seeds, mask));
   return floor;
 }
 

@@ -11,7 +11,7 @@ struct NoiseFloor {
   std::optional<double> value;  ///< the metric between two seeds of one view; with both views twice: the worse of the two
 
   /// Deviation of the comparison from the floor as a normal deviate, positive where the pictures differ more than seeds do. None where it
-  /// cannot be told (fewer than two blocks, or a metric that is not defined for the pictures).
+  /// cannot be told (fewer than two blocks, a metric without a value there, a trimmed mean).
   std::optional<double> z;
 };
 

@@ -34,8 +34,10 @@ PsfComparison compare_psfs(const PointSpread& test, const PointSpread& reference
   c.cell_arcmin = cell_arcmin;
   c.sliced_wasserstein = sliced_wasserstein(a, b);
   for (std::size_t d = 0; d < c.test.mtf.size(); ++d)
-    for (std::size_t k = 0; k < c.test.mtf[d].size(); ++k)
-      c.largest_mtf_difference = std::max(c.largest_mtf_difference, std::abs(c.test.mtf[d][k].value - c.reference.mtf[d][k].value));
+    for (std::size_t k = 0; k < c.test.mtf[d].size(); ++k) {
+      const auto &p = c.test.mtf[d][k], &q = c.reference.mtf[d][k];
+      if (p && q) c.largest_mtf_difference = std::max(c.largest_mtf_difference, std::abs(p->value - q->value));
+    }
   return c;
 }
 

@@ -12,11 +12,11 @@ namespace sturm {
 
 /// What is told of one point spread.
 struct PsfSummary {
-  Eigen::Vector2d centroid;                   ///< [arcmin]
-  Eigen::Matrix2d covariance;                 ///< [arcmin²]
-  WithError radius_50, radius_80;             ///< of encircled energy [arcmin]
-  std::vector<WithError> encircled_energy;    ///< at the radii of the comparison
-  std::array<std::vector<WithError>, 4> mtf;  ///< by direction, at `report_frequencies_cpd`
+  Eigen::Vector2d centroid;                                  ///< [arcmin]
+  Eigen::Matrix2d covariance;                                ///< [arcmin²]
+  WithError radius_50, radius_80;                            ///< of encircled energy [arcmin]
+  std::vector<WithError> encircled_energy;                   ///< at the radii of the comparison
+  std::array<std::vector<std::optional<WithError>>, 4> mtf;  ///< by direction, at `report_frequencies_cpd`
 };
 
 /// Two point spreads side by side.
@@ -29,7 +29,7 @@ struct PsfComparison {
   TotalVariation total_variation;  ///< on cells of `cell_arcmin`
   double cell_arcmin = 0.0;
   double sliced_wasserstein = 0.0;      ///< [arcmin]
-  double largest_mtf_difference = 0.0;  ///< over the directions and frequencies
+  double largest_mtf_difference = 0.0;  ///< over the directions and frequencies that both tell
 };
 
 /// `cell_arcmin` > 0: cells of the total variation.

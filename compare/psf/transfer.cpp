@@ -37,7 +37,9 @@ std::complex<double> optical_transfer(const PointSpread& spread, double frequenc
   return std::complex<double>(real, imaginary) / pixel;
 }
 
-WithError modulation_transfer(const PointSpread& spread, double frequency_cpd, double direction_deg) {
+std::optional<WithError> modulation_transfer(const PointSpread& spread, double frequency_cpd, double direction_deg) {
+  const Eigen::Vector2d per_cell = frequency_cpd / arcmin_per_degree * spread.cell_arcmin * direction(direction_deg);
+  if (per_cell.cwiseAbs().maxCoeff() >= 0.5) return std::nullopt;
   const std::complex<double> otf = optical_transfer(spread, frequency_cpd, direction_deg);
   WithError result{std::abs(otf), std::nullopt};
   if (spread.independent_rays > 0.0) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <complex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ std::complex<double> optical_transfer(const PointSpread& spread, double frequenc
 
 /// |OTF| in [0, 1]. Standard error for N independent rays: variance of w exp(…) in the direction of the OTF's phase,
 /// √((½(1 + Re(OTF(2f)·e^(−2iφ))) − |OTF|²)/N).
-WithError modulation_transfer(const PointSpread& spread, double frequency_cpd, double direction_deg);
+///
+/// None for pictures from half a cycle per pixel on along either axis, where their pixels tell nothing.
+std::optional<WithError> modulation_transfer(const PointSpread& spread, double frequency_cpd, double direction_deg);
 
 }  // namespace sturm
