@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/prediction_stage.h"
 #include "app/stopwatch.h"
 #include "io/error.h"
 #include "pathtrace/camera_hits.h"
@@ -49,14 +50,6 @@ Json prediction_counters_json(const PredictedImage& p) {
 /// What the left eye adds to the seed, beyond all seeds of documents, so that its noise is another.
 constexpr std::uint64_t left_eye_seed = std::uint64_t{1} << 53;
 
-CameraPose moved_sideways(const CameraPose& pose, double distance_m) {
-  CameraPose moved = pose;
-  const Eigen::Vector3d offset = distance_m * (pose.look_at - pose.position).cross(pose.up).normalized();
-  moved.position += offset;
-  moved.look_at += offset;
-  return moved;
-}
-
 /// Two pictures of one size side by side.
 Image beside(const Image& left, const Image& right) {
   Image both(left.width + right.width, left.height, left.channels);
@@ -82,6 +75,14 @@ RenderSettings settings_of(const RenderSpec& spec, const ProgressFunction& progr
 
 CameraPose camera_pose(const CameraSpec& spec) {
   return {spec.position, spec.look_at, spec.up, spec.vfov, spec.width, spec.height};
+}
+
+CameraPose moved_sideways(const CameraPose& pose, double distance_m) {
+  CameraPose moved = pose;
+  const Eigen::Vector3d offset = distance_m * (pose.look_at - pose.position).cross(pose.up).normalized();
+  moved.position += offset;
+  moved.look_at += offset;
+  return moved;
 }
 
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings) {
@@ -154,7 +155,13 @@ std::map<std::string, Image> layers_of_eye(const Scene& scene, const RenderSpec&
             {"normal", std::move(result.normal)},
             {"depth", std::move(result.depth)}};
   }
-  PredictedImage result = predict(scene, camera_pose(spec.camera), worn.eye, spec.oversampling, settings);
+  if (spec.prediction.kind != PredictionKind::Ellipses) {
+    PredictedView result = predict_view(scene, spec.camera, worn, sideways_m, spec.prediction, settings);
+    for (const auto& [name, seconds] : result.seconds) output.seconds[name] += seconds;
+    counters = std::move(result.counters);
+    return std::move(result.layers);
+  }
+  PredictedImage result = predict(scene, camera_pose(spec.camera), worn.eye, spec.prediction.oversampling, settings);
   output.seconds["sharp_view"] += result.times.sharp_view_seconds;
   output.seconds["spreading"] += result.times.spreading_seconds;
   counters = prediction_counters_json(result);

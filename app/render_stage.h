@@ -16,6 +16,9 @@ using ProgressFunction = std::function<void(double fraction)>;
 
 CameraPose camera_pose(const CameraSpec& spec);
 
+/// The same view from `distance_m` further to the right.
+CameraPose moved_sideways(const CameraPose& pose, double distance_m);
+
 /// Path traces one view. `accommodation` and focus distance come from the eye (relaxed or fixed).
 /// Throws InputError where metalstigmatism has no focus distance.
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/camera_spec.h"
+#include "io/prediction_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
 #include "io/worn_eye_spec.h"
@@ -27,7 +28,7 @@ struct RenderSpec {
   bool guide_emitters = true;  ///< of the path tracer, for the naked eye in `camera` gaze
   Sequence sampler = Sequence::Sobol;
   PupilSamplingSpec sampling;
-  int oversampling = 1;  ///< sharp pixels per output pixel along each side (prediction only)
+  PredictionSpec prediction;  ///< for RenderMethod::Predict
   std::uint64_t seed = 1;
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were named
