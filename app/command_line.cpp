@@ -48,12 +48,13 @@ struct CommandLine {
   CommonOptions common;
   LensOptions lens;
   BlurFieldOptions blurfield;
+  PreviewOptions preview;
   StressOptions stress;
   CompareOptions compare;
   PlanOptions plan;
   GateOptions gate;
   std::string output, folder, file, schema;
-  bool resume = false;
+  bool resume = false, explain = false;
   std::function<int()> action;
 
   CommandLine() {
@@ -64,6 +65,7 @@ struct CommandLine {
     add_lens();
     add_blurfield();
     add_render();
+    add_bench();
     add_stress();
     add_compare();
     add_plan_samples();
@@ -123,8 +125,24 @@ struct CommandLine {
   void add_render() {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
-    render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
-    render->callback([this] { action = [this] { return render_command(common, output); }; });
+    auto* file_option = render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it");
+    render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
+    render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->capture_default_str();
+    render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")->excludes(file_option);
+    render->callback([this, file_option] {
+      if (!explain && file_option->empty()) throw CLI::RequiredError("--output");
+      action = [this] { return explain ? explain_command(common) : render_command(common, preview, output); };
+    });
+  }
+
+  void add_bench() {
+    auto* bench = app.add_subcommand("bench", "run time against error: methods and settings over views");
+    add_common_options(*bench, common, "benchmark (sturm.bench/1)");
+    bench->add_option("--out", folder, "folder of the report (default: reports/NAME)");
+    bench->add_flag("--resume", resume, "take over the rounds that an interrupted run has finished");
+    bench->callback([this] { action = [this] { return bench_command(common, folder, resume); }; });
   }
 
   void add_stress() {

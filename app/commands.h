@@ -54,6 +54,12 @@ struct BlurFieldOptions {
   std::string layers;  ///< SVG, "" = not drawn
 };
 
+/// What `sturm render` writes beside its picture.
+struct PreviewOptions {
+  std::string file;  ///< PNG that is replaced while the picture grows; "" = none
+  double interval_s = 2.0;
+};
+
 /// What `sturm stress` is asked for.
 struct StressOptions {
   std::uint64_t cases = 1000000;
@@ -68,8 +74,10 @@ struct GateOptions {
 int ellipse_command(const CommonOptions& options, const std::string& output);
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
-int render_command(const CommonOptions& options, const std::string& output);
+int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
+int explain_command(const CommonOptions& options);  ///< sturm render --explain
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
+int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
 int plan_samples_command(const PlanOptions& options);

@@ -37,7 +37,7 @@ double decibels(const std::vector<double>& squares) {
 }
 
 double trimmed(const std::vector<double>& errors) {
-  return trimmed_mean(errors).trimmed;
+  return trimmed_mean(errors);
 }
 
 /// A metric that `summary` makes of the local values of its map.
@@ -81,10 +81,9 @@ void add_common(std::vector<ImageMetric>& metrics, const std::string& space, con
   metrics.push_back(
       of_map("rmse_" + space, rmse(test, reference), error_map(squared_errors(test, reference), width, height), root_of_mean));
   const std::vector<double> relative = relative_squared_errors(test, reference), symmetric = symmetric_relative_errors(test, reference);
-  const RelativeMse means = trimmed_mean(relative);
   const std::string suffix = space == "linear" ? "" : "_" + space;  // relative errors are about linear light unless said otherwise
-  metrics.push_back(of_map("relative_mse" + suffix, means.plain, error_map(relative, width, height), mean_of));
-  metrics.push_back(of_map("relative_mse" + suffix + "_trimmed", means.trimmed, error_map(relative, width, height), trimmed));
+  metrics.push_back(of_map("relative_mse" + suffix, mean_of(relative), error_map(relative, width, height), mean_of));
+  metrics.push_back(of_map("relative_mse" + suffix + "_trimmed", trimmed(relative), error_map(relative, width, height), trimmed));
   metrics.back().map = {};  // that of the plain mean
   metrics.push_back(of_map("smape" + suffix, mean_of(symmetric), error_map(symmetric, width, height), mean_of));
 }

@@ -29,12 +29,16 @@ std::vector<double> per_pixel(const Image& test, const Image& reference, const E
 
 }  // namespace
 
+double relative_square(double squared_difference, double reference) {
+  return squared_difference / (reference * reference + offset);
+}
+
 std::vector<double> squared_errors(const Image& test, const Image& reference) {
   return per_pixel(test, reference, [](double x, double r) { return (x - r) * (x - r); });
 }
 
 std::vector<double> relative_squared_errors(const Image& test, const Image& reference) {
-  return per_pixel(test, reference, [](double x, double r) { return (x - r) * (x - r) / (r * r + offset); });
+  return per_pixel(test, reference, [](double x, double r) { return relative_square((x - r) * (x - r), r); });
 }
 
 std::vector<double> symmetric_relative_errors(const Image& test, const Image& reference) {

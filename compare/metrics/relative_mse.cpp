@@ -8,18 +8,26 @@
 
 namespace sturm {
 
-RelativeMse trimmed_mean(std::vector<double> errors) {
-  constexpr double trimmed_share = 0.001;
-  const auto mean = [](auto first, auto last) { return std::accumulate(first, last, 0.0) / static_cast<double>(last - first); };
-  RelativeMse result;
-  result.plain = mean(errors.begin(), errors.end());
-  std::sort(errors.begin(), errors.end(), std::greater<>());
-  result.trimmed = mean(errors.begin() + static_cast<std::ptrdiff_t>(trimmed_share * static_cast<double>(errors.size())), errors.end());
-  return result;
+namespace {
+
+constexpr double trimmed_share = 0.001;
+
+double mean(const std::vector<double>& values, std::size_t first) {
+  if (first >= values.size()) return 0.0;
+  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(first), values.end(), 0.0) /
+         static_cast<double>(values.size() - first);
+}
+
+}  // namespace
+
+double trimmed_mean(std::vector<double> values) {
+  std::sort(values.begin(), values.end(), std::greater<>());
+  return mean(values, static_cast<std::size_t>(trimmed_share * static_cast<double>(values.size())));
 }
 
 RelativeMse relative_mse(const Image& test, const Image& reference) {
-  return trimmed_mean(relative_squared_errors(test, reference));
+  const std::vector<double> errors = relative_squared_errors(test, reference);
+  return {mean(errors, 0), trimmed_mean(errors)};
 }
 
 }  // namespace sturm

@@ -14,7 +14,7 @@ struct RelativeMse {
 /// Throws InputError as `require_comparable`.
 RelativeMse relative_mse(const Image& test, const Image& reference);
 
-/// The same two means of given errors of pixels (at least one).
-RelativeMse trimmed_mean(std::vector<double> errors);
+/// Mean without the largest 0.1 % of the values (rounded down); 0 for none.
+double trimmed_mean(std::vector<double> values);
 
 }  // namespace sturm
