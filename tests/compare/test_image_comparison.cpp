@@ -79,6 +79,7 @@ TEST(NoiseFloor, SeedsOfOneViewAreNotDistinguished) {
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const NoiseFloor f = noise_floor(compared[i], {&floors[i]});
     if (compared[i].map.pixels.empty()) continue;
+    ASSERT_TRUE(f.z) << compared[i].key;
     EXPECT_LT(std::abs(*f.z), 4.0) << compared[i].key;  // 15 metrics at 4σ
     EXPECT_EQ(*f.value, *floors[i].value);
   }
@@ -102,6 +103,22 @@ TEST(NoiseFloor, ZOfEqualExpectationsIsStandardNormal) {
   }
   EXPECT_NEAR(mean, 0.0, 4.0 / std::sqrt(trials));
   EXPECT_NEAR(squares, 1.0, 4.0 * std::sqrt(2.0 / trials));  // 4σ of a variance
+}
+
+TEST(NoiseFloor, ABlockIsTwiceTheWindow) {
+  // Two blocks tell, one does not.
+  ImageMetric compared, floor;
+  compared.map = floor.map = Image(64, 32, 1);
+  compared.value = floor.value = 1.0;
+  compared.map.pixels[0] = 1.0f;
+  EXPECT_TRUE(noise_floor(compared, {&floor}).z);
+  compared.window_px = 16;
+  EXPECT_TRUE(noise_floor(compared, {&floor}).z);
+  compared.window_px = 32;
+  EXPECT_FALSE(noise_floor(compared, {&floor}).z);
+  compared.window_px = 1;
+  compared.value.reset();
+  EXPECT_FALSE(noise_floor(compared, {&floor}).z);
 }
 
 TEST(NoiseFloor, ASmallDifferenceEverywhereIsDistinguished) {
