@@ -207,7 +207,7 @@ TEST(SharpCells, NoneWhereNothingCanBeSharp) {
   EXPECT_TRUE(sharp_cells(around, pose, Eye::with({-0.5}, 2e-3), 0.0, 0.02));
 }
 
-TEST(SharpCells, ThePicturesEdgesMoveByLessThanTheBound) {
+TEST(SharpCells, SlowThePicturesEdgesMoveByLessThanTheBound) {
   // One bright panel before black, an emitter seen directly: every pixel is the share of its box that the panel covers.
   SceneDescription description;
   description.materials = {testing::lambertian(Vector3f::Zero(), {1.0f, 1.0f, 1.0f})};
@@ -326,10 +326,12 @@ TEST(UnseenEmitters, TheMeanStaysAndNoiseFalls) {
   const EyeCamera camera(small_room_pose(), testing::pinhole_rays());
   const auto a = mean_of_picture(all, camera, few_samples()), b = mean_of_picture(fewer, camera, few_samples());
   EXPECT_NEAR(a.mean, b.mean, 4.0 * std::hypot(a.standard_error, b.standard_error));  // 4σ
-  EXPECT_LT(b.standard_error, 0.5 * a.standard_error);  // nearly every choice was the hidden lamp; 16 replicates know σ to 18 %
+  // Nearly every choice was the hidden lamp, so nearly all light was met by chance.
+  const auto variance = [&](const Scene& scene) { return testing::image_mean(render(scene, camera, few_samples()).variance, 1); };
+  EXPECT_LT(variance(fewer), 0.5 * variance(all));
 }
 
-TEST(UnseenEmitters, WhatAPathMeetsOfThemCountsInFull) {
+TEST(UnseenEmitters, SlowWhatAPathMeetsOfThemCountsInFull) {
   // A lamp that is left out although it is seen: wrong for the noise only.
   SceneDescription description = testing::scene_plain();
   const Scene chosen(description);
@@ -366,7 +368,7 @@ TEST(LeastKind, ScenesSeenFromTheFrontHaveTheSameBitsWithAllMaterialModels) {
   EXPECT_FALSE(same_bytes(diffuse.radiance, render(scene, camera, settings).radiance));  // other random numbers
 }
 
-TEST(LeastKind, TheLoopsHaveTheSameMean) {
+TEST(LeastKind, SlowTheLoopsHaveTheSameMean) {
   const Scene scene(testing::scene_plain());
   const EyeCamera camera(small_room_pose(), testing::focused_lens(0.02, 1.05));
   RenderSettings settings = few_samples();
