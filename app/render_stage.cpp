@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/stopwatch.h"
 #include "io/error.h"
 #include "pathtrace/camera_hits.h"
-#include "pathtrace/scene_import.h"
 
 namespace sturm {
 
@@ -32,42 +30,6 @@ std::pair<double, double> depth_range(const Scene& scene, const CameraPose& pose
 
 double fixed_accommodation(const Eye& eye) {
   return eye.accommodation_for(0.0);
-}
-
-Json prediction_counters_json(const PredictedImage& p) {
-  const PredictionCounters& c = p.prediction.counters;
-  return {{"sharp_view", counters_json(p.sharp_counters)},
-          {"spread_pixels", c.splatted_pixels},
-          {"copied_pixels", c.sharp_pixels},
-          {"hidden_pixels", c.hidden_pixels},
-          {"depth_layers", c.layers},
-          {"margin_px", p.margin_px},
-          {"clipped_radius_px", c.clipped_radius_px}};
-}
-
-/// What the left eye adds to the seed, beyond all seeds of documents, so that its noise is another.
-constexpr std::uint64_t left_eye_seed = std::uint64_t{1} << 53;
-
-/// Two pictures of one size side by side.
-Image beside(const Image& left, const Image& right) {
-  Image both(left.width + right.width, left.height, left.channels);
-  for (int y = 0; y < left.height; ++y) {
-    std::copy_n(left.at(0, y), left.width * left.channels, both.at(0, y));
-    std::copy_n(right.at(0, y), right.width * right.channels, both.at(left.width, y));
-  }
-  return both;
-}
-
-RenderSettings settings_of(const RenderSpec& spec, const RenderPlan& plan, const ProgressFunction& progress) {
-  RenderSettings settings;
-  settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
-  settings.max_bounces = spec.max_bounces;
-  settings.guide_emitters = spec.guide_emitters && spec.method == RenderMethod::PathTrace;
-  settings.sequence = spec.sampler;
-  settings.least_kind = plan.least_kind;
-  settings.seed = spec.seed;
-  settings.progress = progress;
-  return settings;
 }
 
 }  // namespace
@@ -128,84 +90,6 @@ Json counters_json(const RenderCounters& c) {
           {"guided_hits", c.guided_hits},
           {"bounce_rays", c.bounce_rays},
           {"shadow_rays", c.shadow_rays}};
-}
-
-namespace {
-
-/// What one eye sees, with its counters and seconds added to `output`; `view` as in PlanItem.
-std::map<std::string, Image> layers_of_eye(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
-                                           const RenderSettings& settings, const std::string& view, RenderPlan& plan, RenderOutput& output,
-                                           Json& counters) {
-  Stopwatch watch;
-  if (spec.method == RenderMethod::PathTrace) {
-    RenderResult result = path_trace_view(scene, spec, worn, sideways_m, settings, view == "left" ? plan.left : plan.right);
-    output.seconds["path_tracing"] += watch.lap();
-    counters = counters_json(result.counters);
-    count_saved(plan.items, view, result.counters);
-    return {{"", std::move(result.radiance)},
-            {"variance", std::move(result.variance)},
-            {"albedo", std::move(result.albedo)},
-            {"normal", std::move(result.normal)},
-            {"depth", std::move(result.depth)}};
-  }
-  PredictorSettings spreading;
-  spreading.sharp_below_px = plan.copied_below_px;
-  PredictedImage result = predict(scene, camera_pose(spec.camera), worn.eye, spec.oversampling, settings, spreading);
-  output.seconds["sharp_view"] += result.times.sharp_view_seconds;
-  output.seconds["spreading"] += result.times.spreading_seconds;
-  counters = prediction_counters_json(result);
-  count_saved(plan.items, view, result.sharp_counters);
-  count_copied(plan.items, result.prediction.counters);
-  return {{"", std::move(result.prediction.radiance)}, {"coverage", std::move(result.prediction.coverage)}};
-}
-
-/// A stereo pair. Eyes that see the same are rendered once.
-void render_pair(const Scene& scene, const RenderSpec& spec, const ProgressFunction& progress, RenderPlan& plan, RenderOutput& output) {
-  const double half = 0.5 * *spec.camera.interpupillary_distance_m;
-  const auto part_of_progress = [&](double done, double share) {
-    return progress ? ProgressFunction([&progress, done, share](double fraction) { progress(done + share * fraction); }) : progress;
-  };
-  const double left_share = plan.one_view ? 0.0 : 0.5;
-  const RenderSettings right = settings_of(spec, plan, part_of_progress(left_share, 1.0 - left_share));
-  Json &counters = output.counters = Json::object(), &left_counters = counters["left"] = counters_json({}),
-       &right_counters = counters["right"];
-  std::map<std::string, Image> left_layers;
-  if (!plan.one_view) {
-    RenderSettings left = settings_of(spec, plan, part_of_progress(0.0, left_share));
-    left.seed += left_eye_seed;
-    left_layers = layers_of_eye(scene, spec, spec.left.value_or(spec.eye), -half, left, "left", plan, output, left_counters);
-  }
-  const auto right_layers = layers_of_eye(scene, spec, spec.eye, half, right, "right", plan, output, right_counters);
-  for (const auto& [name, image] : right_layers) output.image.layers[name] = beside(plan.one_view ? image : left_layers.at(name), image);
-  if (plan.one_view) count_same_view(plan.items, right_counters.at("camera_rays").get<std::uint64_t>());
-}
-
-}  // namespace
-
-std::string explain_view(const RenderSpec& spec) {
-  SceneDescription description = build_scene(spec.scene);
-  return plan_table(plan_render(spec, description).items);
-}
-
-RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress) {
-  RenderOutput output;
-  Stopwatch watch;
-  SceneDescription description = build_scene(spec.scene);
-  output.notes = description.notes;
-  output.seconds["scene"] = watch.lap();
-  RenderPlan plan = plan_render(spec, description);
-  output.seconds["plan"] = watch.lap();
-  const Scene scene(description);
-  output.seconds["scene"] += watch.lap();
-  if (spec.camera.interpupillary_distance_m)
-    render_pair(scene, spec, progress, plan, output);
-  else
-    output.image.layers = layers_of_eye(scene, spec, spec.eye, 0.0, settings_of(spec, plan, progress), "", plan, output, output.counters);
-  output.counters["triangles"] = scene.triangle_count();
-  output.counters["embree_isa"] = scene.instruction_set();
-  output.counters["plan"] = plan_json(plan.items);
-  output.image.metadata["sturm"] = spec.resolved->dump();
-  return output;
 }
 
 }  // namespace sturm

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/pass_watch.h"
 #include "app/plan/render_plan.h"
 #include "conoid/image_predictor.h"
 #include "io/json.h"
@@ -54,6 +55,7 @@ struct RenderOutput {
 /// The plan of work of a document, as a table for people; nothing is rendered. Throws InputError.
 std::string explain_view(const RenderSpec& spec);
 
-RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress);
+/// The main layer is what was rendered; "denoised", where the document asks for it, is never in its place.
+RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress, const Preview& preview = {});
 
 }  // namespace sturm

@@ -15,7 +15,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   };
   if (value["type"] == "predict") {
     spec.method = RenderMethod::Predict;
-    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters", "sharp_below_px"}) refuse(key, "predict");
+    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters", "stop", "adaptive", "denoise", "sharp_below_px"}) refuse(key, "predict");
     spec.oversampling = value.value("oversampling", spec.oversampling);
   } else {
     refuse("oversampling", "path_trace");
@@ -26,6 +26,9 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   spec.samples_per_pixel = value.value("samples_per_pixel", spec.samples_per_pixel);
   spec.max_bounces = value.value("max_bounces", spec.max_bounces);
   spec.guide_emitters = value.value("guide_emitters", spec.guide_emitters);
+  spec.stop = read_stop(value, where, spec.samples_per_pixel);
+  spec.adaptive = read_adaptive(value, where);
+  spec.denoise = read_denoise(value);
   spec.sharp_below_px = value.value("sharp_below_px", spec.sharp_below_px);
   spec.sampler = read_sequence(value.value("sampler", "sobol"));
   spec.sampling = read_pupil_sampling(value, where);

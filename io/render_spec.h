@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "io/camera_spec.h"
+#include "io/denoise_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
 #include "io/skip_spec.h"
+#include "io/stop_spec.h"
 #include "io/worn_eye_spec.h"
 
 namespace sturm {
@@ -26,6 +28,9 @@ struct RenderSpec {
   std::uint64_t samples_per_pixel = 64;  ///< of the path tracer, or of the prediction's sharp view (per output pixel)
   int max_bounces = 16;
   bool guide_emitters = true;  ///< of the path tracer, for the naked eye in `camera` gaze
+  StopSpec stop;               ///< of the path tracer, like the next two
+  std::optional<AdaptiveSpec> adaptive;
+  std::optional<DenoiseSpec> denoise;
   Sequence sampler = Sequence::Sobol;
   PupilSamplingSpec sampling;
   int oversampling = 1;  ///< sharp pixels per output pixel along each side (prediction only)

@@ -109,7 +109,8 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
 
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume);
+  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume,
+                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}, {"psf", "images", "figures"}});
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
