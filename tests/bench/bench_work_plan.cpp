@@ -71,20 +71,23 @@ Document street(const Options& o) {
   return view;
 }
 
-/// The room, and a sign on its outside, fifty times as bright as the lamp within.
+/// A room, and a sign of forty panels on its roof, much brighter together than the lamp within.
 Document room_with_a_sign(const Options& o) {
   Document view = room(o);
+  Document meshes = {quad("white", {{0, 0, 0}, {0, 0, 0.56}, {0.56, 0, 0.56}, {0.56, 0, 0}}),
+                     quad("white", {{0, 0, 0.56}, {0, 0.55, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0, 0.56}}),
+                     quad("white", {{0, 0, 0}, {0, 0.55, 0}, {0, 0.55, 0.56}, {0, 0, 0.56}}),
+                     quad("white", {{0.56, 0, 0}, {0.56, 0, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0.55, 0}}),
+                     quad("lamp", {{0.2, 0.549, 0.2}, {0.35, 0.549, 0.2}, {0.35, 0.549, 0.35}, {0.2, 0.549, 0.35}})};
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.06 * (i % 8), z = 0.06 * (i / 8);
+    meshes.push_back(quad("sign", {{x, 0.56, z}, {x, 0.56, z + 0.05}, {x + 0.05, 0.56, z + 0.05}, {x + 0.05, 0.56, z}}));
+  }
   view["scene"] = {{"materials",
                     {{"white", {{"albedo", {0.7, 0.7, 0.7}}}},
                      {"lamp", {{"albedo", {0, 0, 0}}, {"emission", {10, 10, 10}}}},
                      {"sign", {{"albedo", {0, 0, 0}}, {"emission", {50, 50, 50}}}}}},
-                   {"meshes",
-                    {quad("white", {{0, 0, 0}, {0, 0, 0.56}, {0.56, 0, 0.56}, {0.56, 0, 0}}),
-                     quad("white", {{0, 0, 0.56}, {0, 0.55, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0, 0.56}}),
-                     quad("white", {{0, 0, 0}, {0, 0.55, 0}, {0, 0.55, 0.56}, {0, 0, 0.56}}),
-                     quad("white", {{0.56, 0, 0}, {0.56, 0, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0.55, 0}}),
-                     quad("lamp", {{0.2, 0.549, 0.2}, {0.35, 0.549, 0.2}, {0.35, 0.549, 0.35}, {0.2, 0.549, 0.35}}),
-                     quad("sign", {{0.2, 0.56, 0.2}, {0.2, 0.56, 0.35}, {0.35, 0.56, 0.35}, {0.35, 0.56, 0.2}})}}};
+                   {"meshes", meshes}};
   return view;
 }
 
