@@ -111,7 +111,8 @@ struct Row {
 };
 
 std::vector<Row> rows(const Options& o) {
-  const Document box = room(o), far = street(o), materials = set(box, "/scene", scenes + "materials.json");
+  const Document box = room(o), far = street(o);
+  const Document glossy = set(far, "/scene/materials/ground", {{"type", "plastic"}, {"albedo", {0.3, 0.3, 0.3}}});
   const Document wearing = set(box, "/spectacles", lens);
   const auto pair = [](const Document& view, double distance_mm) {
     return set(view, "/camera/stereo", {{"interpupillary_distance_mm", distance_mm}});
@@ -128,7 +129,7 @@ std::vector<Row> rows(const Options& o) {
           {"refraction", "room, naked eye", box, true},
           {"refraction", "room, spectacles", wearing, false},
           {"surface_models", "street", far, true},
-          {"surface_models", "room of all materials", materials, false},
+          {"surface_models", "street, glossy ground", glossy, false},
           {"shading_frames", "room", box, true},
           {"shading_frames", "street (has a sky)", far, false},
           {"environment_light", "street", far, true},
