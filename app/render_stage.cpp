@@ -148,6 +148,7 @@ std::map<std::string, Image> layers_of_eye(const Scene& scene, const RenderSpec&
     RenderResult result = path_trace_view(scene, spec, worn, sideways_m, settings);
     output.seconds["path_tracing"] += watch.lap();
     counters = counters_json(result.counters);
+    counters["guide"] = name_of(result.guide_use);
     return {{"", std::move(result.radiance)},
             {"variance", std::move(result.variance)},
             {"albedo", std::move(result.albedo)},

@@ -12,6 +12,7 @@
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/film.h"
 #include "pathtrace/guided_pixel.h"
+#include "pathtrace/guided_view_pixel.h"
 #include "pathtrace/path_tracer.h"
 
 namespace sturm {
@@ -25,14 +26,29 @@ constexpr int tile_size = 16;
                        std::to_string(sample) + ", seed " + std::to_string(seed));
 }
 
+/// What guides the samples of a camera.
+template <class Camera>
+struct GuideOf;
+template <>
+struct GuideOf<EyeCamera> {
+  using Guide = SceneGuide;
+  using Pixel = GuidedPixel;
+};
+template <>
+struct GuideOf<ViewCamera> {
+  using Guide = ViewGuide;
+  using Pixel = GuidedViewPixel;
+};
+
 /// Renders pixel by pixel into images that other threads fill elsewhere. Camera: EyeCamera or ViewCamera.
 template <class Camera>
 class PixelRenderer {
  public:
   PixelRenderer(const Scene& scene, const Camera& camera, const RenderSettings& settings, RenderResult& result)
       : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings), result_(result) {
-    if constexpr (can_guide)
-      if (settings.guide_emitters) guide_.emplace(scene, camera);
+    if (!settings.guide_emitters) return;
+    guide_.emplace(scene, camera);
+    result.guide_use = guide_->use();
   }
 
   void render_pixel(int x, int y, RenderCounters& counters) const {
@@ -41,7 +57,7 @@ class PixelRenderer {
     FirstHitStatistics first_hit;
     VertexNumbers numbers(sequence);
     CameraHits hits;
-    std::optional<GuidedPixel> guided;
+    std::optional<typename GuideOf<Camera>::Pixel> guided;
     if (guide_ && !guide_->empty()) guided.emplace(*guide_, x, y, sequence);
     const auto samples = static_cast<std::uint32_t>(settings_.samples_per_pixel);
     for (std::uint32_t first = 0; first < samples; first += CameraRayBlock::size) {
@@ -91,8 +107,7 @@ class PixelRenderer {
   const RenderSettings& settings_;
   PathTracer tracer_;
   RenderResult& result_;
-  static constexpr bool can_guide = std::is_same_v<Camera, EyeCamera>;  ///< of the others the footprint is not known here
-  std::optional<SceneGuide> guide_;
+  std::optional<typename GuideOf<Camera>::Guide> guide_;
 };
 
 void add(RenderCounters& total, const RenderCounters& part) {
@@ -106,8 +121,8 @@ void add(RenderCounters& total, const RenderCounters& part) {
 template <class Camera>
 RenderResult render_with(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
   const int width = camera.width(), height = camera.height();
-  RenderResult result{Image(width, height, 3), Image(width, height, 3), Image(width, height, 3),
-                      Image(width, height, 3), Image(width, height, 1), {}};
+  RenderResult result{
+      Image(width, height, 3), Image(width, height, 3), Image(width, height, 3), Image(width, height, 3), Image(width, height, 1), {}, {}};
   const PixelRenderer<Camera> renderer(scene, camera, settings, result);
   std::mutex merging;
   std::atomic<long long> finished{0};

@@ -3,6 +3,7 @@
 
 #include "io/image.h"
 #include "pathtrace/camera.h"
+#include "pathtrace/guided_target.h"
 #include "pathtrace/ray_model.h"
 #include "pathtrace/scene.h"
 #include "pathtrace/sequence.h"
@@ -23,7 +24,7 @@ struct RenderSettings {
 struct RenderCounters {
   RayCounters camera;
   std::uint64_t bounce_rays = 0, shadow_rays = 0;
-  std::uint64_t guided_rays = 0, guided_hits = 0;  ///< rays sent by pathtrace/emitter_guide.h, and those that met their emitter
+  std::uint64_t guided_rays = 0, guided_hits = 0;  ///< rays sent by an EmitterGuide or ViewGuide, and those that met their emitter
 };
 
 /// Layers of one size: radiance (3, mean over pixel and pupil), variance (3, of single samples), albedo (3), normal (3, world),
@@ -31,6 +32,7 @@ struct RenderCounters {
 struct RenderResult {
   Image radiance, variance, albedo, normal, depth;
   RenderCounters counters;
+  GuideUse guide_use = GuideUse::not_asked;
 };
 
 /// Path traces what the eye sees. The result is the same, bit for bit, for any number of threads.
