@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Error times seconds of plain and of guided path tracing of one view, by interleaved renders in one run.
 
-    STURM=build/release/bin/sturm scripts/guide_gain.py configs/views/night_spectacles.json [--pairs 4] [--reference 2048] [sturm render options ...]
+    STURM=build/release/bin/sturm scripts/guide_gain.py configs/views/night_spectacles.json REFERENCE.exr [--pairs 5] [sturm render options ...]
 
-The reference is guided, with a seed of its own. Further options go to every `sturm render`, e.g. --set /camera/resolution=[240,160].
+REFERENCE.exr: the same picture with many guided samples and another seed than 11, 12, … Further options go to every `sturm render`, e.g. --set /camera/resolution=[240,160].
 """
 import argparse
 import json
@@ -16,10 +16,8 @@ import tempfile
 STURM = os.environ.get("STURM", "build/release/bin/sturm")
 
 
-def render(view, out, guided, seed, options, samples=None):
+def render(view, out, guided, seed, options):
     command = [STURM, "render", view, "-o", str(out), "--quiet", "--set", f"/seed={seed}", "--set", f"/method/guide_emitters={str(guided).lower()}", *options]
-    if samples:
-        command += ["--set", f"/method/samples_per_pixel={samples}"]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return json.loads(out.with_suffix(".manifest.json").read_text())
 
@@ -27,17 +25,16 @@ def render(view, out, guided, seed, options, samples=None):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("view")
-    parser.add_argument("--pairs", type=int, default=4)
-    parser.add_argument("--reference", type=int, default=2048, help="samples per pixel of the reference")
+    parser.add_argument("reference")
+    parser.add_argument("--pairs", type=int, default=5)
     arguments, options = parser.parse_known_args()
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        render(arguments.view, folder / "reference.exr", True, 9001, options, arguments.reference)
         rows = {"plain": [], "guided": []}
         for pair in range(arguments.pairs):
             for name in ("plain", "guided"):
                 manifest = render(arguments.view, folder / "picture.exr", name == "guided", 11 + pair, options)
-                subprocess.run([STURM, "compare", folder / "picture.exr", folder / "reference.exr", "--json", folder / "metrics.json"], check=True, stdout=subprocess.DEVNULL)
+                subprocess.run([STURM, "compare", folder / "picture.exr", arguments.reference, "--json", folder / "metrics.json"], check=True, stdout=subprocess.DEVNULL)
                 metrics = json.loads((folder / "metrics.json").read_text())["metrics"]
                 rows[name].append((metrics["relative_mse"], metrics["rmse_linear"] ** 2, manifest["provenance"]["seconds"]["path_tracing"]))
                 if name == "guided":
