@@ -88,7 +88,10 @@ class PixelRenderer final : public PixelSource {
           records.first_hit.add(point.albedo, point.normal, hits.distance(i));
           if (records.guide) records.guide->add(point.albedo, point.normal, hits.distance(i));
         } else {
-          if (scene_.has_environment()) value = scene_.environment(hits.direction(i));
+          if (scene_.has_environment() && goes_on(hits.rays.status[i])) {
+            value = scene_.environment(hits.direction(i));
+            if constexpr (Camera::weighted) value *= hits.rays.weight[i];
+          }
           records.first_hit.add_miss();
           if (records.guide) records.guide->add_miss();
         }
