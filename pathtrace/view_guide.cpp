@@ -55,10 +55,11 @@ ViewGuide::ViewGuide(const Scene& scene, const ViewCamera& camera)
 std::optional<ViewGuide::Place> ViewGuide::place(double film_x, double film_y, const ViewCamera::Bundle& focus_bundle) const {
   const auto conoid = conoids_->at(film_x, film_y);
   if (!conoid) return std::nullopt;
-  Place place{camera_.place(film_x, film_y, focus_bundle), {}, *conoid, slopes_.matrix};
+  Place place{camera_.place(film_x, film_y, focus_bundle), {}, {}, *conoid, slopes_.matrix};
   const auto chief = camera_.leaving(place.camera.sight, {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
   if (!chief) return std::nullopt;
   place.chief = *chief;
+  place.across = axes_across(*chief);
   place.slope_matrix -= place.camera.accommodation_change * Eigen::Matrix2d::Identity();
   return place;
 }
@@ -70,7 +71,7 @@ std::optional<ViewGuide::Aspect> ViewGuide::aspect(int index, const Place& place
   if (!(distance > 2.0 * radius) || !(cluster.luminance > 0.0f)) return std::nullopt;  // behind the eye, or around it
   const Eigen::Matrix2d by_slope = place.conoid.by_slope(distance);
   return Aspect{place.conoid.by_point(distance) + by_slope * place.slope_matrix,
-                axes_across(place.chief) * way - place.conoid.constant(distance) - by_slope * slopes_.constant, distance,
+                place.across * way - place.conoid.constant(distance) - by_slope * slopes_.constant, distance,
                 margin * radius + place.conoid.offset_residual_m + distance * place.conoid.direction_residual +
                     singular_values(by_slope).large * slopes_.residual};
 }

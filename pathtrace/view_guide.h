@@ -40,7 +40,8 @@ class ViewGuide {
   /// A place of the picture [px] as the guide sees it.
   struct Place {
     ViewCamera::Place camera;
-    LightRay chief;  ///< as it leaves the eye or the spectacles, head frame
+    LightRay chief;                      ///< as it leaves the eye or the spectacles, head frame
+    Eigen::Matrix<double, 2, 3> across;  ///< its axes
     ViewConoid conoid;
     Eigen::Matrix2d slope_matrix;  ///< S of the eye as it is accommodated there
   };
