@@ -120,6 +120,8 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackAndCounted) {
 TEST(ViewCamera, WhatTheRimStopsIsBlackBeforeAnEnvironmentToo) {
   // Rays that the rim had stopped used to bring the sky behind it, and weights of the pupil were left out of it.
   SceneDescription description;
+  description.materials = {testing::lambertian(Eigen::Vector3f::Zero())};
+  description.spheres = {{{0.0f, 0.0f, 5.0f}, 0.1f, 0}};  // behind the eye: a scene has a surface
   description.environment = Environment{Eigen::Vector3f::Ones(), nullptr, 0.0f};
   const Scene scene(description);
   Spectacles small = plus_lens();

@@ -94,6 +94,11 @@ const ViewCase focal_line{"focal line at 0.4 m", eye({-2.5, 4.0, 60.0}), RayMode
 const ViewCase rim_cut{"pupil cut by the rim", eye({-3.0, -4.5, 65.0}), RayModel::power_matrix, narrow(lens_file("oblique_toric_p195"))};
 const ViewCase folded{"folded wavefront", folded_eye(), RayModel::zernike, {}, Gaze::Camera, {}, 0.0, 1.0 * mm};
 
+// Weights and densities of a pupil move light within its blur: the sum over the picture cannot see them.
+const ViewCase weighted_polar{
+    "weighted polar pupil", eye({-3.0, -1.0, 30.0}), RayModel::power_matrix, {}, Gaze::Camera, {PupilSampling::UniformPolarWeighted}};
+const ViewCase raw_polar{"polar pupil", eye({-3.0, -1.0, 30.0}), RayModel::power_matrix, {}, Gaze::Camera, {PupilSampling::UniformPolar}};
+
 std::vector<ViewCase> cases() {
   return {toric,
           progressive,
@@ -185,7 +190,12 @@ struct PictureOfRays {
 
 class RayBundleOracle {
  public:
-  RayBundleOracle(const ViewCase& c, const Vector3d& at) : rays_(c.model, c.eye, 0.0), at_(at), lens_(c.spectacles), open_(c.spectacles) {
+  RayBundleOracle(const ViewCase& c, const Vector3d& at)
+      : rays_(c.model, c.eye, 0.0),
+        at_(at),
+        lens_(c.spectacles),
+        open_(c.spectacles),
+        raw_polar_(c.sampling.kind == PupilSampling::UniformPolar) {
     if (open_) open_->diameter_m = 60 * mm;
   }
 
@@ -199,7 +209,7 @@ class RayBundleOracle {
     for (const testing::Node& node : testing::gauss_legendre_unit(radial))
       for (int k = 0; k < azimuthal; ++k) {
         const double angle = 2.0 * std::numbers::pi * (k + 0.5) / azimuthal;
-        const Vector2d p = 3 * mm * std::sqrt(node.x) * Vector2d(std::cos(angle), std::sin(angle));
+        const Vector2d p = 3 * mm * (raw_polar_ ? node.x : std::sqrt(node.x)) * Vector2d(std::cos(angle), std::sin(angle));
         // A place of the light's disc, spread by two irrational steps.
         ++index;
         const double where = std::fmod(0.754877666246693 * index, 1.0),
@@ -244,12 +254,13 @@ class RayBundleOracle {
   EyeRays<double> rays_;
   Vector3d at_;
   std::optional<Spectacles> lens_, open_;
+  bool raw_polar_;  ///< radii are uniform; the other pupils are uniform over the area
 };
 
 TEST(ViewGuide, SlowThePictureOfASmallLightIsThatOfItsRays) {
   constexpr int replicates = 24, block = 2, samples = 32;
   constexpr double luminance = 1e6;
-  for (const ViewCase& c : {toric, progressive, rim_cut, folded}) {
+  for (const ViewCase& c : {toric, progressive, rim_cut, folded, weighted_polar, raw_polar}) {
     const ViewCamera camera(pose(narrow_field), c.eye, c.model, c.options());
     const auto chief = camera.leaving(camera.sight_at(0.55 * size, 0.45 * size), {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
     ASSERT_TRUE(chief);
