@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -31,6 +32,12 @@ Preview preview_to(const PreviewOptions& options, const RenderSpec& spec) {
 }
 
 }  // namespace
+
+int explain_command(const CommonOptions& options) {
+  const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
+  std::fputs(explain_view(spec).c_str(), stdout);
+  return 0;
+}
 
 int render_command(const CommonOptions& options, const PreviewOptions& preview_options, const std::string& output) {
   const std::filesystem::path exr(output);

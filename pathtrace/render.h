@@ -24,6 +24,7 @@ struct RenderSettings {
   std::uint64_t seed = 1;
   bool guide_emitters = false;                    ///< one guided camera ray for each sample of a pixel that may see a small emitter
   int first_roulette_bounce = 2;                  ///< Russian roulette may end a path from this bounce on
+  Scene::Kind least_kind = Scene::Kind::plain;    ///< a scene of a simpler kind takes this one's loop, to measure what its own saves
   std::function<void(double fraction)> progress;  ///< called from worker threads as tiles finish; may be empty
 
   /// Root of the relative MSE at which to stop, at the latest after samples_per_pixel (≥ 8) samples; decided without bias, see

@@ -52,10 +52,10 @@ struct Kind {
   }
 };
 
-void render_one(const Scene& scene, const RenderSpec& spec, Kind& kind, std::uint64_t seed) {
+void render_one(const Scene& scene, const RenderSpec& spec, const ViewPlan& plan, Kind& kind, std::uint64_t seed) {
   kind.settings.seed = seed;
   RenderResult result;
-  kind.times.push_back(seconds([&] { result = path_trace_view(scene, spec, spec.eye, 0.0, kind.settings); }));
+  kind.times.push_back(seconds([&] { result = path_trace_view(scene, spec, spec.eye, 0.0, kind.settings, plan); }));
   const double pixels = static_cast<double>(spec.camera.width) * spec.camera.height;
   kind.samples.push_back(static_cast<double>(result.passes.samples_spent) / pixels);
   kind.pictures.push_back(std::move(result.radiance));
@@ -83,7 +83,9 @@ int run(const Options& options) {
   Json document = load_json(options.view);
   document["camera"]["resolution"] = {options.width, options.height};
   const RenderSpec spec = read_render_spec(document, options.view);
-  const Scene scene(build_scene(spec.scene));
+  SceneDescription description = build_scene(spec.scene);
+  const RenderPlan plan = plan_render(spec, description);
+  const Scene scene(description);
   RenderSettings common;
   common.max_bounces = spec.max_bounces;
   common.guide_emitters = spec.guide_emitters;
@@ -94,8 +96,8 @@ int run(const Options& options) {
   adaptive.settings.relative_error = options.relative_error;
   adaptive.settings.adaptive = spec.adaptive.value_or(AdaptiveSpec());
   for (int i = 0; i < options.pictures; ++i) {
-    render_one(scene, spec, uniform, 1000 + static_cast<std::uint64_t>(i));
-    render_one(scene, spec, adaptive, 2000 + static_cast<std::uint64_t>(i));
+    render_one(scene, spec, plan.right, uniform, 1000 + static_cast<std::uint64_t>(i));
+    render_one(scene, spec, plan.right, adaptive, 2000 + static_cast<std::uint64_t>(i));
   }
   std::printf("%s at %d x %d, %d threads, %d interleaved pictures of each kind, medians\n", options.view.c_str(), options.width,
               options.height, options.threads, options.pictures);
