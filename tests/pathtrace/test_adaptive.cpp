@@ -134,7 +134,9 @@ TEST(AdaptiveRender, CountsWhatItSpendsAndSaves) {
       const float samples = *result.samples.at(x, y);
       kept += static_cast<double>(samples);
       EXPECT_EQ(samples, *result.samples.at(x / 8 * 8, y / 8 * 8));
-      if (x < 8) EXPECT_EQ(samples, 32.0f);
+      if (x < 8) {
+        EXPECT_EQ(samples, 32.0f);
+      }
       EXPECT_LE(samples, 600.0f);
     }
   EXPECT_EQ(static_cast<std::uint64_t>(kept), passes.samples_kept);
@@ -190,7 +192,7 @@ TEST(AdaptiveRender, TheSameBitsForAnyNumberOfThreads) {
   CameraPose pose = testing::scene_plain_pose();
   pose.width = 50;
   pose.height = 37;
-  RenderSettings settings = adaptive_settings(0.07, 256);
+  RenderSettings settings = adaptive_settings(0.03, 256);
   settings.guide_layers = true;
   const auto picture = [&](int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
