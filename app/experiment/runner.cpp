@@ -129,10 +129,11 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
                                  [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
     seconds["psfs"] += parts.seconds();
   }
+  SharedViews views(spec, scenes);
   for (std::size_t i = 0; i < spec.images.size(); ++i) {
     const ImageExperiment& image = spec.images[i];
     append(report["images"], parts("image_" + image.id, "image " + image.id, [&](const ProgressFunction& progress) {
-             return image_entries(image, scenes[i], spec.seed, folder.path(), progress);
+             return image_entries(spec, i, scenes[i], views, folder.path(), progress);
            }));
     seconds["images"] += parts.seconds();
   }

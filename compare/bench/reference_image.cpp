@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/metrics/comparable.h"
+#include "compare/metrics/pixel_errors.h"
 #include "compare/metrics/relative_mse.h"
 #include "compare/metrics/ssim.h"
 #include "io/tone_map.h"

@@ -14,10 +14,6 @@ struct RelativeMse {
 /// Throws InputError as `require_comparable`.
 RelativeMse relative_mse(const Image& test, const Image& reference);
 
-/// A squared difference from the reference value r over r² + 0.01. The offset keeps black pixels from dividing by zero; it is the value
-/// that the literature uses.
-double relative_square(double squared_difference, double reference);
-
 /// Mean without the largest 0.1 % of the values (rounded down); 0 for none.
 double trimmed_mean(std::vector<double> values);
 
