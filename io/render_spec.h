@@ -7,6 +7,7 @@
 
 #include "io/camera_spec.h"
 #include "io/denoise_spec.h"
+#include "io/prediction_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
 #include "io/skip_spec.h"
@@ -33,9 +34,9 @@ struct RenderSpec {
   std::optional<DenoiseSpec> denoise;
   Sequence sampler = Sequence::Sobol;
   PupilSamplingSpec sampling;
-  int oversampling = 1;  ///< sharp pixels per output pixel along each side (prediction only)
   SkipSpec skip;
   double sharp_below_px = 0.02;  ///< blur up to which `skip.sharp_pixels` applies (path tracing only)
+  PredictionSpec prediction;  ///< for RenderMethod::Predict
   std::uint64_t seed = 1;
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were named
