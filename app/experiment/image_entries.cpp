@@ -67,6 +67,7 @@ Json image_entries(const ImageExperiment& spec, const SceneDescription& descript
 
   RenderSettings sharp;
   sharp.samples_per_pixel = static_cast<int>(spec.sharp_samples_per_pixel);
+  sharp.max_bounces = spec.max_bounces;
   const PredictedReplicates predicted =
       predict_replicates(scene, pose, spec.eye, sharp, seed ^ sharp_view_stream, spec.replicates, part(0));
   const std::string predicted_file = "images/" + spec.id + "_predicted";
@@ -76,6 +77,8 @@ Json image_entries(const ImageExperiment& spec, const SceneDescription& descript
   for (std::size_t k = 0; k < spec.ray_models.size(); ++k) {
     RenderSettings settings;
     settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
+    settings.max_bounces = spec.max_bounces;
+    settings.guide_emitters = spec.guide_emitters;
     const Stopwatch watch;
     const Replicates traced =
         render_replicates(scene, pose, spec.eye, *ray_model_named(spec.ray_models[k]), settings, seed, spec.replicates, part(k + 1));

@@ -49,7 +49,7 @@ RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume)
     for (const char* report : {"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}) fs::remove(folder_ / report);
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "parts"))
       if (holds_parts(entry.path()) && (!resume || entry.path() != parts_)) fs::remove_all(entry.path());
-    for (const fs::path& used : {folder_ / "psf", folder_ / "images", folder_ / "figures", parts_}) {
+    for (const fs::path& used : {folder_ / "psf", folder_ / "images", folder_ / "samplings", folder_ / "figures", parts_}) {
       fs::create_directories(used);
       clear_leftovers(used);
     }
