@@ -1,5 +1,6 @@
 #include "compare/paired_bias.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -44,8 +45,7 @@ PairedBias paired_bias(const std::vector<Image>& test, const std::vector<Image>&
   for (const double of_one : of_picture) mean_left_out += (sum - of_one) / pairs_without_one / static_cast<double>(n);
   for (const double of_one : of_picture) deviations += std::pow((sum - of_one) / pairs_without_one - mean_left_out, 2);
   bias.standard_error = std::sqrt(deviations * static_cast<double>(n - 1) / static_cast<double>(n));
-  // Without a bias the products have the mean 0: their scatter is taken about it.
-  const double error_without_bias = std::sqrt(squares) / pairs;
+  const double error_without_bias = std::sqrt(std::max(0.0, squares - sum * sum / pairs) / ((pairs - 1.0) * pairs));
   bias.z = error_without_bias > 0.0 ? bias.mean_square / error_without_bias : 0.0;
   return bias;
 }

@@ -15,7 +15,7 @@ namespace sturm {
 
 namespace {
 
-constexpr double label_width = 150.0, heading_height = 34.0, caption_height = 22.0, gap = 8.0;  // [px]
+constexpr double label_width = 190.0, heading_height = 34.0, caption_height = 22.0, gap = 8.0;  // [px]
 constexpr double picture_width = 240.0;
 
 /// The values of one key in the order in which they appear.

@@ -31,7 +31,7 @@ def main():
             "green": {"type": "seed_diffuse", "albedo": [0.12, 0.42, 0.14]}, "white": {"type": "seed_diffuse", "albedo": [0.80, 0.79, 0.76]},
             "gold": {"type": "seed_metal", "albedo": [0.90, 0.70, 0.35], "alpha": 0.08}, "steel": {"type": "seed_metal", "albedo": [0.75, 0.76, 0.78], "alpha": 0.0},
             "brass": {"type": "seed_metal", "albedo": [0.78, 0.60, 0.30], "alpha": 0.3}, "glass": {"type": "seed_dielectric"},
-            "lamp": {"emission": [6, 5.4, 4.4]}},
+            "lamp": {"emission": [3, 2.7, 2.2]}},
         "environment": {"radiance": [0.62, 0.74, 0.95]},
         "meshes": checker("floor", ("floor_light", "floor_dark"), (-4.0, 4.0), (1.0, -9.0), (32, 40)),
         "spheres": spheres,

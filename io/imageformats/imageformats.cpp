@@ -76,11 +76,15 @@ int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size,
     const auto begins_with = [&](const auto& signature) {
       return size >= sizeof signature && std::memcmp(bytes, signature, sizeof signature) == 0;
     };
-    const char* name = begins_with(png_signature) ? "memory.png" : begins_with(jpeg_signature) ? "memory.jpg" : nullptr;
-    if (!name) throw std::runtime_error("neither a PNG nor a JPEG file");
+    const char* format = begins_with(png_signature) ? "png" : begins_with(jpeg_signature) ? "jpeg" : nullptr;
+    if (!format) throw std::runtime_error("neither a PNG nor a JPEG file");
     OIIO::Filesystem::IOMemReader memory_file(const_cast<unsigned char*>(bytes), size);  // it only reads
-    const OIIO::ImageSpec wishes = values_as_stored();
-    read_opened(OIIO::ImageInput::open(name, &wishes, &memory_file), max_pixels, width, height, channels, pixels);
+    auto input = OIIO::ImageInput::create(format);
+    if (!input) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec;
+    if (!input->set_ioproxy(&memory_file) || !input->open(std::string("memory.") + format, spec, values_as_stored()))
+      throw std::runtime_error(input->geterror());
+    read_opened(std::move(input), max_pixels, width, height, channels, pixels);
   });
 }
 
