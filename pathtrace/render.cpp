@@ -61,13 +61,13 @@ class PixelRenderer {
           const std::uint32_t sample = first + static_cast<std::uint32_t>(i);
           const float emission_weight = guided && point.emitter >= 0 ? guided->plain_weight(point.emitter, sample) : 1.0f;
           value = tracer_.radiance(point, direction, numbers, sample, counters, emission_weight);
-          if constexpr (Camera::weighted) value *= hits.rays.weight[i];
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
           first_hit.add(point.albedo, point.normal, hits.distance(i));
         } else {
           if (scene_.has_environment()) value = scene_.environment(hits.direction(i));
           first_hit.add_miss();
         }
+        if constexpr (Camera::weighted) value *= hits.rays.weight[i];  // also what a ray sees that meets nothing
         if (guided && guided->active()) value += guided->sample(first + static_cast<std::uint32_t>(i), counters);
         radiance.add(value);
       }

@@ -33,7 +33,7 @@ class SamplingStudy(FolderTest):
             self.assertTrue((out / entries["lens", sampling]["files"]["picture"]).is_file())
         # Rings at 1/2 and 1 carry 6 and 12 points: E[r^2] = 3/4 of a^2 in place of 1/2.
         self.assertAlmostEqual(entries["lens", "rings"]["pupil_rms_ratio"], 1.22474, delta=1e-5)
-        self.assertGreater(entries["lens", "rings"]["z"], 5)
+        self.assertGreater(entries["lens", "uniform_polar"]["z"], 5)
         self.assertIn("sampling_study_halton", [figure["id"] for figure in report["figures"]])
         sheet = (out / "figures/sampling_study_halton.svg").read_text()
         self.assertEqual(sheet.count("data:image/png;base64,"), 8)
