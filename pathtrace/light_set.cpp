@@ -79,8 +79,15 @@ LightShape LightSet::shape(int index) const {
   return {{}, light.a, light.kind == Kind::sphere ? light.edge1.x() : 0.0f, light.emission};
 }
 
+void LightSet::leave_out(int light) {
+  power_[static_cast<std::size_t>(light)] = 0.0;
+  ++left_out_;
+}
+
 void LightSet::finish() {
-  if (environment_) environment_share_ = lights_.empty() ? 1.0f : 0.5f;
+  const bool none = left_out_ == size();
+  if (environment_) environment_share_ = none ? 1.0f : 0.5f;
+  lights_share_ = none ? 0.0f : 1.0f - environment_share_;
   groups_ = LightGroups(*this);
   for (int g = 0; g < groups_.size(); ++g) {
     const LightGroup& group = groups_.group(g);
@@ -102,7 +109,7 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
     u = (u - environment_share_) / (1.0f - environment_share_);
   }
   LightGroups::Choice choice = groups_.choose(point, normal, u);
-  choice.probability *= 1.0f - environment_share_;
+  choice.probability *= lights_share_;
   const LightGroup& group = groups_.group(choice.group);
   if (group.round) {
     const Eigen::Vector3f to_center = group.center - point;
@@ -151,7 +158,7 @@ float LightSet::pdf(int index, const Eigen::Vector3f& from, const Eigen::Vector3
                     const Eigen::Vector3f& normal) const {
   const Light& light = lights_[static_cast<std::size_t>(index)];
   const LightGroup& group = groups_.group(groups_.group_of(index));
-  const float probability = (1.0f - environment_share_) * groups_.probability(groups_.group_of(index), from, from_normal);
+  const float probability = lights_share_ * groups_.probability(groups_.group_of(index), from, from_normal);
   if (light.kind == Kind::sphere || group.round) {
     const Eigen::Vector3f to_center = group.center - from;
     const float square = to_center.squaredNorm();

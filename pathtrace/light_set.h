@@ -39,10 +39,15 @@ class LightSet {
   /// `reach` [m]: a distance from any point of the scene that lies outside of it.
   void set_environment(std::shared_ptr<const EnvironmentMap> environment, float reach);
 
+  /// This light will never be chosen; what a path meets of it counts in full then, so the mean stays. Once for a light, before finish();
+  /// not for point lights, which no path meets.
+  void leave_out(int light);
+
   /// Builds the groups; call once after the last light.
   void finish();
 
-  bool empty() const { return lights_.empty() && !environment_; }
+  /// True where there is nothing to choose.
+  bool empty() const { return left_out_ == size() && !environment_; }
   int size() const { return static_cast<int>(lights_.size()); }
   LightShape shape(int light) const;
 
@@ -79,9 +84,10 @@ class LightSet {
 
   std::vector<Light> lights_;
   std::vector<double> power_;
+  int left_out_ = 0;
   LightGroups groups_;
   std::shared_ptr<const EnvironmentMap> environment_;
-  float reach_ = 0.0f, environment_share_ = 0.0f;
+  float reach_ = 0.0f, environment_share_ = 0.0f, lights_share_ = 0.0f;  ///< the shares of all choices
 };
 
 }  // namespace sturm

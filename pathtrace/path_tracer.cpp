@@ -36,7 +36,7 @@ Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Ve
 
 Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, VertexNumbers& numbers,
                                      std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
-  switch (scene_.kind()) {
+  switch (kind_) {
     case Scene::Kind::plain:
       return plain_radiance(first, direction, numbers, sample, counters, first_emission_weight);
     case Scene::Kind::diffuse:

@@ -18,7 +18,8 @@ inline float survival_probability(float throughput) {
 /// A scene of flat Lambertian surfaces without surroundings takes a loop of its own that knows no materials.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {}
+  PathTracer(const Scene& scene, const RenderSettings& settings)
+      : scene_(scene), settings_(settings), kind_(std::max(scene.kind(), settings.least_kind)) {}
 
   /// `first` is what the camera ray origin + t·direction hit; `sample` belongs to the block of `numbers`. `first_emission_weight`
   /// multiplies what it emits itself (multiple importance sampling with guided camera rays).
@@ -45,6 +46,7 @@ class PathTracer {
 
   const Scene& scene_;
   const RenderSettings& settings_;
+  Scene::Kind kind_;  ///< whose loop runs
 };
 
 }  // namespace sturm
