@@ -51,6 +51,43 @@ TEST(LightGroups, TrianglesThatHangTogetherAreOneGroup) {
   EXPECT_TRUE(lights.groups().group(lights.groups().group_of(2)).round);
 }
 
+TEST(LightGroups, TwoTrianglesThatCompleteEachOtherAreAParallelogram) {
+  const LightSet lights = four_groups();
+  EXPECT_TRUE(lights.groups().group(lights.groups().group_of(0)).parallelogram);
+  LightSet kite, two_colours;
+  kite.add_triangle({0, 2, 0}, {1, 2, 0}, {1, 2, 1}, white);
+  kite.add_triangle({0, 2, 0}, {1, 2, 1}, {0, 2, 1.1f}, white);
+  kite.finish();
+  EXPECT_FALSE(kite.groups().group(0).parallelogram);
+  two_colours.add_triangle({0, 2, 0}, {1, 2, 0}, {1, 2, 1}, white);
+  two_colours.add_triangle({0, 2, 0}, {1, 2, 1}, {0, 2, 1}, 2.0f * white);
+  two_colours.finish();
+  EXPECT_FALSE(two_colours.groups().group(0).parallelogram);
+}
+
+// One unit of (u, v) area covers 1/pdf of solid angle, and a scattered ray to the same place is given the same density.
+TEST(LightGroups, AParallelogramsSamplesHaveTheirDensity) {
+  LightSet lights;
+  const Vector3f a(-0.4f, 1.5f, 0.2f), b(0.6f, 1.4f, 0.1f), d(-0.5f, 1.7f, 1.0f), c = b + d - a, normal = (b - a).cross(d - a).normalized();
+  const bool faces = normal.dot(a) < 0.0f;
+  const Vector3f p = faces ? b : d, q = faces ? d : b, n = faces ? normal : Vector3f(-normal);
+  lights.add_triangle(a, p, c, white);
+  lights.add_triangle(a, c, q, white);
+  lights.finish();
+  ASSERT_TRUE(lights.groups().group(0).parallelogram);
+  constexpr float h = 1.0f / 256.0f;
+  for (float u : {0.1f, 0.5f, 0.9f})
+    for (float v : {0.2f, 0.6f, 0.8f}) {
+      const auto direction = [&](float x, float y) { return Vector3f(lights.sample({0, 0, 0}, any_side, x, y).direction); };
+      const auto unit = [&](float x, float y) { return Vector3d(direction(x, y).cast<double>().normalized()); };
+      const Vector3d du = (unit(u + h, v) - unit(u - h, v)) / (2.0 * static_cast<double>(h));
+      const Vector3d dv = (unit(u, v + h) - unit(u, v - h)) / (2.0 * static_cast<double>(h));
+      const float pdf = lights.sample({0, 0, 0}, any_side, u, v).pdf;
+      EXPECT_NEAR(du.cross(dv).norm() * static_cast<double>(pdf), 1.0, 2e-4);  // O(h²) = 2e−5, and rounding 1e−7/h = 3e−5 twice
+      for (int light : {0, 1}) EXPECT_NEAR(lights.pdf(light, {0, 0, 0}, any_side, direction(u, v), n) / pdf, 1.0f, 1e-5f);
+    }
+}
+
 TEST(LightGroups, ProbabilitiesSumToOne) {
   const LightSet lights = four_groups();
   for (const auto& [point, normal] : places) {
