@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/path_traced_layers.h"
+#include "app/prediction_stage.h"
 #include "app/render_stage.h"
 #include "app/stopwatch.h"
 #include "pathtrace/scene_import.h"
@@ -109,6 +110,7 @@ class DocumentRenderer {
     RenderResult result = path_trace_watched(task);
     output_.seconds["path_tracing"] += watch.lap();
     EyePicture picture{{}, counters_json(result.counters)};
+    picture.counters["guide"] = name_of(result.guide_use);
     if (may_stop_early(spec_)) picture.counters["sampling"] = sampling_json(result.passes, spec_);
     count_saved(plan_.items, task.view, result.counters);
     if (result.passes.interrupted) output_.notes.push_back(interruption_note(result.passes, spec_));
@@ -127,9 +129,15 @@ class DocumentRenderer {
   }
 
   EyePicture predicted(const EyeTask& task) {
+    if (spec_.prediction.kind != PredictionKind::Ellipses) {
+      PredictedView result = predict_view(scene_, spec_.camera, task.worn, task.sideways_m, spec_.prediction, task.settings);
+      for (const auto& [name, seconds] : result.seconds) output_.seconds[name] += seconds;
+      return {std::move(result.layers), std::move(result.counters)};
+    }
     PredictorSettings spreading;
     spreading.sharp_below_px = plan_.copied_below_px;
-    PredictedImage result = predict(scene_, camera_pose(spec_.camera), task.worn.eye, spec_.oversampling, task.settings, spreading);
+    PredictedImage result =
+        predict(scene_, camera_pose(spec_.camera), task.worn.eye, spec_.prediction.oversampling, task.settings, spreading);
     output_.seconds["sharp_view"] += result.times.sharp_view_seconds;
     output_.seconds["spreading"] += result.times.spreading_seconds;
     count_saved(plan_.items, task.view, result.sharp_counters);

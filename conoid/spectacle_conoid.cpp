@@ -17,17 +17,21 @@ std::optional<Eigen::Matrix2d> SpectacleConoid::exit_curvature(const Eigen::Matr
 }
 
 SpectacleConoid trace_conoid(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m) {
-  const Eigen::Vector3d ahead(0.0, 0.0, -1.0), x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
-  const Eigen::Matrix3d turn = smallest_rotation(ahead, gaze);
-  const Eigen::Vector3d pupil = turned_pupil_center(gaze, rotation_center_m);
+  const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
+  return trace_conoid_along(lens, {turned_pupil_center(gaze, rotation_center_m), gaze}, turn * Eigen::Vector3d::UnitX(),
+                            turn * Eigen::Vector3d::UnitY());
+}
 
+SpectacleConoid trace_conoid_along(const Spectacles& lens, const LightRay& line_of_sight, const Eigen::Vector3d& e1,
+                                   const Eigen::Vector3d& e2) {
+  const Eigen::Vector3d& gaze = line_of_sight.direction;
   SpectacleConoid conoid;
-  const LensPath path = trace(lens, {pupil, gaze});
+  const LensPath path = trace(lens, line_of_sight);
   conoid.status = path.status;
   if (path.status != LensStatus::ok) return conoid;
   conoid.chief_ray = path.exit;
 
-  RayTransfer rays = transferred(RayTransfer::start(gaze, turn * x, turn * y), (path.back_point - pupil).norm());
+  RayTransfer rays = transferred(RayTransfer::start(gaze, e1, e2), (path.back_point - line_of_sight.origin).norm());
   const auto back = Interface::refracting(gaze, path.back.normal, 1.0, lens.refractive_index);
   rays = transferred(through(rays, back.value(), path.back), (path.exit.origin - path.back_point).norm());
   const auto front = Interface::refracting(rays.direction, path.front.normal, lens.refractive_index, 1.0);
@@ -35,8 +39,8 @@ SpectacleConoid trace_conoid(const Spectacles& lens, const Eigen::Vector3d& gaze
     conoid.status = LensStatus::total_internal_reflection;
     return conoid;
   }
-  const Eigen::Matrix3d out = smallest_rotation(ahead, path.exit.direction);
-  conoid.exit = on_frame(through(rays, *front, path.front), out * x, out * y);
+  const Eigen::Matrix3d out = smallest_rotation({0.0, 0.0, -1.0}, path.exit.direction);
+  conoid.exit = on_frame(through(rays, *front, path.front), out.col(0), out.col(1));
   return conoid;
 }
 

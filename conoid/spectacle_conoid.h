@@ -36,6 +36,10 @@ struct SpectacleConoid {
 /// through back and front surface. (e1, e2) is what the smallest rotation taking −z to the outgoing chief ray makes of (x, y).
 SpectacleConoid trace_conoid(const Spectacles& spectacles, const Eigen::Vector3d& gaze, double rotation_center_m);
 
+/// The same for any line of sight: rays start on the frame (e1, e2) across `line_of_sight` (unit direction), at its origin.
+SpectacleConoid trace_conoid_along(const Spectacles& spectacles, const LightRay& line_of_sight, const Eigen::Vector3d& e1,
+                                   const Eigen::Vector3d& e2);
+
 /// The accommodation A [D] in [0, amplitude_D] that makes the larger semi-axis of the footprint at 1/d least
 /// (lensmodel/best_accommodation.h).
 double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& correction, double vergence_D, double amplitude_D);

@@ -15,10 +15,11 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   };
   if (value["type"] == "predict") {
     spec.method = RenderMethod::Predict;
-    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters", "stop", "adaptive", "denoise", "sharp_below_px"}) refuse(key, "predict");
-    spec.oversampling = value.value("oversampling", spec.oversampling);
+    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters", "stop", "adaptive", "denoise", "sharp_below_px"})
+      refuse(key, "predict");
+    spec.prediction = read_prediction(value, where);
   } else {
-    refuse("oversampling", "path_trace");
+    for (const char* key : {"oversampling", "prediction", "passes", "smooth"}) refuse(key, "path_trace");
     if (!value.contains("ray_model"))
       throw InputError(where.file, where.pointer, "no \"ray_model\"", "a ray model for type \"path_trace\"");
     spec.ray_model = value["ray_model"].get<std::string>();
@@ -49,12 +50,22 @@ void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source&
   require_camera_accommodation(eye.accommodation, spec.ray_model, where / "accommodation");
 }
 
-/// The predictor knows the naked eye in `camera` gaze, in perspective.
+/// One sharp layer knows the naked eye in `camera` gaze; the others also spectacles and turning eyes. All of them: perspective.
 void require_predictable(const Json& document, const RenderSpec& spec, const Source& root) {
-  require_plain_camera(document["camera"], root / "camera", "type \"predict\"");
-  if (spec.eye.spectacles) (root / "spectacles").fail(document["spectacles"], "null, the naked eye, for type \"predict\"");
-  if (spec.eye.eye.stiles_crawford_per_m2 != 0.0)
-    throw InputError(root.file, "/eye/stiles_crawford_per_mm2", "an apodized pupil", "0 for type \"predict\"");
+  const Json& camera = document["camera"];
+  const PredictionKind kind = spec.prediction.kind;
+  const std::string what = std::string("prediction \"") + name_of(kind) + "\"";
+  if (kind == PredictionKind::Ellipses) {
+    const std::string other = what + " (\"layered\" and \"multipass\" know more)";
+    require_plain_camera(camera, root / "camera", other);
+    if (spec.eye.spectacles) (root / "spectacles").fail(document["spectacles"], "null, the naked eye, for " + other);
+  } else if (spec.camera.projection != Projection::Perspective) {
+    (root / "camera" / "projection").fail(camera["projection"], "\"perspective\" for type \"predict\"");
+  }
+  if (kind == PredictionKind::Multipass) return;
+  for (const auto* worn : {&spec.eye, spec.left ? &*spec.left : nullptr})
+    if (worn && worn->eye.stiles_crawford_per_m2 != 0.0)
+      throw InputError(root.file, "/eye/stiles_crawford_per_mm2", "an apodized pupil", "0 for " + what + ": ellipses are filled evenly");
 }
 
 Json resolved_render(const Json& document, const Source& root) {
@@ -69,8 +80,10 @@ Json resolved_render(const Json& document, const Source& root) {
   resolved = with_defaults(resolved, "render");
   Json& method = resolved["method"];
   if (method["type"] == "path_trace") {
-    method.erase("oversampling");
+    for (const char* key : {"oversampling", "prediction", "passes", "smooth"}) method.erase(key);
   } else {
+    if (method["prediction"] != "multipass") method.erase("passes");
+    if (method["prediction"] == "ellipses") method.erase("smooth");
     method.erase("sampling");
     method.erase("guide_emitters");
     method.erase("sharp_below_px");

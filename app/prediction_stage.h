@@ -1,0 +1,25 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "app/render_stage.h"
+#include "io/prediction_spec.h"
+
+namespace sturm {
+
+/// A predicted picture (layer "") with what lies beside it, the counters for the manifest, and the seconds of each part.
+struct PredictedView {
+  std::map<std::string, Image> layers;
+  Json counters;
+  std::map<std::string, double> seconds;
+
+  double total_seconds() const;
+};
+
+/// Predicts what one eye sees, `layered` or `multipass`: perspective, gaze `camera` or `foveal`, naked or through spectacles. The conoid
+/// says where rays go, the path tracer colours a sharp view and what that does not show: `settings.samples_per_pixel` paths for each
+/// output pixel and each unseen place.
+PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const WornEye& worn, double sideways_m,
+                           const PredictionSpec& prediction, const RenderSettings& settings);
+
+}  // namespace sturm
