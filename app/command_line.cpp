@@ -48,11 +48,13 @@ struct CommandLine {
   CommonOptions common;
   LensOptions lens;
   BlurFieldOptions blurfield;
+  PreviewOptions preview;
   StressOptions stress;
   CompareOptions compare;
+  PlanOptions plan;
   GateOptions gate;
   std::string output, folder, file, schema;
-  bool resume = false;
+  bool resume = false, explain = false;
   std::function<int()> action;
 
   CommandLine() {
@@ -63,8 +65,10 @@ struct CommandLine {
     add_lens();
     add_blurfield();
     add_render();
+    add_bench();
     add_stress();
     add_compare();
+    add_plan_samples();
     add_gate();
     auto* validate = app.add_subcommand("validate", "check a configuration without running it");
     validate->add_option("file", file, "any document of Sturm (- is standard input)")->required();
@@ -121,8 +125,24 @@ struct CommandLine {
   void add_render() {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
-    render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it")->required();
-    render->callback([this] { action = [this] { return render_command(common, output); }; });
+    auto* file_option = render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it");
+    render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
+    render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->capture_default_str();
+    render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")->excludes(file_option);
+    render->callback([this, file_option] {
+      if (!explain && file_option->empty()) throw CLI::RequiredError("--output");
+      action = [this] { return explain ? explain_command(common) : render_command(common, preview, output); };
+    });
+  }
+
+  void add_bench() {
+    auto* bench = app.add_subcommand("bench", "run time against error: methods and settings over views");
+    add_common_options(*bench, common, "benchmark (sturm.bench/1)");
+    bench->add_option("--out", folder, "folder of the report (default: reports/NAME)");
+    bench->add_flag("--resume", resume, "take over the rounds that an interrupted run has finished");
+    bench->callback([this] { action = [this] { return bench_command(common, folder, resume); }; });
   }
 
   void add_stress() {
@@ -143,11 +163,45 @@ struct CommandLine {
     c->add_option("reference", compare.reference, "EXR")->required();
     c->add_option("--json", compare.json_file, "write the metrics as JSON (- is standard output, instead of the table)");
     c->add_option("--exposure", compare.exposure, "factor before the display transfer function")->check(CLI::PositiveNumber);
+    c->add_option("--pixels-per-degree", compare.pixels_per_degree,
+                  "of the observer, for FLIP (default: from the picture's field of view, or 67.02)")
+        ->check(CLI::PositiveNumber);
+    c->add_option("--hdr-exposures", compare.hdr_exposures, "START STOP COUNT [powers of two] of HDR-FLIP (default: from the reference)")
+        ->expected(3);
+    c->add_option("--noise", compare.noise,
+                  "the test's view with another seed, and the reference's (EXR): what noise alone makes of each metric")
+        ->expected(1, 2);
+    c->add_flag("--regions", compare.regions, "also in focus, blurred, at occlusion edges and in highlights");
+    c->add_option("--edge", compare.edge, "X Y WIDTH HEIGHT [px]: MTF of the slanted edge in this rectangle")->expected(4);
+    c->add_flag("--psf", compare.psf, "the pictures are images of a point: compare them as point spread functions");
+    c->add_option("--pixel-arcmin", compare.pixel_arcmin, "width of a pixel for --psf [arcmin] (default: from the picture's field of view)")
+        ->check(CLI::PositiveNumber);
+    c->add_option("--maps", compare.maps_folder, "folder for a map of each metric in false colour (PNG)");
+    c->add_option("--bound", compare.bounds, "METRIC=VALUE: fail if the metric (its key in JSON) is worse; may be repeated")
+        ->allow_extra_args(false);
     c->add_option("--min-ssim", compare.min_ssim, "fail below this SSIM (display space)");
     c->add_option("--min-psnr", compare.min_psnr_dB, "fail below this PSNR [dB] (display space)");
     c->add_option("--max-rmse", compare.max_rmse, "fail above this RMSE (linear)");
     c->add_option("--max-relative-mse", compare.max_relative_mse, "fail above this relative MSE (linear)");
     c->callback([this] { action = [this] { return compare_command(compare); }; });
+  }
+
+  void add_plan_samples() {
+    auto* p = app.add_subcommand("plan-samples", "number of independent rays that a measurement needs");
+    p->add_option("--difference", plan.relative_difference, "relative difference to be seen")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    p->add_option("--sigma", plan.sigmas, "standard errors from which on it counts")->check(CLI::PositiveNumber)->capture_default_str();
+    p->add_option("--power", plan.power, "chance that it counts if it is there, 0 … 1")
+        ->check(CLI::Range(1e-9, 1.0 - 1e-9))
+        ->capture_default_str();
+    p->add_flag("--both-measured", plan.both_measured, "the other side is measured by as many rays, not known");
+    p->add_option("--kurtosis", plan.kurtosis, "of the rays along a semi-axis; 2 for a uniform disc")
+        ->check(CLI::Range(1.0001, 1e9))
+        ->capture_default_str();
+    p->add_option("--coefficient-of-variation", plan.coefficient_of_variation, "of single samples: plan for a mean instead of a semi-axis")
+        ->check(CLI::PositiveNumber);
+    p->callback([this] { action = [this] { return plan_samples_command(plan); }; });
   }
 
   void add_gate() {

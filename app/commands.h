@@ -19,7 +19,24 @@ struct CompareOptions {
   std::string test, reference;
   std::string json_file;  ///< "" = none, "-" = standard output instead of the table
   double exposure = 1.0;
+  std::optional<double> pixels_per_degree;  ///< none: from the pictures' metadata, or that of FLIP's default observer
+  std::vector<double> hdr_exposures;        ///< START STOP COUNT of HDR-FLIP [powers of two]; empty: by its rule
+  std::vector<std::string> noise;           ///< the test's view with another seed, and the reference's
+  bool regions = false;
+  std::vector<int> edge;               ///< X Y WIDTH HEIGHT of a slanted edge [px]
+  bool psf = false;                    ///< the pictures are also images of a point
+  std::optional<double> pixel_arcmin;  ///< for `psf`; none: from the metadata
+  std::string maps_folder;             ///< "" = no error maps
+  std::vector<std::string> bounds;     ///< KEY=VALUE
   std::optional<double> min_ssim, min_psnr_dB, max_rmse, max_relative_mse;
+};
+
+/// What `sturm plan-samples` is asked for.
+struct PlanOptions {
+  double relative_difference = 1e-3, sigmas = 4.0, power = 0.5;
+  bool both_measured = false;
+  double kurtosis = 2.0;                           ///< of rays along a semi-axis
+  std::optional<double> coefficient_of_variation;  ///< of single samples of a mean; none: a semi-axis
 };
 
 /// What `sturm lens` is asked for.
@@ -37,6 +54,12 @@ struct BlurFieldOptions {
   std::string layers;  ///< SVG, "" = not drawn
 };
 
+/// What `sturm render` writes beside its picture.
+struct PreviewOptions {
+  std::string file;  ///< PNG that is replaced while the picture grows; "" = none
+  double interval_s = 2.0;
+};
+
 /// What `sturm stress` is asked for.
 struct StressOptions {
   std::uint64_t cases = 1000000;
@@ -51,10 +74,13 @@ struct GateOptions {
 int ellipse_command(const CommonOptions& options, const std::string& output);
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
-int render_command(const CommonOptions& options, const std::string& output);
+int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
+int explain_command(const CommonOptions& options);  ///< sturm render --explain
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
+int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
+int plan_samples_command(const PlanOptions& options);
 int gate_command(const GateOptions& options);
 int validate_command(const std::string& file);
 int schema_command(const std::string& name);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "app/plan/render_plan.h"
 #include "app/stopwatch.h"
 #include "conoid/fragment_filter.h"
 #include "conoid/layered_predictor.h"
@@ -37,7 +38,7 @@ class PredictionRun {
     const PicturePlane& plane = field_.plane();
     const int n = prediction_.oversampling;
     const double sharp_slope = plane.pixel_slope / n;
-    RenderCounters counters;
+    RenderCounters& counters = result_.shaded;
     view_ = render_fragments(
         scene_, plane.width * n, plane.height * n,
         [&](double x, double y) {
@@ -62,15 +63,16 @@ class PredictionRun {
     result_.layers["unseen"] = std::move(predicted.unseen);
   }
 
-  void spread_layers() {
+  void spread_layers(const PredictorSettings& spreading) {
     const int n = prediction_.oversampling;
     passes_.passes = passes_to_find_unseen * n * n;
     PassCounters found;
     const std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, scene_.embree(), shader(), passes_, found);
     result_.seconds["passes"] = watch_.lap() - shading_seconds_;
     report(found);
-    Prediction predicted = predict_by_layers(view_, n, field_, unseen);
+    Prediction predicted = predict_by_layers(view_, n, field_, unseen, spreading);
     result_.seconds["spreading"] = watch_.lap();
+    result_.spread = predicted.counters;
     result_.counters["depth_layers"] = predicted.counters.layers;
     result_.counters["spread_pixels"] = predicted.counters.splatted_pixels;
     result_.counters["copied_pixels"] = predicted.counters.sharp_pixels;
@@ -125,7 +127,7 @@ double PredictedView::total_seconds() const {
 }
 
 PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const WornEye& worn, double sideways_m,
-                           const PredictionSpec& prediction, const RenderSettings& settings) {
+                           const PredictionSpec& prediction, const RenderSettings& settings, const PredictorSettings& spreading) {
   PredictedView result;
   Stopwatch watch;
   const SightField field = sight_field(camera, worn, sideways_m);
@@ -133,7 +135,7 @@ PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const W
   PredictionRun run(scene, field, prediction, settings, result);
   run.render_sharp_view();
   if (prediction.kind == PredictionKind::Layered)
-    run.spread_layers();
+    run.spread_layers(spreading);
   else
     run.blend_passes();
   return result;

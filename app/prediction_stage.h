@@ -12,6 +12,8 @@ struct PredictedView {
   std::map<std::string, Image> layers;
   Json counters;
   std::map<std::string, double> seconds;
+  RenderCounters shaded;      ///< of the sharp view
+  PredictionCounters spread;  ///< of `layered`
 
   double total_seconds() const;
 };
@@ -20,6 +22,6 @@ struct PredictedView {
 /// says where rays go, the path tracer colours a sharp view and what that does not show: `settings.samples_per_pixel` paths for each
 /// output pixel and each unseen place.
 PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const WornEye& worn, double sideways_m,
-                           const PredictionSpec& prediction, const RenderSettings& settings);
+                           const PredictionSpec& prediction, const RenderSettings& settings, const PredictorSettings& spreading = {});
 
 }  // namespace sturm

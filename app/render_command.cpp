@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -14,11 +15,36 @@
 
 namespace sturm {
 
-int render_command(const CommonOptions& options, const std::string& output) {
+namespace {
+
+/// Shows nothing where no file was asked for. Throws where it could not be written.
+Preview preview_to(const PreviewOptions& options, const RenderSpec& spec) {
+  Preview preview;
+  preview.interval_s = options.interval_s;
+  if (options.file.empty()) return preview;
+  const std::filesystem::path png(options.file);
+  const std::string given = "\"" + options.file + "\"";
+  if (png.extension() != ".png") throw InputError("", "--preview", given, "a name that ends in .png");
+  if (spec.method != RenderMethod::PathTrace) throw InputError("", "--preview", given, "a document of type \"path_trace\"");
+  require_writable(png);
+  preview.show = [png](const Image& radiance) { write_png(png, radiance, 1.0); };
+  return preview;
+}
+
+}  // namespace
+
+int explain_command(const CommonOptions& options) {
+  const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
+  std::fputs(explain_view(spec).c_str(), stdout);
+  return 0;
+}
+
+int render_command(const CommonOptions& options, const PreviewOptions& preview_options, const std::string& output) {
   const std::filesystem::path exr(output);
   if (exr.extension() != ".exr") throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .exr");
   const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
   require_writable(exr);
+  const Preview preview = preview_to(preview_options, spec);
 
   RunFacts facts;
   facts.threads = thread_count(options);
@@ -28,7 +54,8 @@ int render_command(const CommonOptions& options, const std::string& output) {
   if (options.file != "-") facts.input_files.insert(facts.input_files.begin(), options.file);
   const double samples = static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
   Progress progress("rendering", samples, "samples", options.quiet);
-  RenderOutput result = render_view(spec, [&](double fraction) { progress.update(fraction); });
+  RenderOutput result = render_view(
+      spec, [&](double fraction) { progress.update(fraction); }, preview);
   facts.seconds = result.seconds;
   facts.seconds["total"] = progress.seconds();
 
@@ -36,7 +63,10 @@ int render_command(const CommonOptions& options, const std::string& output) {
   notes.insert(notes.end(), result.notes.begin(), result.notes.end());
   std::filesystem::path beside = exr;
   write_exr(exr, result.image);
-  write_png(beside.replace_extension(".png"), result.image.layers.at(""), 1.0);
+  const Image& raw = result.image.layers.at("");
+  if (preview.show) preview.show(raw);
+  const auto filtered = result.image.layers.find("denoised");
+  write_png(beside.replace_extension(".png"), filtered == result.image.layers.end() ? raw : filtered->second, 1.0);
   write_file_atomically(beside.replace_extension(".manifest.json"), manifest(facts, *spec.resolved, result.counters, notes).dump(1) + "\n");
   return 0;
 }

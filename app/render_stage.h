@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/pass_watch.h"
+#include "app/plan/render_plan.h"
 #include "conoid/image_predictor.h"
 #include "io/json.h"
 #include "io/render_spec.h"
@@ -16,16 +18,14 @@ using ProgressFunction = std::function<void(double fraction)>;
 
 CameraPose camera_pose(const CameraSpec& spec);
 
-/// The same view from `distance_m` further to the right.
-CameraPose moved_sideways(const CameraPose& pose, double distance_m);
-
 /// Path traces one view. `accommodation` and focus distance come from the eye (relaxed or fixed).
 /// Throws InputError where metalstigmatism has no focus distance.
-RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings);
+RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings,
+                        const CameraSkips& skips = {});
 
 /// Path traces what one eye of a render document sees; `sideways_m` is where it is to the right of the camera's position.
 RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
-                             const RenderSettings& settings);
+                             const RenderSettings& settings, const ViewPlan& plan);
 
 struct PredictionTimes {
   double sharp_view_seconds = 0.0, spreading_seconds = 0.0;
@@ -39,7 +39,8 @@ struct PredictedImage {
 };
 
 /// Predicts the same view: one pinhole rendering of `settings.samples_per_pixel` samples per output pixel, spread by the conoid's ellipses.
-PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling, const RenderSettings& settings);
+PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling, const RenderSettings& settings,
+                       const PredictorSettings& spreading = {});
 
 Json counters_json(const RenderCounters& counters);
 
@@ -51,6 +52,10 @@ struct RenderOutput {
   std::map<std::string, double> seconds;
 };
 
-RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress);
+/// The plan of work of a document, as a table for people; nothing is rendered. Throws InputError.
+std::string explain_view(const RenderSpec& spec);
+
+/// The main layer is what was rendered; "denoised", where the document asks for it, is never in its place.
+RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress, const Preview& preview = {});
 
 }  // namespace sturm

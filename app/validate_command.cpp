@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "io/bench_spec.h"
 #include "io/blur_field_spec.h"
 #include "io/ellipse_query.h"
 #include "io/experiment_spec.h"
@@ -25,6 +26,8 @@ int validate_command(const std::string& file) {
     read_render_spec(document, file);
   else if (name == "experiment")
     read_experiment(document, file);
+  else if (name == "bench")
+    read_bench(document, file);
   else if (name == "gates")
     read_gates(document, file);
   else if (name == "scene")

@@ -1,27 +1,15 @@
 #include "compare/report_html.h"
 
-#include <stdexcept>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "compare/report_json.h"
 #include "compare/report_markup.h"
+#include "compare/report_page.h"
 #include "compare/report_sections.h"
 
 namespace sturm {
 
-/// Generated from compare/report_assets by the build.
-const std::vector<std::pair<std::string_view, std::string_view>>& embedded_report_assets();
-
 namespace {
-
-std::string asset(std::string_view name) {
-  for (const auto& [file, text] : embedded_report_assets()) {
-    if (file == name) return std::string(text);
-  }
-  throw std::logic_error("the report's " + std::string(name) + " was not compiled in");
-}
 
 struct Part {
   std::string id, name, html;
@@ -49,12 +37,7 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
   std::string body = verdict_section(report) + navigation(parts);
   for (const Part& part : parts) body += part.html;
   const std::string title = text_at(report, "title");
-  const std::string head = "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
-                           element("title", "", title.empty() ? "Sturm report" : escaped(title)) +
-                           element("style", "", asset("report.css"));
-  return "<!DOCTYPE html>\n" +
-         element("html", "lang=\"en\"",
-                 element("head", "", head) + element("body", "", element("main", "", body) + element("script", "", asset("report.js"))));
+  return html_page(title.empty() ? "Sturm report" : title, body);
 }
 
 }  // namespace sturm

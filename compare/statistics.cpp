@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "compare/random_draws.h"
+
 namespace sturm {
 
 namespace {
@@ -51,14 +53,6 @@ double beta_fraction(double a, double b, double x) {
                                                : -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
            return Term{numerator, 1.0};
          });
-}
-
-/// SplitMix64 (Steele, Lea & Flood 2014): full period, and the same numbers everywhere.
-std::uint64_t next_random(std::uint64_t& state) {
-  std::uint64_t z = state += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
 }
 
 }  // namespace

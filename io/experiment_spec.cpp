@@ -146,6 +146,7 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     add_files(spec.input_files, spec.images.back().scene.input_files);
   }
   spec.resolved = std::make_shared<const Json>(resolved_experiment(document));
+  spec.share_views = (*spec.resolved)["skip"]["same_views"].get<bool>();
   return spec;
 }
 

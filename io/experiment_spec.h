@@ -63,6 +63,7 @@ struct ExperimentSpec {
   std::optional<EllipseExperiment> ellipses;
   std::vector<PsfExperiment> psfs;      ///< ids are unique
   std::vector<ImageExperiment> images;  ///< ids are unique
+  bool share_views = true;              ///< pictures that are the same are rendered once
   std::optional<LensStudySpec> lens_study;
   std::vector<FigureSpec> figures;                ///< ids are unique
   std::filesystem::path gates;                    ///< absolute

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/build_info.h"
+#include "io/machine.h"
 #include "io/sha256.h"
 
 namespace sturm {
@@ -63,6 +64,7 @@ Json provenance(const RunFacts& run, const Json& resolved_spec) {
           {"spec_hash", spec_hash(resolved_spec)},
           {"started_utc", run.started_utc},
           {"seconds", run.seconds},
+          {"peak_memory_bytes", peak_memory_bytes()},
           {"inputs", std::move(inputs)}};
 }
 

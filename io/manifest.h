@@ -18,7 +18,8 @@ struct RunFacts {
 };
 
 /// The object "provenance" of a report: version, commit, compiler, flags, instruction set, CPU, threads, seed, hash of the
-/// resolved spec, start, seconds, inputs with their SHA-256. Throws InputError if an input file has gone.
+/// resolved spec, start, seconds, peak memory of the process so far, inputs with their SHA-256. Throws InputError if an input file has
+/// gone.
 Json provenance(const RunFacts& run, const Json& resolved_spec);
 
 /// A document of format sturm.manifest/1: provenance, resolved spec, counters and notes; what lies beside an image.

@@ -15,7 +15,8 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   };
   if (value["type"] == "predict") {
     spec.method = RenderMethod::Predict;
-    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters"}) refuse(key, "predict");
+    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters", "stop", "adaptive", "denoise", "sharp_below_px"})
+      refuse(key, "predict");
     spec.prediction = read_prediction(value, where);
   } else {
     for (const char* key : {"oversampling", "prediction", "passes", "smooth"}) refuse(key, "path_trace");
@@ -26,6 +27,10 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   spec.samples_per_pixel = value.value("samples_per_pixel", spec.samples_per_pixel);
   spec.max_bounces = value.value("max_bounces", spec.max_bounces);
   spec.guide_emitters = value.value("guide_emitters", spec.guide_emitters);
+  spec.stop = read_stop(value, where, spec.samples_per_pixel);
+  spec.adaptive = read_adaptive(value, where);
+  spec.denoise = read_denoise(value);
+  spec.sharp_below_px = value.value("sharp_below_px", spec.sharp_below_px);
   spec.sampler = read_sequence(value.value("sampler", "sobol"));
   spec.sampling = read_pupil_sampling(value, where);
 }
@@ -81,11 +86,21 @@ Json resolved_render(const Json& document, const Source& root) {
     if (method["prediction"] == "ellipses") method.erase("smooth");
     method.erase("sampling");
     method.erase("guide_emitters");
+    method.erase("sharp_below_px");
   }
   return resolved;
 }
 
 }  // namespace
+
+bool eyes_are_alike(const RenderSpec& spec) {
+  const Json& document = *spec.resolved;
+  if (!document.contains("left")) return true;
+  const auto alike = [&](const char* key) {
+    return !document["left"].contains(key) || document["left"][key] == document.value(key, Json(nullptr));
+  };
+  return alike("eye") && alike("spectacles");
+}
 
 RenderSpec read_render_spec(const Json& document, const std::string& file) {
   validate(document, "render", file);
@@ -105,6 +120,7 @@ RenderSpec read_render_spec(const Json& document, const std::string& file) {
   if (spec.method == RenderMethod::Predict) require_predictable(document, spec, root);
   spec.seed = document.value("seed", spec.seed);
   spec.resolved = std::make_shared<const Json>(resolved_render(document, root));
+  spec.skip = read_skips((*spec.resolved)["method"]["skip"]);
   return spec;
 }
 

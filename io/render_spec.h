@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "io/camera_spec.h"
+#include "io/denoise_spec.h"
 #include "io/prediction_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
+#include "io/skip_spec.h"
+#include "io/stop_spec.h"
 #include "io/worn_eye_spec.h"
 
 namespace sturm {
@@ -26,15 +29,23 @@ struct RenderSpec {
   std::uint64_t samples_per_pixel = 64;  ///< of the path tracer, or of the prediction's sharp view (per output pixel)
   int max_bounces = 16;
   bool guide_emitters = true;  ///< of the path tracer, for the naked eye in `camera` gaze
+  StopSpec stop;               ///< of the path tracer, like the next two
+  std::optional<AdaptiveSpec> adaptive;
+  std::optional<DenoiseSpec> denoise;
   Sequence sampler = Sequence::Sobol;
   PupilSamplingSpec sampling;
   PredictionSpec prediction;  ///< for RenderMethod::Predict
+  SkipSpec skip;
+  double sharp_below_px = 0.02;  ///< blur up to which `skip.sharp_pixels` applies (path tracing only)
   std::uint64_t seed = 1;
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were named
   std::shared_ptr<const Json> resolved;  ///< the document with every default spelt out; eye files are put in place, paths of lenses, scenes
                                          ///< and models stay as given
 };
+
+/// True where both eyes of a stereo pair are alike and wear the same.
+bool eyes_are_alike(const RenderSpec& spec);
 
 /// Validates and reads a render document; `file` names it in errors and is where relative paths start. Throws InputError.
 RenderSpec read_render_spec(const Json& document, const std::string& file);

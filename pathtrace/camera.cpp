@@ -2,6 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
+
+#include "pathtrace/plan/sharp_cells.h"
 
 namespace sturm {
 
@@ -24,8 +27,8 @@ CameraPose widened(const CameraPose& pose, int margin_px, int oversampling) {
   return wide;
 }
 
-EyeCamera::EyeCamera(const CameraPose& pose, const EyeRays<float>& rays)
-    : width_(pose.width), height_(pose.height), pixel_slope_(static_cast<float>(pixel_slope(pose))), rays_(rays) {
+EyeCamera::EyeCamera(const CameraPose& pose, const EyeRays<float>& rays, CameraSkips skips)
+    : width_(pose.width), height_(pose.height), pixel_slope_(static_cast<float>(pixel_slope(pose))), rays_(rays), skips_(std::move(skips)) {
   const Eigen::Matrix3f axes = head_axes(pose).cast<float>();
   position_ = pose.position.cast<float>();
   right_ = axes.col(0);
@@ -33,11 +36,15 @@ EyeCamera::EyeCamera(const CameraPose& pose, const EyeRays<float>& rays)
   forward_ = -axes.col(2);
 }
 
+bool EyeCamera::is_sharp(int x, int y) const {
+  return skips_.sharp && skips_.sharp->at(x, y);
+}
+
 void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
   constexpr int size = CameraRayBlock::size;
   alignas(64) std::uint32_t film_x[size], film_y[size], lens_x[size], lens_y[size];
   const owen_sobol::Keys film_key = sequence.keys(dimension::film), lens_key = sequence.keys(dimension::lens);
-  const bool pinhole = rays_.pupil_radius() == 0.0f;
+  const bool pinhole = (rays_.pupil_radius() == 0.0f && skips_.zero_pupil) || is_sharp(x, y);
   if (sequence.kind() == Sequence::Sobol) {
     for (int i = 0; i < size; ++i) {
       const auto film = owen_sobol::pair(first_sample + static_cast<std::uint32_t>(i), film_key);
@@ -54,18 +61,20 @@ void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSe
   } else if (sequence.kind() == Sequence::Halton) {
     for (int i = 0; i < size; ++i) {
       const auto film = sequence.pair(first_sample + static_cast<std::uint32_t>(i), dimension::film);
-      const auto lens = sequence.pair(first_sample + static_cast<std::uint32_t>(i), dimension::lens);
       film_x[i] = film.x;
       film_y[i] = film.y;
+      if (pinhole) continue;
+      const auto lens = sequence.pair(first_sample + static_cast<std::uint32_t>(i), dimension::lens);
       lens_x[i] = lens.x;
       lens_y[i] = lens.y;
     }
   } else {
     for (int i = 0; i < size; ++i) {
       const auto film = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), film_key.order);
-      const auto lens = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), lens_key.order);
       film_x[i] = film.x;
       film_y[i] = film.y;
+      if (pinhole) continue;
+      const auto lens = PixelSequence::independent(first_sample + static_cast<std::uint32_t>(i), lens_key.order);
       lens_x[i] = lens.x;
       lens_y[i] = lens.y;
     }

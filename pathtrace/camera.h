@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <numbers>
 
 #include "pathtrace/disk.h"
@@ -8,6 +9,14 @@
 #include "pathtrace/sequence.h"
 
 namespace sturm {
+
+class SharpCells;
+
+/// Points over the pupil that a camera may leave out (pathtrace/plan/).
+struct CameraSkips {
+  bool zero_pupil = true;                   ///< of a pupil without extent
+  std::shared_ptr<const SharpCells> sharp;  ///< of the pixels whose blur cannot be seen; null: of none
+};
 
 /// Where the eye is and where it looks; perspective, `camera` gaze (physics.md §3).
 struct CameraPose {
@@ -44,12 +53,15 @@ class EyeCamera {
  public:
   static constexpr bool weighted = false;
 
-  EyeCamera(const CameraPose& pose, const EyeRays<float>& rays);
+  EyeCamera(const CameraPose& pose, const EyeRays<float>& rays, CameraSkips skips = {});
 
   int width() const { return width_; }
   int height() const { return height_; }
   const EyeRays<float>& rays() const { return rays_; }
   const Eigen::Vector3f& forward() const { return forward_; }
+
+  /// True where all rays of the pixel go through the pupil's centre although the pupil is wider.
+  bool is_sharp(int x, int y) const;
 
   /// A point of the world on (right, up, forward) of the eye [m].
   Eigen::Vector3f in_eye_frame(const Eigen::Vector3f& world) const {
@@ -82,6 +94,7 @@ class EyeCamera {
   float pixel_slope_;
   Eigen::Vector3f position_, right_, up_, forward_;
   EyeRays<float> rays_;
+  CameraSkips skips_;
 };
 
 }  // namespace sturm

@@ -23,6 +23,18 @@ class PixelStatistics {
     }
   }
 
+  /// As if the other's samples had been added too, but for rounding (Chan, Golub & LeVeque 1979).
+  void merge(const PixelStatistics& other) {
+    if (other.count_ == 0) return;
+    const double n = static_cast<double>(count_), m = static_cast<double>(other.count_);
+    for (int k = 0; k < 3; ++k) {
+      const double difference = other.mean_[k] - mean_[k];
+      mean_[k] += difference * (m / (n + m));
+      squares_[k] += other.squares_[k] + difference * difference * (n * m / (n + m));
+    }
+    count_ += other.count_;
+  }
+
   std::uint64_t count() const { return count_; }
   double mean(int channel) const { return mean_[channel]; }
 
@@ -58,6 +70,43 @@ class FirstHitStatistics {
   std::uint64_t count_ = 0;
   double albedo_[3] = {0.0, 0.0, 0.0}, normal_[3] = {0.0, 0.0, 0.0};
   float nearest_ = std::numeric_limits<float>::infinity();
+};
+
+/// Means of what the camera rays of a pixel met first, with the variances of these means: what tells a denoiser an edge from the noise of
+/// a pupil that sees several things at once. Features: albedo (3), normal (3, world), vergence 1/distance [1/m]; a miss counts as 0 in all.
+class GuideStatistics {
+ public:
+  static constexpr int features = 7;
+
+  void add(const Eigen::Vector3f& albedo, const Eigen::Vector3f& normal, float distance) {
+    ++count_;
+    for (int k = 0; k < 3; ++k) {
+      add_feature(k, static_cast<double>(albedo[k]));
+      add_feature(3 + k, static_cast<double>(normal[k]));
+    }
+    add_feature(6, 1.0 / static_cast<double>(distance));
+  }
+  void add_miss() {
+    ++count_;
+    for (int k = 0; k < features; ++k) add_feature(k, 0.0);
+  }
+
+  double mean(int feature) const { return mean_[feature]; }
+
+  /// Sample variance over the number of samples; of low-discrepancy samples this is more than the mean has. 0 with fewer than two.
+  double variance_of_mean(int feature) const {
+    return count_ > 1 ? squares_[feature] / static_cast<double>(count_ - 1) / static_cast<double>(count_) : 0.0;
+  }
+
+ private:
+  void add_feature(int k, double value) {
+    const double deviation = value - mean_[k];
+    mean_[k] += deviation / static_cast<double>(count_);
+    squares_[k] += deviation * (value - mean_[k]);
+  }
+
+  std::uint64_t count_ = 0;
+  double mean_[features] = {}, squares_[features] = {};
 };
 
 }  // namespace sturm

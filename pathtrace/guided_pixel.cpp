@@ -10,7 +10,8 @@ GuidedPixel::GuidedPixel(const SceneGuide& guide, int x, int y, const PixelSeque
     : guide_(guide), x_(x), y_(y), sequence_(sequence) {
   const float radius = guide.guide().pupil_radius();
   plain_pdf_ = 1.0f / (std::numbers::pi_v<float> * radius * radius);
-  guide.guide().find_targets(x, y, targets_);
+  if (!guide.camera().is_sharp(x, y))
+    guide.guide().find_targets(x, y, targets_);  // without points over the pupil there is nothing to guide
 }
 
 float GuidedPixel::share_of_plain(const EmitterGuide::Target& target, float qx, float qy, float px, float py) const {

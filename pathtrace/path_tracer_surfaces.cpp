@@ -20,6 +20,7 @@ struct DiffuseSurfaces {
     return s;
   }
   static bool only_sharp(const SurfaceModel&) { return false; }
+  static constexpr bool lit_from_one_side = true;
 };
 
 struct AnySurfaces {
@@ -30,6 +31,7 @@ struct AnySurfaces {
     return sturm::sample(model, out, numbers, albedo);
   }
   static bool only_sharp(const SurfaceModel& model) { return sturm::only_sharp(model); }
+  static constexpr bool lit_from_one_side = false;
 };
 
 /// The local frame of a surface point for one viewing direction. Reflection and transmission are told apart by the geometric normal, so
@@ -68,14 +70,14 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
   const LightSet& lights = scene_.lights();
   SurfacePoint at = first;
   Vector3f direction = first_direction.normalized(), throughput = Vector3f::Ones(), sum = Vector3f::Zero();
-  Vector3f previous = Vector3f::Zero();
+  Vector3f previous = Vector3f::Zero(), previous_normal = Vector3f::Zero();
   float scatter_pdf = 0.0f, spread = 1.0f;
   bool sharp = true;  // lights cannot have been sampled in this direction before
   for (int bounce = 0;; ++bounce) {
     if (at.emitter >= 0 && at.normal.dot(direction) < 0.0f) {
       const float weight = bounce == 0 ? first_emission_weight
                            : sharp     ? 1.0f
-                                       : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, at.position, at.normal));
+                                       : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, previous_normal, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
     if (bounce == settings_.max_bounces) return sum;
@@ -83,20 +85,22 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     const SurfaceModel& surface = at.material->surface;
     const ShadingFrame frame(at, -direction);
     const Vector3f out = frame.to_local(-direction);
+    // The side from which light matters to the choice of a light; 0: either.
+    const Vector3f lit_side = !Surfaces::lit_from_one_side      ? Vector3f(Vector3f::Zero())
+                              : at.normal.dot(direction) < 0.0f ? at.normal
+                                                                : Vector3f(-at.normal);
     const std::uint32_t first_dimension = dimension::first_vertex + dimensions_per_vertex * static_cast<std::uint32_t>(bounce);
     if (!lights.empty() && !Surfaces::only_sharp(surface)) {
       const auto u = numbers.sequence().pair(sample, first_dimension + dimension::light);
-      const LightSample light = lights.sample(at.position, unit_float(u.x), unit_float(u.y));
+      const LightSample light = lights.sample(at.position, lit_side, unit_float(u.x), unit_float(u.y));
       const Vector3f to_light = light.direction.normalized();
       if (light.pdf > 0.0f && frame.agrees(to_light)) {
         const BsdfValue value = Surfaces::evaluate(surface, out, frame.to_local(to_light), at.albedo);
         if (value.value.maxCoeff() > 0.0f) {
           const Vector3f origin = frame.origin(at.position, to_light);
-          ++counters.shadow_rays;
-          if (!occluded(scene_.embree(), origin, at.position + light.direction - origin)) {
-            const float weight = light.delta ? 1.0f : mis_weight(light.pdf, value.pdf);
-            sum += (weight / light.pdf) * throughput.cwiseProduct(value.value).cwiseProduct(light.radiance);
-          }
+          const Vector3f towards = light.group < 0 ? Vector3f(at.position + light.direction - origin) : light.direction;
+          const float weight = light.delta ? 1.0f : mis_weight(light.pdf, value.pdf);
+          sum += (weight / light.pdf) * throughput.cwiseProduct(value.value).cwiseProduct(arriving(light, origin, towards, counters));
         }
       }
     }
@@ -112,7 +116,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     spread *= scattered.spread;
     if (bounce >= settings_.first_roulette_bounce) {
       // Radiance inside glass is larger by the index squared; that is no reason to end or keep a path.
-      const float survival = std::min(0.95f, throughput.maxCoeff() * spread);
+      const float survival = survival_probability(throughput.maxCoeff() * spread);
       if (unit_float(numbers.sequence().single(sample, first_dimension + dimension::survive)) >= survival) return sum;
       throughput /= survival;
     }
@@ -120,6 +124,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     sharp = scattered.delta;
 
     previous = at.position;
+    previous_normal = lit_side;
     const Vector3f origin = frame.origin(at.position, direction);
     ++counters.bounce_rays;
     RTCRayHit ray = ray_from(origin, direction);

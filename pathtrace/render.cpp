@@ -9,10 +9,12 @@
 #include <string>
 
 #include "io/error.h"
+#include "pathtrace/adaptive_render.h"
 #include "pathtrace/camera_hits.h"
-#include "pathtrace/film.h"
 #include "pathtrace/guided_pixel.h"
 #include "pathtrace/path_tracer.h"
+#include "pathtrace/progressive_render.h"
+#include "pathtrace/result_layers.h"
 
 namespace sturm {
 
@@ -25,27 +27,32 @@ constexpr int tile_size = 16;
                        std::to_string(sample) + ", seed " + std::to_string(seed));
 }
 
-/// Renders pixel by pixel into images that other threads fill elsewhere. Camera: EyeCamera or ViewCamera.
+/// What a stream adds to the seed: beyond all seeds of documents (2⁵³) and of their left eyes (as much again).
+constexpr std::uint64_t stream_seed = std::uint64_t{1} << 54;
+
+/// The samples of pixels as a camera sees them. Camera: EyeCamera or ViewCamera.
 template <class Camera>
-class PixelRenderer {
+class PixelRenderer final : public PixelSource {
  public:
-  PixelRenderer(const Scene& scene, const Camera& camera, const RenderSettings& settings, RenderResult& result)
-      : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings), result_(result) {
+  PixelRenderer(const Scene& scene, const Camera& camera, const RenderSettings& settings)
+      : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings) {
     if constexpr (can_guide)
       if (settings.guide_emitters) guide_.emplace(scene, camera);
   }
 
-  void render_pixel(int x, int y, RenderCounters& counters) const {
-    const PixelSequence sequence(settings_.sequence, settings_.seed, static_cast<std::uint32_t>(y * camera_.width() + x));
-    PixelStatistics radiance;
-    FirstHitStatistics first_hit;
+  int width() const override { return camera_.width(); }
+  int height() const override { return camera_.height(); }
+
+  void add_samples(int x, int y, const SampleRange& range, const PixelRecords& records, RenderCounters& counters) const override {
+    const PixelSequence sequence(settings_.sequence, settings_.seed + stream_seed * static_cast<std::uint64_t>(range.stream),
+                                 static_cast<std::uint32_t>(y * camera_.width() + x));
     VertexNumbers numbers(sequence);
     CameraHits hits;
     std::optional<GuidedPixel> guided;
     if (guide_ && !guide_->empty()) guided.emplace(*guide_, x, y, sequence);
-    const auto samples = static_cast<std::uint32_t>(settings_.samples_per_pixel);
-    for (std::uint32_t first = 0; first < samples; first += CameraRayBlock::size) {
-      const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, samples - first));
+    const std::uint32_t end = range.first + range.count;
+    for (std::uint32_t first = range.first; first < end; first += CameraRayBlock::size) {
+      const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, end - first));
       trace_camera_rays(scene_, camera_, x, y, first, count, sequence, hits);
       numbers.begin_block(first);
       for (int i = 0; i < count; ++i) {
@@ -63,52 +70,34 @@ class PixelRenderer {
           value = tracer_.radiance(point, direction, numbers, sample, counters, emission_weight);
           if constexpr (Camera::weighted) value *= hits.rays.weight[i];
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
-          first_hit.add(point.albedo, point.normal, hits.distance(i));
+          records.first_hit.add(point.albedo, point.normal, hits.distance(i));
+          if (records.guide) records.guide->add(point.albedo, point.normal, hits.distance(i));
         } else {
           if (scene_.has_environment()) value = scene_.environment(hits.direction(i));
-          first_hit.add_miss();
+          records.first_hit.add_miss();
+          if (records.guide) records.guide->add_miss();
         }
         if (guided && guided->active()) value += guided->sample(first + static_cast<std::uint32_t>(i), counters);
-        radiance.add(value);
+        records.radiance.add(value);
       }
     }
-    store(x, y, radiance, first_hit);
   }
 
  private:
-  void store(int x, int y, const PixelStatistics& radiance, const FirstHitStatistics& first_hit) const {
-    for (int k = 0; k < 3; ++k) {
-      result_.radiance.at(x, y)[k] = static_cast<float>(radiance.mean(k));
-      result_.variance.at(x, y)[k] = static_cast<float>(radiance.variance(k));
-      result_.albedo.at(x, y)[k] = static_cast<float>(first_hit.albedo(k));
-      result_.normal.at(x, y)[k] = static_cast<float>(first_hit.normal(k));
-    }
-    *result_.depth.at(x, y) = first_hit.depth();
-  }
-
   const Scene& scene_;
   const Camera& camera_;
   const RenderSettings& settings_;
   PathTracer tracer_;
-  RenderResult& result_;
   static constexpr bool can_guide = std::is_same_v<Camera, EyeCamera>;  ///< of the others the footprint is not known here
   std::optional<SceneGuide> guide_;
 };
 
-void add(RenderCounters& total, const RenderCounters& part) {
-  total.camera += part.camera;
-  total.bounce_rays += part.bounce_rays;
-  total.shadow_rays += part.shadow_rays;
-  total.guided_rays += part.guided_rays;
-  total.guided_hits += part.guided_hits;
-}
-
+/// Every pixel in one go, its statistics on the stack of one thread.
 template <class Camera>
-RenderResult render_with(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
-  const int width = camera.width(), height = camera.height();
-  RenderResult result{Image(width, height, 3), Image(width, height, 3), Image(width, height, 3),
-                      Image(width, height, 3), Image(width, height, 1), {}};
-  const PixelRenderer<Camera> renderer(scene, camera, settings, result);
+RenderResult render_at_once(const PixelRenderer<Camera>& renderer, const RenderSettings& settings) {
+  const int width = renderer.width(), height = renderer.height();
+  RenderResult result = empty_result(width, height, settings);
+  const SampleRange all{0, 0, static_cast<std::uint32_t>(settings.samples_per_pixel)};
   std::mutex merging;
   std::atomic<long long> finished{0};
   const double pixels = static_cast<double>(width) * height;
@@ -116,13 +105,29 @@ RenderResult render_with(const Scene& scene, const Camera& camera, const RenderS
   tbb::parallel_for(range, [&](const tbb::blocked_range2d<int>& tile) {
     RenderCounters counters;
     for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
-      for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) renderer.render_pixel(x, y, counters);
+      for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
+        PixelStatistics radiance;
+        FirstHitStatistics first_hit;
+        GuideStatistics guide;
+        renderer.add_samples(x, y, all, {radiance, first_hit, settings.guide_layers ? &guide : nullptr}, counters);
+        store_radiance(result, x, y, radiance);
+        store_first_hit(result, x, y, first_hit, guide);
+      }
     const long long done = finished += static_cast<long long>(tile.rows().size() * tile.cols().size());
     if (settings.progress) settings.progress(static_cast<double>(done) / pixels);
     const std::lock_guard lock(merging);
-    add(result.counters, counters);  // integers: the order does not matter
+    result.counters += counters;  // integers: the order does not matter
   });
+  result.passes.samples_spent = result.passes.samples_kept = static_cast<std::uint64_t>(pixels) * all.count;
   return result;
+}
+
+template <class Camera>
+RenderResult render_with(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+  const PixelRenderer<Camera> renderer(scene, camera, settings);
+  if (settings.relative_error) return render_to_error(renderer, settings);
+  if (settings.after_pass) return render_in_passes(renderer, settings);
+  return render_at_once(renderer, settings);
 }
 
 }  // namespace

@@ -58,6 +58,17 @@ void validate(const Sphere& sphere, std::size_t material_count) {
 
 }  // namespace
 
+Scene::Kind kind_of(const SceneDescription& description) {
+  const auto is_diffuse = [](const Material& m) { return std::holds_alternative<Diffuse>(m.surface); };
+  if (!std::all_of(description.materials.begin(), description.materials.end(), is_diffuse)) return Scene::Kind::mixed;
+  const auto is_smooth = [](const Mesh& mesh) { return !mesh.normals.empty(); };
+  const bool smooth = std::any_of(description.meshes.begin(), description.meshes.end(), is_smooth) ||
+                      std::any_of(description.prototypes.begin(), description.prototypes.end(), is_smooth);
+  const std::optional<Environment>& around = description.environment;
+  const bool surrounded = around && (around->map || around->radiance.maxCoeff() > 0.0f);
+  return smooth || surrounded ? Scene::Kind::diffuse : Scene::Kind::plain;
+}
+
 Scene::Scene(const SceneDescription& description, const std::string& isa)
     : instruction_set_(isa.empty() ? "default" : isa),
       device_(rtcNewDevice(isa.empty() ? nullptr : ("isa=" + isa).c_str())),
@@ -79,13 +90,9 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
   if (triangle_material_.empty() && sphere_material_.empty()) throw InputError("", "/scene", "no surface", "at least one mesh or sphere");
   for (const PointLight& light : description.lights) lights_.add_point(light.position, light.intensity);
   if (description.environment) add_environment(*description.environment);
+  for (const int light : description.unseen_emitters) lights_.leave_out(light);
   lights_.finish();
-  const bool all_diffuse =
-      std::all_of(materials_.begin(), materials_.end(), [](const Material& m) { return std::holds_alternative<Diffuse>(m.surface); });
-  if (!all_diffuse)
-    kind_ = Kind::mixed;
-  else if (has_environment() || smooth_)
-    kind_ = Kind::diffuse;
+  kind_ = kind_of(description);
   rtcCommitScene(scene_.get());
   if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
     throw RuntimeFailure("Embree could not build the scene (error " + std::to_string(error) + ")");

@@ -26,7 +26,7 @@ struct SurfacePoint {
 /// Immutable scene on Embree 3: all triangles in one geometry, all spheres in another; repeated meshes are Embree instances.
 class Scene {
  public:
-  /// What its surfaces and its surroundings ask of a path tracer.
+  /// What its surfaces and its surroundings ask of a path tracer, each kind more than the one before it.
   enum class Kind {
     plain,    ///< Lambert, flat, nothing around
     diffuse,  ///< Lambert, with smooth normals or an environment
@@ -97,5 +97,8 @@ class Scene {
   LightSet lights_;
   Eigen::Vector3f lower_, upper_;
 };
+
+/// The kind that a scene has once it is built: Scene(description).kind().
+Scene::Kind kind_of(const SceneDescription& description);
 
 }  // namespace sturm

@@ -66,7 +66,8 @@ struct SceneDescription {
   std::optional<Environment> environment{};
   std::vector<Mesh> prototypes{};  ///< seen only as instances; must not emit
   std::vector<Instance> instances{};
-  std::vector<std::string> notes{};  ///< what the model files hold and this program leaves out
+  std::vector<int> unseen_emitters{};  ///< never chosen as a light, by their numbers in the light set (pathtrace/plan/unseen_emitters.h)
+  std::vector<std::string> notes{};    ///< what the model files hold and this program leaves out
 };
 
 }  // namespace sturm

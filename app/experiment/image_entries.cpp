@@ -56,8 +56,10 @@ Json noise_floor_json(const Replicates& traced) {
 
 }  // namespace
 
-Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed,
+Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description, SharedViews& views,
                    const std::filesystem::path& folder, const ProgressFunction& progress) {
+  const ImageExperiment& spec = experiment.images[index];
+  const std::uint64_t seed = experiment.seed;
   const Scene scene(description);
   const CameraPose pose = camera_pose(spec.camera);
   const double parts = static_cast<double>(spec.ray_models.size()) + 1.0;
@@ -74,12 +76,15 @@ Json image_entries(const ImageExperiment& spec, const SceneDescription& descript
 
   Json entries = Json::array();
   for (std::size_t k = 0; k < spec.ray_models.size(); ++k) {
-    RenderSettings settings;
-    settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
-    const Stopwatch watch;
-    const Replicates traced =
-        render_replicates(scene, pose, spec.eye, *ray_model_named(spec.ray_models[k]), settings, seed, spec.replicates, part(k + 1));
-    const double seconds = watch.seconds();
+    const RayModel model = *ray_model_named(spec.ray_models[k]);
+    const std::shared_ptr<const SharedViews::View> view = views.get(index, model, [&] {
+      RenderSettings settings;
+      settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
+      const Stopwatch watch;
+      Replicates replicates = render_replicates(scene, pose, spec.eye, model, settings, seed, spec.replicates, part(k + 1));
+      return SharedViews::View{std::move(replicates), watch.seconds(), spec.id + "/" + spec.ray_models[k]};
+    });
+    const Replicates& traced = view->replicates;
     const std::string traced_file = "images/" + spec.id + "_" + spec.ray_models[k];
     write_picture(folder / traced_file, traced.mean(), exposure);
     entries.push_back({{"id", spec.id},
@@ -93,13 +98,14 @@ Json image_entries(const ImageExperiment& spec, const SceneDescription& descript
                          {"predicted", predicted_file + ".exr"},
                          {"predicted_png", predicted_file + ".png"}}},
                        {"seconds",
-                        {{"path_traced", seconds},
+                        {{"path_traced", view->seconds},
                          {"sharp_view", predicted.times.sharp_view_seconds},
                          {"spreading", predicted.times.spreading_seconds},
                          {"predicted_total", predicted.times.sharp_view_seconds + predicted.times.spreading_seconds}}},
                        {"samples_per_pixel", spec.samples_per_pixel * static_cast<std::uint64_t>(spec.replicates)},
                        {"metrics", metrics_json(predicted.predictions, traced)},
                        {"noise_floor", noise_floor_json(traced)}});
+    if (const std::string own = spec.id + "/" + spec.ray_models[k]; view->made_for != own) entries.back()["same_view_as"] = view->made_for;
   }
   return entries;
 }

@@ -42,19 +42,21 @@ void clear_leftovers(const fs::path& folder) {
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume)
+RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume, const Layout& layout)
     : folder_(std::move(folder)), parts_(folder_ / "parts" / key.substr(0, key_digits)) {
   try {
     fs::create_directories(folder_ / "parts");
-    for (const char* report : {"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}) fs::remove(folder_ / report);
+    for (const std::string& report : layout.reports) fs::remove(folder_ / report);
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "parts"))
       if (holds_parts(entry.path()) && (!resume || entry.path() != parts_)) fs::remove_all(entry.path());
-    for (const fs::path& used : {folder_ / "psf", folder_ / "images", folder_ / "figures", parts_}) {
-      fs::create_directories(used);
-      clear_leftovers(used);
+    std::vector<fs::path> used = {parts_};
+    for (const std::string& name : layout.folders) used.push_back(folder_ / name);
+    for (const fs::path& place : used) {
+      fs::create_directories(place);
+      clear_leftovers(place);
     }
     clear_leftovers(folder_);
-    AtomicFile probe(folder_ / "report.json");  // creating its temporary file shows that reports can be written
+    AtomicFile probe(folder_ / layout.reports.front());  // creating its temporary file shows that reports can be written
   } catch (const fs::filesystem_error& error) {
     throw RuntimeFailure("the output folder cannot be used: " + std::string(error.what()));
   }

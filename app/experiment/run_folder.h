@@ -3,6 +3,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "io/json.h"
 
@@ -12,9 +13,15 @@ namespace sturm {
 /// contents of all inputs: a part of another run is never taken for one of this run.
 class RunFolder {
  public:
-  /// Prepares `folder`: an old report and parts of other runs go away; parts of this run stay only if `resume`.
+  /// What a run writes into its folder besides the parts.
+  struct Layout {
+    std::vector<std::string> reports;  ///< files that appear when the run is complete; the first one last
+    std::vector<std::string> folders;
+  };
+
+  /// Prepares `folder`: old reports and parts of other runs go away; parts of this run stay only if `resume`.
   /// Throws RuntimeFailure where the folder cannot be written.
-  RunFolder(std::filesystem::path folder, const std::string& key, bool resume);
+  RunFolder(std::filesystem::path folder, const std::string& key, bool resume, const Layout& layout);
 
   const std::filesystem::path& path() const { return folder_; }
 

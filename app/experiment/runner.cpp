@@ -109,7 +109,8 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
 
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume);
+  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume,
+                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}, {"psf", "images", "figures"}});
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
@@ -128,10 +129,11 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
                                  [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
     seconds["psfs"] += parts.seconds();
   }
+  SharedViews views(spec, scenes);
   for (std::size_t i = 0; i < spec.images.size(); ++i) {
     const ImageExperiment& image = spec.images[i];
     append(report["images"], parts("image_" + image.id, "image " + image.id, [&](const ProgressFunction& progress) {
-             return image_entries(image, scenes[i], spec.seed, folder.path(), progress);
+             return image_entries(spec, i, scenes[i], views, folder.path(), progress);
            }));
     seconds["images"] += parts.seconds();
   }

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "app/experiment/shared_views.h"
 #include "app/render_stage.h"
 #include "io/experiment_spec.h"
 #include "io/json.h"
@@ -25,8 +26,8 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
 /// Throws InputError where a PSF asks for a ray model that its eye leaves undefined.
 void require_defined_models(const PsfExperiment& spec);
 
-/// One scene path traced with each ray model and predicted once: a list of "images" entries.
-Json image_entries(const ImageExperiment& spec, const SceneDescription& description, std::uint64_t seed,
+/// Image number `index` of an experiment: one scene path traced with each ray model and predicted once: a list of "images" entries.
+Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description, SharedViews& views,
                    const std::filesystem::path& folder, const ProgressFunction& progress);
 
 /// The comparison of rays with the conoid again, with a conoid that is wrong on purpose: mirrored axis, vertex distance dropped, and

@@ -31,4 +31,9 @@ void require_comparable(const Image& test, const Image& reference) {
   require_finite(reference, "reference image");
 }
 
+void require_colour_pair(const Image& test, const Image& reference) {
+  require_comparable(test, reference);
+  if (test.channels != 3) throw InputError("", "", size_text(test), "red, green and blue");
+}
+
 }  // namespace sturm

@@ -11,4 +11,7 @@ void require_finite(const Image& image, const std::string& name);
 /// Throws InputError unless both images have the same width, height and channels, and finite pixels.
 void require_comparable(const Image& test, const Image& reference);
 
+/// The same, and both have three channels.
+void require_colour_pair(const Image& test, const Image& reference);
+
 }  // namespace sturm

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "io/image.h"
 
 namespace sturm {
@@ -11,5 +13,8 @@ struct RelativeMse {
 
 /// Throws InputError as `require_comparable`.
 RelativeMse relative_mse(const Image& test, const Image& reference);
+
+/// Mean without the largest 0.1 % of the values (rounded down); 0 for none.
+double trimmed_mean(std::vector<double> values);
 
 }  // namespace sturm

@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from sturm_process import FAILED, SOURCE, FolderTest, strict_json, sturm
+from sturm_process import FAILED, SOURCE, WRONG_INPUT, FolderTest, strict_json, sturm
 
 IMAGES = SOURCE / "tests/reference/images"
 # Our name of a metric, and the reference's in tests/reference/images/values.json.
@@ -14,7 +14,11 @@ CONVENTIONS = {
     "psnr_linear_dB": "psnr_rgb_linear",
     "rmse_linear": "rmse_rgb_linear",
     "relative_mse": "relmse_rgb_linear_eps0.01",
+    "flip": "flip_mean_ppd67.02",
 }
+SIMILARITIES = {"ssim_display", "ssim_linear"}
+NONE_FOR_EQUAL_PICTURES = {"psnr_display_dB", "psnr_linear_dB"}
+NONE_FOR_SMALL_PICTURES = {"ms_ssim_display", "ms_ssim_linear"}  # 160 x 128: five scales need 176
 
 
 def image(name):
@@ -34,8 +38,10 @@ class Compare(FolderTest):
 
     def test_an_image_equals_itself(self):
         result = self.metrics("blur", "blur")
-        self.assertEqual(result["metrics"], {"ssim_display": 1.0, "psnr_display_dB": None, "rmse_display": 0.0, "ssim_linear": 1.0, "psnr_linear_dB": None,
-                                             "rmse_linear": 0.0, "relative_mse": 0.0, "relative_mse_trimmed": 0.0})
+        self.assertEqual(len(result["metrics"]), 17)
+        for key, value in result["metrics"].items():
+            expected = None if key in NONE_FOR_EQUAL_PICTURES | NONE_FOR_SMALL_PICTURES else 1.0 if key in SIMILARITIES else 0.0
+            self.assertEqual(value, expected, key)
         self.assertEqual(result["bounds"], {})
         self.assertTrue(result["passed"])
         self.succeed("compare", image("blur"), image("blur"), "--min-ssim", 1, "--max-rmse", 0, "--max-relative-mse", 0, "--min-psnr", 1000)
@@ -67,6 +73,60 @@ class Compare(FolderTest):
         process = self.succeed("compare", image("noise"), image("reference"), "--json", path)
         self.assertIn("SSIM", process.stdout)
         self.assertEqual(strict_json(path.read_text()), self.metrics("noise", "reference"))
+
+    def test_bounds_by_name(self):
+        value = self.metrics("noise", "reference")["metrics"]["hdr_flip"]
+        self.succeed("compare", image("noise"), image("reference"), "--bound", f"hdr_flip={value!r}", "--bound", "ssim_display=0.5")
+        process = sturm("compare", image("noise"), image("reference"), "--bound", f"hdr_flip={value * 0.999!r}")
+        self.assertEqual(process.returncode, FAILED)
+        self.assertIn("FAILED", process.stdout)
+        # A metric without a value keeps no bound, but the PSNR of equal pictures is infinite.
+        self.assertEqual(sturm("compare", image("noise"), image("reference"), "--bound", "ms_ssim_display=0").returncode, FAILED)
+        self.succeed("compare", image("blur"), image("blur"), "--bound", "psnr_linear_dB=1000")
+
+    def test_wrong_options(self):
+        for options, part in [(["--bound", "flap=1"], "flap"), (["--bound", "flip"], "METRIC=VALUE"), (["--bound", "flip=x"], "METRIC=VALUE"),
+                              (["--bound", "flip=nan"], "METRIC=VALUE"), (["--hdr-exposures", "3", "1", "2"], "START"),
+                              (["--hdr-exposures", "0", "1", "1.5"], "COUNT"), (["--edge", "0", "0", "500", "20"], "16"),
+                              (["--edge", "0", "0", "20", "8"], "16"), (["--psf"], "--pixel-arcmin"), (["--noise", "missing.exr"], "missing.exr"),
+                              (["--pixels-per-degree", "0"], "pixels-per-degree")]:
+            with self.subTest(options):
+                process = sturm("compare", image("noise"), image("reference"), *options, "--json", self.folder / "no.json", "--maps", self.folder / "no")
+                self.assertEqual(process.returncode, WRONG_INPUT, process.stderr)
+                self.assertIn(part, process.stderr)
+                self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_the_document_follows_its_schema(self):
+        path = self.write("comparison.json", self.succeed("compare", image("noise"), image("reference"), "--json", "-", "--regions", "--noise", image("blur"),
+                                                          "--psf", "--pixel-arcmin", 1).stdout)
+        self.succeed("validate", path)
+        document = strict_json(path.read_text())
+        self.assertEqual(list(document["regions"]), ["highlights"])  # no layers tell the others
+        self.assertIn("depth", document["regions_note"])
+        self.assertEqual(len(document["psf"]["test"]["mtf"]), 4)
+        self.assertIsNone(document["psf"]["test"]["mtf"][0][9])  # 30 cycles/degree are half a cycle per pixel of 1'
+        self.assertIsNotNone(document["psf"]["test"]["mtf"][0][8])
+
+    def test_maps(self):
+        folder = self.folder / "maps"
+        self.succeed("compare", image("noise"), image("reference"), "--maps", folder)
+        scales = json.loads((folder / "scales.json").read_text())
+        self.assertEqual({path.stem for path in folder.glob("*.png")}, set(scales))
+        self.assertEqual(scales["flip"]["peak"], 1.0)
+        self.assertIn("ssim_display", scales)
+
+    def test_hdr_exposures(self):
+        one = self.metrics("noise", "reference", "--hdr-exposures", 0, 0, 1)
+        more = self.metrics("noise", "reference", "--hdr-exposures", -4, 4, 9)
+        self.assertEqual(more["conditions"]["hdr_exposures"], {"start_stops": -4.0, "stop_stops": 4.0, "count": 9})
+        self.assertGreater(more["metrics"]["hdr_flip"], one["metrics"]["hdr_flip"])
+
+    def test_sample_plan(self):
+        self.assertEqual(self.succeed("plan-samples").stdout, "4000000\n")  # (2 - 1)/4 * (4/0.001)^2
+        self.assertEqual(self.succeed("plan-samples", "--difference", 0.01, "--sigma", 3, "--both-measured", "--kurtosis", 3).stdout, "90000\n")
+        self.assertEqual(self.succeed("plan-samples", "--coefficient-of-variation", 2, "--difference", 0.01, "--sigma", 3).stdout, "360000\n")
+        self.assertEqual(sturm("plan-samples", "--difference", 0).returncode, WRONG_INPUT)
+        self.assertEqual(sturm("plan-samples", "--power", 1).returncode, WRONG_INPUT)
 
     def test_exposure_changes_the_display_space_only(self):
         plain, bright = self.metrics("noise", "reference")["metrics"], self.metrics("noise", "reference", "--exposure", 2)["metrics"]

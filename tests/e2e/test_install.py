@@ -71,7 +71,7 @@ class Installed(unittest.TestCase):
 
     def test_installed_configurations_are_valid(self):
         configs = self.prefix / "share/sturm/configs"
-        paths = [path for folder in ("experiments", "scenes", "eyes", "gates") for path in (configs / folder).glob("*.json")]
+        paths = [path for folder in ("experiments", "scenes", "eyes", "gates", "benchmarks") for path in (configs / folder).glob("*.json")]
         self.assertGreaterEqual(len(paths), 4)
         for path in paths:
             with self.subTest(path.name):  # an experiment names files: each must have been installed where the experiment expects it

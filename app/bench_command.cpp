@@ -1,0 +1,24 @@
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/bench/runner.h"
+#include "app/commands.h"
+#include "app/configuration.h"
+
+namespace sturm {
+
+int bench_command(const CommonOptions& options, const std::string& folder, bool resume) {
+  const BenchSpec spec = read_bench(load_configuration(options), options.file);
+  RunOptions run;
+  run.folder =
+      !folder.empty() ? folder : "reports/" + (options.file == "-" ? "bench" : std::filesystem::path(options.file).stem().string());
+  run.threads = thread_count(options);
+  run.resume = resume;
+  run.quiet = options.quiet;
+  const BenchOutcome outcome = run_bench(spec, options.file, run);
+  std::cout << outcome.text << "Report: " << outcome.report_html.string() << "\n";
+  return outcome.passed ? 0 : 1;
+}
+
+}  // namespace sturm

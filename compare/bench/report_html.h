@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "io/json.h"
+
+namespace sturm {
+
+/// A benchmark's report (sturm.bench_report/1) as one page that needs nothing else; figures and pictures are read from `run_folder`, what
+/// is missing leaves a note. Null numbers are shown as "–". The page is also well-formed XML.
+std::string bench_report_html(const Json& report, const std::filesystem::path& run_folder);
+
+/// The same numbers as lines of text for a terminal: per view the settings with seconds and errors, slopes and times, then the
+/// requirements and the verdict.
+std::string bench_report_text(const Json& report);
+
+}  // namespace sturm

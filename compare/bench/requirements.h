@@ -1,0 +1,31 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "compare/bench/measured_view.h"
+#include "io/bench_spec.h"
+
+namespace sturm {
+
+/// A statistic of one view. No value where an error drowned in the reference's noise or was never reached; the note says so.
+struct StatisticValue {
+  std::optional<double> value, standard_error;
+  std::string note;
+};
+
+StatisticValue statistic_of(const BenchRequirement& requirement, const MeasuredView& view);
+
+/// Ratio of two methods' errors at the largest number of samples that both were set to, with its standard error.
+StatisticValue error_ratio(const MethodCurve& method, const MethodCurve& baseline);
+
+/// Time in which the method reaches the baseline's error at its last setting, over the baseline's time.
+StatisticValue time_ratio(const MethodCurve& method, const MethodCurve& baseline);
+
+/// Squared error × seconds of the method over that of the baseline, each at its last setting, with its standard error (of the errors; the
+/// times count as exact).
+StatisticValue cost_ratio(const MethodCurve& method, const MethodCurve& baseline, const ErrorKind& kind);
+
+/// Whether a value keeps the bounds; no value keeps none.
+bool keeps_bounds(const BenchRequirement& requirement, const std::optional<double>& value);
+
+}  // namespace sturm

@@ -1,0 +1,33 @@
+#include "compare/report_page.h"
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "compare/report_markup.h"
+
+namespace sturm {
+
+/// Generated from compare/report_assets by the build.
+const std::vector<std::pair<std::string_view, std::string_view>>& embedded_report_assets();
+
+namespace {
+
+std::string asset(std::string_view name) {
+  for (const auto& [file, text] : embedded_report_assets()) {
+    if (file == name) return std::string(text);
+  }
+  throw std::logic_error("the report's " + std::string(name) + " was not compiled in");
+}
+
+}  // namespace
+
+std::string html_page(std::string_view title, std::string_view body_html) {
+  const std::string head = "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
+                           element("title", "", escaped(title)) + element("style", "", asset("report.css"));
+  return "<!DOCTYPE html>\n" + element("html", "lang=\"en\"",
+                                       element("head", "", head) +
+                                           element("body", "", element("main", "", body_html) + element("script", "", asset("report.js"))));
+}
+
+}  // namespace sturm
