@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "app/plan/render_plan.h"
 #include "app/stopwatch.h"
@@ -14,11 +13,6 @@
 namespace sturm {
 
 namespace {
-
-SightField sight_field(const CameraSpec& camera, const WornEye& worn, double sideways_m) {
-  const CameraPose pose = moved_sideways(camera_pose(camera), sideways_m);
-  return SightField({pose.position, head_axes(pose), pose.width, pose.height, pixel_slope(pose), camera.gaze}, worn.eye, worn.spectacles);
-}
 
 constexpr int passes_to_find_unseen = 16;  // of a sharp pixel: what less than a sixteenth of the pupil sees hardly matters
 
@@ -122,8 +116,9 @@ class PredictionRun {
 
 }  // namespace
 
-double PredictedView::total_seconds() const {
-  return std::accumulate(seconds.begin(), seconds.end(), 0.0, [](double sum, const auto& part) { return sum + part.second; });
+SightField sight_field(const CameraSpec& camera, const WornEye& worn, double sideways_m) {
+  const CameraPose pose = moved_sideways(camera_pose(camera), sideways_m);
+  return SightField({pose.position, head_axes(pose), pose.width, pose.height, pixel_slope(pose), camera.gaze}, worn.eye, worn.spectacles);
 }
 
 PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const WornEye& worn, double sideways_m,

@@ -15,6 +15,7 @@ std::string lens_study_section(const Json& report, const std::filesystem::path& 
 std::string figure_section(const Json& report, const std::filesystem::path& run_folder);
 std::string psf_section(const Json& report, const std::filesystem::path& run_folder);
 std::string image_section(const Json& report, const std::filesystem::path& run_folder);
+std::string agreement_section(const Json& report, const std::filesystem::path& run_folder);
 std::string ellipse_section(const Json& report);
 std::string provenance_section(const Json& report);
 

@@ -79,10 +79,10 @@ class Sights : public ::testing::TestWithParam<Setting> {
 
 TEST_P(Sights, AreTheRealRaysToFirstOrderInThePupil) {
   const SightField f = field();
-  for (const Vector2d place : {Vector2d(100.0, 60.0), Vector2d(33.0, 20.5), Vector2d(180.2, 110.7)}) {
+  for (const Vector2d& place : {Vector2d(100.0, 60.0), Vector2d(33.0, 20.5), Vector2d(180.2, 110.7)}) {
     const Sight sight = f.at(place);
     const auto offsets = sight.offsets(eye_.correction.matrix()), directions = sight.directions(eye_.correction.matrix());
-    for (const Vector2d p : {Vector2d(1e-3, 0.0), Vector2d(0.0, 1e-3), Vector2d(-0.7e-3, 0.5e-3)}) {
+    for (const Vector2d& p : {Vector2d(1e-3, 0.0), Vector2d(0.0, 1e-3), Vector2d(-0.7e-3, 0.5e-3)}) {
       const LightRay real = real_ray(plane_, eye_, worn(), place, p);
       const LightRay first{sight.origin + offsets * p, sight.direction + directions * p};
       for (const double t : {0.3, 2.0}) {
@@ -102,7 +102,7 @@ TEST_P(Sights, TheMapSaysWhereAPupilPointSeesAPoint) {
   for (const double t : {0.4, 3.0}) {
     const Vector3d target = sight.origin + t * sight.direction;
     const Matrix2d map = around.picture_map(eye_.correction.matrix(), 1.0 / t);
-    for (const Vector2d p : {Vector2d(2e-4, 0.0), Vector2d(-1e-4, 1.5e-4)}) {
+    for (const Vector2d& p : {Vector2d(2e-4, 0.0), Vector2d(-1e-4, 1.5e-4)}) {
       const Vector2d seen = place + map * p;
       // Second order: p² against p · a pixel's worth of change. 1e-4 m · 500 px/rad · 2 D = 0.2 px of displacement, 1 % of it left.
       const LightRay ray = real_ray(plane_, eye_, worn(), seen, p);
@@ -116,7 +116,7 @@ TEST_P(Sights, PlaceOfFindsTheChiefRayThroughAPoint) {
   const SightField f = field();
   const Vector2d center(80.0, 50.0);
   const SightNeighbourhood around(f, center, f.at(center));
-  for (const Vector2d place : {Vector2d(80.3, 50.9), Vector2d(95.0, 35.0), Vector2d(60.0, 80.0)}) {
+  for (const Vector2d& place : {Vector2d(80.3, 50.9), Vector2d(95.0, 35.0), Vector2d(60.0, 80.0)}) {
     const auto chief = f.chief_ray(place);
     ASSERT_TRUE(chief);
     const auto found = around.place_of(chief->origin + 0.7 * chief->direction);
