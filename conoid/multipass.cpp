@@ -109,16 +109,13 @@ class SharpLookup {
   SharpLookup(const FragmentImage& view, int oversampling, double pixel_slope)
       : view_(view), oversampling_(oversampling), pixel_slope_(static_cast<float>(pixel_slope / oversampling)) {}
 
-  /// Radiance of the fragment in the pixel of `place` (of the picture), or beside it, on whose plane the point lies to a pixel's size; none
+  /// Radiance of the fragment in the pixel of `place` (of the picture) on whose plane the point lies to a pixel's size; none
   /// if there is no such. `cell` is set to where the point would be.
   std::optional<Vector3f> find(const Vector2d& place, const Vector3f& point, float distance, bool surroundings, Cell& cell) const {
     const int x = static_cast<int>(std::floor(place.x() * oversampling_)), y = static_cast<int>(std::floor(place.y() * oversampling_));
     // 64 steps per factor e: 1.6 % of the distance.
     cell = {x, y, surroundings ? Cell::at_infinity : static_cast<std::int32_t>(std::floor(64.0f * std::log(distance))), 0};
-    constexpr int near_by[9][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-    for (const auto& [dx, dy] : near_by)
-      if (const auto radiance = in_pixel(x + dx, y + dy, point, distance, surroundings)) return radiance;
-    return std::nullopt;
+    return in_pixel(x, y, point, distance, surroundings);
   }
 
  private:

@@ -145,7 +145,7 @@ TEST_P(LampInTheDark, IsItsEllipse) {
   const double mirror = GetParam() == 30.0 ? 1.0 : -1.0;
   const auto expect = [&](const Image& image, double tolerance) {
     const Moments m = moments(image);
-    EXPECT_NEAR(m.mass, 1.0, 0.02);  // passes: the lamp's outline is sampled, 1/√(N · pixels it covers)
+    EXPECT_NEAR(m.mass, 1.0, 0.06);  // passes: some 1024 rays in all meet the lamp; random ones would scatter by 3 %
     EXPECT_NEAR(m.x, 0.0, 0.1);
     EXPECT_NEAR(m.y, 0.0, 0.1);
     // The lamp itself and the pixel: 1/12 px² each; of ellipses a third one for the sharp pixel.
@@ -170,8 +170,10 @@ TEST(PredictedPictures, ABlurredEdgeHasTheProfileOfItsDisc) {
   const Image passes = by_passes(scene, field, 256), layers = by_layers(scene, field);
   for (int x = 0; x < 32; ++x) {
     const double expected = 1.0 - covered(x + 0.5 - 16.0);
-    EXPECT_NEAR(passes.at(x, 8)[0], expected, 0.015) << x;  // O(N^-3/4) of an edge through 256 even points, plus the profile over a pixel
-    EXPECT_NEAR(layers.at(x, 8)[0], expected, 0.02) << x;   // box-sampled in source and output: density'/6 < 0.02
+    // An edge through 256 even points: O(N^-3/4) = 0.016 in each pixel, less in the mean over the four rows of the pattern.
+    EXPECT_NEAR(passes.at(x, 8)[0], expected, 0.03) << x;
+    EXPECT_NEAR(0.25 * (passes.at(x, 4)[0] + passes.at(x, 5)[0] + passes.at(x, 6)[0] + passes.at(x, 7)[0]), expected, 0.016) << x;
+    EXPECT_NEAR(layers.at(x, 8)[0], expected, 0.02) << x;  // box-sampled in source and output: density'/6 < 0.02
   }
 }
 
@@ -183,8 +185,8 @@ FlatScene post_before_a_wall(double wall_z) {
 TEST(PredictedPictures, APostInFrontOfASharpOrABlurredWallIsLikeBruteForce) {
   for (const double wall_z : {-2.0, -8.0}) {  // in focus at 2 m, and 0.375 D beyond: 0.94 px
     const FlatScene scene = post_before_a_wall(wall_z);
-    const SightField field(picture(48, 20), Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5, 2.0}), std::nullopt);
-    const Image truth = brute_force(scene, field), passes = by_passes(scene, field, 256), layers = by_layers(scene, field);
+    const SightField field(picture(48, 8), Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5, 2.0}), std::nullopt);
+    const Image truth = brute_force(scene, field), passes = by_passes(scene, field, 1024), layers = by_layers(scene, field);
     // The post is 12 px wide, its blur 7.5 px: the wall shows through all but its middle. Contrast 0.8 at the most.
     EXPECT_LT(largest_difference(passes, truth), 0.02) << wall_z;  // 0.8 · O(N^-3/4) and the brute force's own 576 points
     EXPECT_LT(largest_difference(layers, truth), 0.03) << wall_z;  // the edge profile's 0.02, and what it takes one place for
@@ -194,15 +196,15 @@ TEST(PredictedPictures, APostInFrontOfASharpOrABlurredWallIsLikeBruteForce) {
 }
 
 TEST(PredictedPictures, WhatThePostHidesIsFoundAndNotGuessed) {
-  // A red light (here: 5) right behind the middle of a post that the pupil sees round: no sharp view shows it.
-  const auto lit = [](double x, double) { return std::abs(x) < 0.02 ? 5.0 : 0.5; };
+  // A light right behind a post that the pupil sees round, just as wide: no sharp view shows it.
+  const auto lit = [](double x, double) { return std::abs(x) < 0.024 ? 5.0 : 0.5; };
   const FlatScene scene({{-0.5, -0.006, 0.006, -9.0, 9.0, [](double, double) { return 0.1; }}, wall(-2.0, lit)});
-  const SightField field(picture(40, 16), Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5, 2.0}), std::nullopt);
+  const SightField field(picture(40, 8), Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5, 2.0}), std::nullopt);
   const Image truth = brute_force(scene, field);
-  EXPECT_GT(truth.at(20, 8)[0], 0.55f);
+  EXPECT_GT(truth.at(20, 4)[0], 0.55f);
   const Image passes = by_passes(scene, field, 256), layers = by_layers(scene, field);
   EXPECT_LT(largest_difference(passes, truth), 5.0 * 0.02);
-  EXPECT_LT(largest_difference(layers, truth), 5.0 * 0.03);
+  EXPECT_LT(largest_difference(layers, truth), 4.9 * 2 * 0.02);  // two edges, 0.02 each
 }
 
 TEST(PredictedPictures, SameBitsForAnyNumberOfThreads) {
