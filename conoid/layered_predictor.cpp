@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 
@@ -23,7 +24,9 @@ struct Source {
   double vergence_D;
   float coverage;
   Eigen::Vector3f radiance;
+  std::optional<Eigen::Vector3d> lamp;  ///< where the middle of a lamp is that fills only part of its pixel [m]
   std::int64_t layer = 0;
+  Eigen::Vector2d place{0.0, 0.0};                ///< that it is spread from, in output pixels
   Eigen::Matrix2d map = Eigen::Matrix2d::Zero();  ///< unit disc to output pixels
 };
 
@@ -60,6 +63,12 @@ class Layers {
   int output(int sharp) const { return sharp >= 0 ? sharp / n_ : -((-sharp + n_ - 1) / n_); }
   Vector2d center(const Source& s) const { return {(s.x + 0.5) / n_, (s.y + 0.5) / n_}; }
 
+  /// The nearest place in the source's own sharp pixel, off its border.
+  Vector2d within_pixel(const Source& s, const Vector2d& place) const {
+    const Vector2d half = Vector2d::Constant(0.499 / n_);
+    return place.cwiseMax(center(s) - half).cwiseMin(center(s) + half);
+  }
+
   double vergence_of(const Fragment& f, const std::optional<LightRay>& chief) const {
     if (f.surroundings || !chief) return 0.0;
     const double t = (f.position.cast<double>() - chief->origin).dot(chief->direction) / chief->direction.squaredNorm();
@@ -73,7 +82,10 @@ class Layers {
         if (fragments.empty()) continue;
         const auto chief = field_.chief_ray({(x + 0.5) / n_, (y + 0.5) / n_});
         const std::size_t first = sources_.size();
-        for (const Fragment& f : fragments) sources_.push_back({x, y, vergence_of(f, chief), f.share, f.radiance});
+        for (const Fragment& f : fragments) {
+          sources_.push_back({x, y, vergence_of(f, chief), f.share, f.radiance, {}});
+          if (f.emits && f.share < 1.0f) sources_.back().lamp = f.position.cast<double>();
+        }
         complete_sheets(first);
       }
     for (std::size_t i = 0; i < unseen.size();) {
@@ -82,7 +94,7 @@ class Layers {
                  y = static_cast<std::int32_t>(std::floor(unseen[i].place.y() * n_));
       std::size_t end = i;
       for (; end < unseen.size() && unseen[end].place == unseen[i].place; ++end)
-        sources_.push_back({x, y, unseen[end].vergence_D, 1.0f, unseen[end].radiance});
+        sources_.push_back({x, y, unseen[end].vergence_D, 1.0f, unseen[end].radiance, {}});
       complete_sheets(first, true);
       counters_.hidden_pixels += static_cast<long long>(end - i);
       i = end;
@@ -109,8 +121,11 @@ class Layers {
   void blur(Source& s) const {
     const Sight sight = field_.at(center(s));
     s.layer = -static_cast<std::int64_t>(std::floor(s.vergence_D * px_per_dioptre_ / settings_.layer_width_px));
+    s.place = center(s);
     if (!sight.reaches) return;
     const SightNeighbourhood around(field_, center(s), sight);
+    // A lamp is so bright that the rim of its ellipse shows where in the pixel it is; of all else the pixel's middle will do.
+    if (s.lamp) s.place = within_pixel(s, around.place_of(*s.lamp).value_or(s.place));
     s.map = field_.eye().pupil_radius_m * around.picture_map(field_.slopes(sight, s.vergence_D), s.vergence_D);
   }
 
@@ -132,7 +147,7 @@ class Layers {
     kernels.assign(spread.size(), EllipseKernel(Eigen::Matrix2d::Zero(), {0.5, 0.5}));
     tbb::parallel_for(std::size_t{0}, spread.size(), [&](std::size_t k) {
       const Source& s = sources_[spread[k]];
-      kernels[k] = EllipseKernel(s.map, center(s) - Vector2d(output(s.x), output(s.y)));
+      kernels[k] = EllipseKernel(s.map, s.place - Vector2d(output(s.x), output(s.y)));
     });
     compositor.add_layer(spots, kernels);
   }

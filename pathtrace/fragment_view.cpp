@@ -18,17 +18,13 @@ namespace {
 
 using Eigen::Vector3f;
 
-double luma(const Eigen::Vector3d& rgb) {
-  return 0.2126 * rgb.x() + 0.7152 * rgb.y() + 0.0722 * rgb.z();
-}
-
 /// Sums over the samples of one piece of surface; its first sample says which plane it is.
 struct Piece {
   Vector3f point, normal;
   float pixel_size;
   bool surroundings, emits;
   Eigen::Vector3d position{0.0, 0.0, 0.0}, normals{0.0, 0.0, 0.0}, radiance{0.0, 0.0, 0.0}, albedo{0.0, 0.0, 0.0};
-  double luma_squares = 0.0;
+  Eigen::Vector3d squares{0.0, 0.0, 0.0};
   int count = 0, cover = 0;  ///< samples that were shaded, samples that met it
 };
 
@@ -47,7 +43,7 @@ class PixelPieces {
     piece.normals += seen.normal.cast<double>();
     piece.radiance += seen.radiance.cast<double>();
     piece.albedo += seen.albedo.cast<double>();
-    piece.luma_squares += luma(seen.radiance.cast<double>()) * luma(seen.radiance.cast<double>());
+    piece.squares += seen.radiance.cast<double>().cwiseAbs2();
     ++piece.count;
     ++piece.cover;
   }
@@ -60,6 +56,7 @@ class PixelPieces {
       pieces_.pop_back();
       return false;
     }
+    piece.position += seen.point.cast<double>();
     ++piece.cover;
     return true;
   }
@@ -71,15 +68,14 @@ class PixelPieces {
   void append_to(std::vector<Fragment>& list, int samples) const {
     for (const Piece& p : pieces_) {
       Fragment f;
-      const Eigen::Vector3d mean = p.position / p.count;
+      const Eigen::Vector3d mean = p.position / p.cover;
       f.position = (p.surroundings ? Eigen::Vector3d(mean.normalized()) : mean).cast<float>();
       f.normal = p.surroundings ? Vector3f(Vector3f::Zero()) : Vector3f(p.normals.normalized().cast<float>());
       f.radiance = (p.radiance / p.count).cast<float>();
       f.albedo = (p.albedo / p.count).cast<float>();
-      const double bright = luma(p.radiance / p.count);
       // Of a single sample nothing is known: as uncertain as it is bright.
-      f.variance =
-          static_cast<float>(p.count > 1 ? std::max(0.0, p.luma_squares / p.count - bright * bright) / (p.count - 1) : bright * bright);
+      const Eigen::Vector3d square = (p.radiance / p.count).cwiseAbs2();
+      f.variance = (p.count > 1 ? Eigen::Vector3d((p.squares / p.count - square).cwiseMax(0.0) / (p.count - 1)) : square).cast<float>();
       f.share = static_cast<float>(static_cast<double>(p.cover) / samples);
       f.surroundings = p.surroundings;
       f.emits = p.emits;

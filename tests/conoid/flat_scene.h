@@ -83,7 +83,7 @@ class FlatScene {
           if (i == cards.size()) {
             cards.push_back(card);
             Fragment f{};
-            f.position = f.radiance = f.albedo = Eigen::Vector3f::Zero();
+            f.position = f.radiance = f.albedo = f.variance = Eigen::Vector3f::Zero();
             f.normal = card ? Eigen::Vector3f(Eigen::Vector3f::UnitZ()) : Eigen::Vector3f(Eigen::Vector3f::Zero());
             f.surroundings = !card;
             view.fragments.push_back(f);
