@@ -15,16 +15,11 @@ namespace {
 
 constexpr const char* attribute = "sturm";
 
-/// The resolved document; null for pictures of other programs and other documents.
-Json document_of(const LayeredImage& picture) {
-  const auto text = picture.metadata.find(attribute);
-  if (text == picture.metadata.end()) return nullptr;
-  try {
-    const Json document = parse_json(text->second, "attribute sturm");
-    if (format_of(document, "attribute sturm") == "render") return document;
-  } catch (const InputError&) {  // somebody else's attribute of that name
-  }
-  return nullptr;
+/// The resolved document. Throws InputError for other documents.
+Json document_of(const std::string& text) {
+  Json document = parse_json(text, attribute);
+  validate(document, "render", attribute);
+  return document;
 }
 
 /// Why one formula does not give the blur of the whole picture; "" where it does.
@@ -35,6 +30,21 @@ std::string obstacle(const Json& document, const CameraSpec& camera) {
   return "";
 }
 
+void read_document(const Json& document, PictureView& view) {
+  const CameraSpec camera = read_camera(document.at("camera"), {attribute, "/camera"});
+  if (camera.projection == Projection::Equirectangular) {
+    view.pixels_per_degree = camera.height / 180.0;
+  } else {
+    view.pixel_slope = 2.0 * std::tan(0.5 * camera.vfov) / camera.height;
+    view.pixels_per_degree = radians_per_degree / *view.pixel_slope;
+  }
+  if (!view.layers.depth) return;
+  view.missing_blur = obstacle(document, camera);
+  if (!view.missing_blur.empty()) return;
+  const Eye eye = read_eye(document.at("eye"), {attribute, "/eye"});
+  view.layers.blur_px = blur_semi_axis_px(*view.layers.depth, eye, eye.accommodation_for(0.0), *view.pixel_slope);
+}
+
 }  // namespace
 
 PictureView view_of(const LayeredImage& picture) {
@@ -42,20 +52,11 @@ PictureView view_of(const LayeredImage& picture) {
   view.missing_blur = "no picture of this program with a depth layer";
   if (const auto depth = picture.layers.find("depth"); depth != picture.layers.end() && depth->second.channels == 1)
     view.layers.depth = depth->second;
-  const Json document = document_of(picture);
-  if (document.is_null()) return view;
-  const CameraSpec camera = read_camera(document["camera"], {attribute, "/camera"});
-  if (camera.projection == Projection::Equirectangular) {
-    view.pixels_per_degree = camera.height / 180.0;
-  } else {
-    view.pixel_slope = 2.0 * std::tan(0.5 * camera.vfov) / camera.height;
-    view.pixels_per_degree = radians_per_degree / *view.pixel_slope;
-  }
-  if (!view.layers.depth) return view;
-  view.missing_blur = obstacle(document, camera);
-  if (view.missing_blur.empty()) {
-    const Eye eye = read_eye(document["eye"], {attribute, "/eye"});
-    view.layers.blur_px = blur_semi_axis_px(*view.layers.depth, eye, eye.accommodation_for(0.0), *view.pixel_slope);
+  const auto text = picture.metadata.find(attribute);
+  if (text == picture.metadata.end()) return view;
+  try {
+    read_document(document_of(text->second), view);
+  } catch (const InputError&) {  // somebody else's attribute of that name, or another version's
   }
   return view;
 }

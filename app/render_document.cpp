@@ -110,6 +110,7 @@ class DocumentRenderer {
     RenderResult result = path_trace_watched(task);
     output_.seconds["path_tracing"] += watch.lap();
     EyePicture picture{{}, counters_json(result.counters)};
+    picture.counters["guide"] = name_of(result.guide_use);
     if (may_stop_early(spec_)) picture.counters["sampling"] = sampling_json(result.passes, spec_);
     count_saved(plan_.items, task.view, result.counters);
     if (result.passes.interrupted) output_.notes.push_back(interruption_note(result.passes, spec_));

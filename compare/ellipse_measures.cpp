@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "compare/ellipse_comparison.h"
@@ -62,6 +63,8 @@ MeanAndDeviation scatter_of(int draws, const std::function<double()>& draw) {
   return {mean, std::sqrt(squares / (draws - 1))};
 }
 
+constexpr double rounding_floor = 64.0 * std::numeric_limits<double>::epsilon();  // of the total variance, as in EllipseComparison
+
 using Distance = std::function<double(const Eigen::Matrix2d&)>;
 
 /// A distance from the prediction that noise makes positive.
@@ -114,21 +117,29 @@ EllipseMeasures measure_ellipses(const BundleEllipse& measured, const Eigen::Mat
                                  std::uint64_t seed, int draws) {
   const EllipseComparison c = compare_to_prediction(measured, predicted);
   const auto axes = measured.semi_axis_standard_errors();
-  const auto axis = [&](double value, int i) { return with_error(value, axes ? std::optional((*axes)[i]) : std::nullopt); };
+  const Ellipse expected = Ellipse::of_second_moments(predicted);
+  // What rounding of the second moments does to a semi-axis: much where the axis is zero, next to nothing elsewhere.
+  const double floor = rounding_floor * predicted.trace();
+  const auto axis = [&](double value, double should, int i) -> EllipseMeasure {
+    if (!axes) return with_error(value, std::nullopt);
+    const double variance = 0.25 * should * should, rounding = 2.0 * (std::sqrt(variance + floor) - std::sqrt(variance));
+    return with_error(value, std::hypot((*axes)[i], rounding));
+  };
   EllipseMeasures m;
-  m.semi_major = axis(c.semi_major_error, 0);
-  m.semi_minor = axis(c.semi_minor_error, 1);
+  m.semi_major = axis(c.semi_major_error, expected.semi_major, 0);
+  m.semi_minor = axis(c.semi_minor_error, expected.semi_minor, 1);
   m.orientation = orientation(measured, c.orientation_error_deg);
-  m.log_area_ratio = log_area_ratio(measured, predicted);
+  const bool has_area = expected.semi_minor > near_zero_axis_ratio * expected.semi_major;
+  if (has_area) m.log_area_ratio = log_area_ratio(measured, predicted);
   m.frobenius = bootstrapped([&](const Eigen::Matrix2d& s) { return (s - predicted).norm(); }, measured, predicted, seed, draws);
   m.bures_wasserstein =
       bootstrapped([&](const Eigen::Matrix2d& s) { return bures_wasserstein_distance(s, predicted); }, measured, predicted, seed, draws);
+  if (!has_area) return m;
   const FilledEllipse should = FilledEllipse::of_second_moments(predicted, offset);
   const auto missing = [&](const Eigen::Matrix2d& s) {
     return 1.0 - intersection_over_union(FilledEllipse::of_second_moments(s), should).value_or(1.0);
   };
-  if (intersection_over_union(FilledEllipse::of_second_moments(measured.covariance), should))
-    m.missing_overlap = bootstrapped(missing, measured, predicted, seed, draws);
+  m.missing_overlap = bootstrapped(missing, measured, predicted, seed, draws);
   return m;
 }
 

@@ -14,8 +14,8 @@ struct EllipseMeasure {
   std::optional<double> z;  ///< deviation from what a bundle of exactly the predicted moments would give, in standard errors
 };
 
-/// All measures of how far apart two ellipses are. Those that cannot be computed are none (a relative error of a zero axis, the orientation
-/// of a circle); standard errors and z are none where the bundle has no error of its own.
+/// All measures of how far apart two ellipses are. Those that mean nothing are none (area and overlap of a predicted focal line, the
+/// orientation of a circle); standard errors and z are none where the bundle has no error of its own.
 struct EllipseMeasures {
   // Signed, with closed-form standard errors from the covariance of the entries; z = value/error.
   EllipseMeasure semi_major;                     ///< measured − predicted [u]

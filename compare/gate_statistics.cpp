@@ -8,6 +8,7 @@
 #include "compare/extreme_statistic.h"
 #include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
+#include "compare/sampling_statistics.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -192,6 +193,7 @@ std::map<std::string, Statistic> statistics_of(const Json& report) {
   add_agreement_statistics(report, out);
   add_mutants(report, out);
   add_lens_study(report, out);
+  add_sampling_study(report, out);
   return out;
 }
 

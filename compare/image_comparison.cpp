@@ -63,6 +63,7 @@ ImageMetric of_ms_ssim(std::string key, const Image& test, const Image& referenc
     m.value = measured->value;
     m.map = measured->local_map(test.width, test.height);
     m.map_is_similarity = true;
+    m.window_px = MsSsim::window_px;
     m.within = [shared = std::make_shared<const MsSsim>(std::move(*measured))](const Image& mask) { return shared->within(mask); };
   }
   return m;
@@ -76,6 +77,7 @@ void add_common(std::vector<ImageMetric>& metrics, const std::string& space, con
   Ssim similarity = ssim(a, b);
   metrics.push_back(of_map("ssim_" + space, similarity.mean, std::move(similarity.map), mean_of, SimilarityMaps::margin));
   metrics.back().map_is_similarity = true;
+  metrics.back().window_px = 2 * SimilarityMaps::margin + 1;
   metrics.push_back(of_ms_ssim("ms_ssim_" + space, a, b));
   metrics.push_back(of_map("psnr_" + space + "_dB", psnr_dB(a, b), error_map(squared_errors(a, b), width, height), decibels));
   metrics.push_back(
@@ -128,12 +130,14 @@ std::vector<ImageMetric> measure_images(const Image& test, const Image& referenc
   add_common(metrics, "display", shown, shown_reference);
   Flip seen = flip(shown, shown_reference, settings.pixels_per_degree);
   metrics.push_back(of_map("flip", seen.mean, std::move(seen.map), mean_of));
+  metrics.back().window_px = flip_window_px(settings.pixels_per_degree);
   Ciede2000 colour = ciede2000(shown, shown_reference);
   metrics.push_back(of_map("ciede2000", colour.mean, std::move(colour.map), mean_of));
   add_common(metrics, "linear", test, reference);
   const ExposureRange exposures = settings.hdr_exposures.value_or(hdr_flip_exposures(reference));
   Flip hdr = hdr_flip(test, reference, settings.pixels_per_degree, exposures);
   metrics.push_back(of_map("hdr_flip", hdr.mean, std::move(hdr.map), mean_of));
+  metrics.back().window_px = flip_window_px(settings.pixels_per_degree);
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     const ImageMetricName& name = image_metric_names()[i];
     if (metrics[i].key != name.key) throw std::logic_error("metric " + metrics[i].key + " out of order");

@@ -30,6 +30,7 @@ struct ImageMetric {
   /// picture, and for trimmed means, which are none of the whole map.
   Image map;
   int margin = 0;
+  int window_px = 1;               ///< side of the square of pixels that a local value depends on
   bool map_is_similarity = false;  ///< larger local values are better (the map of a PSNR holds squared errors)
 
   /// The value within a mask of the picture's size (1 inside, 0 outside); none where no local value is inside.

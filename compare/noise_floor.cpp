@@ -9,7 +9,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int block_px = 32;
+constexpr int smallest_block_px = 32;
 constexpr double largest_z = 37.5;  // as normal_equivalent_of_t
 
 struct Block {
@@ -19,6 +19,7 @@ struct Block {
 /// Sum over each block of how much worse the comparison is than the seeds.
 std::vector<Block> blocks_of(const ImageMetric& metric, const std::vector<const ImageMetric*>& seeds, const Image* mask) {
   const Image& map = metric.map;
+  const int block_px = std::max(smallest_block_px, 2 * metric.window_px);
   const int across = (map.width + block_px - 1) / block_px, down = (map.height + block_px - 1) / block_px;
   std::vector<Block> blocks(static_cast<std::size_t>(across) * down);
   const double sign = metric.map_is_similarity ? -1.0 : 1.0;

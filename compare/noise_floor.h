@@ -18,10 +18,10 @@ struct NoiseFloor {
 /// Compares the local values of `metric` with those of the same metric between seeds (one or two of them), inside a mask or everywhere.
 ///
 /// If test and reference have the same expectation and the same noise, exchanging a second seed of the test for the reference changes
-/// nothing: the difference of the two maps is symmetric about 0, whatever the metric. It is averaged over blocks of 32 × 32 pixels, beyond
-/// which neither noise nor windows reach, and z is Student's t of the block sums (ratio estimator, as many degrees of freedom as blocks
-/// less one) turned into a normal deviate. With seeds of both views the floor is the mean of their two maps, which for squared errors holds
-/// for unequal noise too.
+/// nothing: the difference of the two maps is symmetric about 0, whatever the metric. It is summed over blocks of 32 × 32 pixels, or twice
+/// the metric's window where that is more (352 for MS-SSIM), so that neighbouring blocks are nearly independent, and z is Student's t of
+/// the block sums (ratio estimator, as many degrees of freedom as blocks less one) turned into a normal deviate. With seeds of both views
+/// the floor is the mean of their two maps, which for squared errors holds for unequal noise too.
 NoiseFloor noise_floor(const ImageMetric& metric, const std::vector<const ImageMetric*>& between_seeds, const Image* mask = nullptr);
 
 }  // namespace sturm

@@ -29,6 +29,7 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
   const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
                                    {"sin2", "sin²", sin2_section(report)},
                                    {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
+                                   {"sampling_study", "Pupil samplings", sampling_section(report, run_folder)},
                                    {"figures", "Figures", figure_section(report, run_folder)},
                                    {"psfs", "Point-spread functions", psf_section(report, run_folder)},
                                    {"images", "Images", image_section(report, run_folder)},

@@ -83,6 +83,8 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
   image.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   image.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", image.samples_per_pixel);
   image.replicates = value.value("replicates", 2);
+  image.guide_emitters = value.value("guide_emitters", image.guide_emitters);
+  image.max_bounces = value.value("max_bounces", image.max_bounces);
   return image;
 }
 
@@ -138,6 +140,10 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");
     spec.lens_study = read_lens_study(document["lens_study"], root / "lens_study");
     add_files(spec.input_files, spec.lens_study->input_files);
+  }
+  if (document.contains("sampling_study")) {
+    spec.sampling_study = read_sampling_study(document["sampling_study"], root / "sampling_study");
+    add_files(spec.input_files, spec.sampling_study->scene.input_files);
   }
   const Json figures = document.value("figures", Json::array());
   require_unique_ids(figures, root / "figures");

@@ -28,15 +28,15 @@ struct RenderSpec {
   std::string ray_model;                 ///< of the path tracer; "" for a prediction
   std::uint64_t samples_per_pixel = 64;  ///< of the path tracer, or of the prediction's sharp view (per output pixel)
   int max_bounces = 16;
-  bool guide_emitters = true;  ///< of the path tracer, for the naked eye in `camera` gaze
+  bool guide_emitters = true;  ///< of the path tracer, where the pupil's spread has a density
   StopSpec stop;               ///< of the path tracer, like the next two
   std::optional<AdaptiveSpec> adaptive;
   std::optional<DenoiseSpec> denoise;
   Sequence sampler = Sequence::Sobol;
   PupilSamplingSpec sampling;
-  PredictionSpec prediction;  ///< for RenderMethod::Predict
   SkipSpec skip;
   double sharp_below_px = 0.02;  ///< blur up to which `skip.sharp_pixels` applies (path tracing only)
+  PredictionSpec prediction;  ///< for RenderMethod::Predict
   std::uint64_t seed = 1;
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were named

@@ -6,6 +6,7 @@
 #include "app/json_values.h"
 #include "app/ray_bundle.h"
 #include "compare/ellipse_comparison.h"
+#include "compare/ellipse_measures.h"
 #include "conoid/footprint.h"
 #include "lensmodel/units.h"
 
@@ -13,8 +14,28 @@ namespace sturm {
 
 namespace {
 
-Json against_conoid_json(const EllipseComparison& c) {
-  return {{"z_max", number_or_null(c.z_max)},
+/// `scale`: from the measure's unit to that of the file.
+Json measure_json(const std::optional<EllipseMeasure>& m, double scale = 1.0) {
+  if (!m) return nullptr;
+  return {{"value", scale * m->value},
+          {"standard_error", m->standard_error ? number_or_null(scale * *m->standard_error) : Json(nullptr)},
+          {"z", number_or_null(m->z)}};
+}
+
+Json measures_json(const EllipseMeasures& m) {
+  constexpr double arcmin = arcminutes_per_radian;
+  return {{"semi_major_arcmin", measure_json(m.semi_major, arcmin)},
+          {"semi_minor_arcmin", measure_json(m.semi_minor, arcmin)},
+          {"orientation_deg", measure_json(m.orientation)},
+          {"log_area_ratio", measure_json(m.log_area_ratio)},
+          {"frobenius_arcmin2", measure_json(m.frobenius, arcmin * arcmin)},
+          {"bures_wasserstein_arcmin", measure_json(m.bures_wasserstein, arcmin)},
+          {"missing_overlap", measure_json(m.missing_overlap)}};
+}
+
+Json against_conoid_json(const EllipseComparison& c, const EllipseMeasures& measures) {
+  return {{"measures", measures_json(measures)},
+          {"z_max", number_or_null(c.z_max)},
           {"relative_frobenius", number_or_null(c.relative_frobenius)},
           {"semi_axis_errors", {number_or_null(c.semi_major_relative_error), number_or_null(c.semi_minor_relative_error)}},
           {"minor_axis_error_arcmin", c.semi_minor_error * arcminutes_per_radian},
@@ -40,7 +61,7 @@ Json rays_json(RayModel model, const Eye& eye, const Footprint& footprint, const
   entry["covariance_rad2"] = symmetric_json(measured.covariance);
   if (const auto error = measured.covariance_standard_error()) entry["covariance_standard_error_rad2"] = json_of(*error);
   const Eigen::Matrix2d predicted = covariance_of_disc_image(footprint.angular, eye.pupil_radius_m);
-  entry["against_conoid"] = against_conoid_json(compare_to_prediction(measured, predicted));
+  entry["against_conoid"] = against_conoid_json(compare_to_prediction(measured, predicted), measure_ellipses(measured, predicted));
   if (model == RayModel::sin2_radial) {
     const auto c = compare_to_prediction(measured, sin2_closed_form_covariance(footprint.angular, eye.pupil_radius_m));
     entry["against_closed_form"] = {{"z_max", number_or_null(c.z_max)}, {"relative_frobenius", number_or_null(c.relative_frobenius)}};

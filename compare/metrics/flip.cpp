@@ -126,6 +126,10 @@ Flip flip_of_light(const Image& test, const Image& reference, double pixels_per_
   return result;
 }
 
+int flip_window_px(double pixels_per_degree) {
+  return static_cast<int>(contrast_filters(pixels_per_degree).front().terms.front().weights.size());  // the detectors are narrower
+}
+
 Flip flip(const Image& test, const Image& reference, double pixels_per_degree) {
   require_colour_pair(test, reference);
   return flip_of_light(srgb_to_linear(test), srgb_to_linear(reference), pixels_per_degree);

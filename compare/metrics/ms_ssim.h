@@ -13,6 +13,8 @@ struct MsSsim {
   static constexpr std::array<double, scales> exponents{0.0448, 0.2856, 0.3001, 0.2363, 0.1333};  ///< β of [Wang2003], from observers
   static constexpr int smallest_image_px = 11 << (scales - 1);  ///< 176: the coarsest scale still holds a window
 
+  static constexpr int window_px = 11 << (scales - 1);  ///< what one value of the coarsest scale depends on, 176
+
   double value = 1.0;                    ///< 0 where the mean at any scale is negative
   std::array<Image, scales> scale_maps;  ///< contrast·structure at scales 1 … 4, SSIM at scale 5; margins of 5 px of their scale
 

@@ -79,30 +79,46 @@ TEST(NoiseFloor, SeedsOfOneViewAreNotDistinguished) {
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const NoiseFloor f = noise_floor(compared[i], {&floors[i]});
     if (compared[i].map.pixels.empty()) continue;
+    ASSERT_TRUE(f.z) << compared[i].key;
     EXPECT_LT(std::abs(*f.z), 4.0) << compared[i].key;  // 15 metrics at 4σ
     EXPECT_EQ(*f.value, *floors[i].value);
   }
 }
 
 TEST(NoiseFloor, ZOfEqualExpectationsIsStandardNormal) {
-  const Image scene = textured_image(96, 96, 0.0);
   double mean = 0.0, squares = 0.0;
-  constexpr int trials = 60;
+  constexpr int trials = 500;
+  NormalDraws draws(7);
   for (int t = 0; t < trials; ++t) {
-    const Image a = noisy(scene, 0.1, 3 * t + 1), a2 = noisy(scene, 0.1, 3 * t + 2), b = noisy(scene, 0.1, 3 * t + 3);
-    ImageMetric compared, floor;
-    const auto squared = [](const Image& p, const Image& q) {
-      Image map(p.width, p.height, 1);
-      for (std::size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = std::pow(p.pixels[3 * i] - q.pixels[3 * i], 2.0f);
-      return map;
-    };
-    compared.map = squared(a, b), floor.map = squared(a, a2);
+    ImageMetric compared, floor;  // squared errors of noise, four blocks
+    compared.map = floor.map = Image(64, 64, 1);
     compared.value = floor.value = 1.0;  // there is one; z is of the maps
+    for (std::size_t i = 0; i < compared.map.pixels.size(); ++i) {
+      const double a = draws.next(), a2 = draws.next(), b = draws.next();
+      compared.map.pixels[i] = static_cast<float>((a - b) * (a - b));
+      floor.map.pixels[i] = static_cast<float>((a - a2) * (a - a2));
+    }
     const double z = *noise_floor(compared, {&floor}).z;
     mean += z / trials, squares += z * z / trials;
   }
   EXPECT_NEAR(mean, 0.0, 4.0 / std::sqrt(trials));
-  EXPECT_NEAR(squares, 1.0, 4.0 * std::sqrt(2.0 / trials));
+  EXPECT_NEAR(squares, 1.0, 4.0 * std::sqrt(2.0 / trials));  // 4σ of a variance
+}
+
+TEST(NoiseFloor, ABlockIsTwiceTheWindow) {
+  // Two blocks tell, one does not.
+  ImageMetric compared, floor;
+  compared.map = floor.map = Image(64, 32, 1);
+  compared.value = floor.value = 1.0;
+  compared.map.pixels[0] = 1.0f;
+  EXPECT_TRUE(noise_floor(compared, {&floor}).z);
+  compared.window_px = 16;
+  EXPECT_TRUE(noise_floor(compared, {&floor}).z);
+  compared.window_px = 32;
+  EXPECT_FALSE(noise_floor(compared, {&floor}).z);
+  compared.window_px = 1;
+  compared.value.reset();
+  EXPECT_FALSE(noise_floor(compared, {&floor}).z);
 }
 
 TEST(NoiseFloor, ASmallDifferenceEverywhereIsDistinguished) {

@@ -126,7 +126,7 @@ TEST_F(RenderSpecTest, MethodsTakeTheirOwnMembersOnly) {
   EXPECT_EQ(predicted.method, RenderMethod::Predict);
   EXPECT_EQ(predicted.ray_model, "");
   EXPECT_EQ(predicted.samples_per_pixel, 256u);
-  EXPECT_EQ(predicted.oversampling, 2);
+  EXPECT_EQ(predicted.prediction.oversampling, 2);
   EXPECT_THAT(error_with({"/method={\"type\": \"predict\", \"ray_model\": \"pinhole\"}"}), HasSubstr("/method/ray_model: got \"pinhole\""));
   EXPECT_THAT(error_with({"/method/oversampling=1"}), HasSubstr("/method/oversampling: got 1"));
   EXPECT_THAT(error_with({"/method={\"type\": \"path_trace\"}"}), HasSubstr("/method: got no \"ray_model\""));
