@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/agreement_spec.h"
 #include "io/camera_spec.h"
 #include "io/eye_spec.h"
 #include "io/figure_spec.h"
@@ -67,6 +68,7 @@ struct ExperimentSpec {
   std::vector<PsfExperiment> psfs;      ///< ids are unique
   std::vector<ImageExperiment> images;  ///< ids are unique
   bool share_views = true;              ///< pictures that are the same are rendered once
+  std::vector<AgreementCase> agreement;  ///< ids are unique
   std::optional<LensStudySpec> lens_study;
   std::optional<SamplingStudySpec> sampling_study;
   std::vector<FigureSpec> figures;                ///< ids are unique

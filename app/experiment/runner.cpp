@@ -30,9 +30,13 @@ namespace sturm {
 namespace {
 
 /// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, and the lens files.
-std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) {
+std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes,
+                    const std::vector<SceneDescription>& agreement_scenes) {
   std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
-  for (const SceneDescription& scene : scenes) facts += scene_fingerprint(scene);
+  for (const auto* list : {&scenes, &agreement_scenes})
+    for (const SceneDescription& scene : *list) facts += scene_fingerprint(scene);
+  for (const AgreementCase& c : spec.agreement)
+    for (const std::string& file : c.input_files) facts += sha256_of_file(file);
   if (spec.lens_study)
     for (const std::string& lens_file : spec.lens_study->input_files) facts += sha256_of_file(lens_file);
   return sha256(facts);
@@ -126,10 +130,13 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   for (const ImageExperiment& image : spec.images) scenes.push_back(build_scene(image.scene));
   if (spec.sampling_study) scenes.push_back(build_scene(spec.sampling_study->scene));
 
+  std::vector<SceneDescription> agreement_scenes;
+  for (const AgreementCase& c : spec.agreement) agreement_scenes.push_back(build_scene(c.scene));
+
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
   const RunFolder folder(
-      options.folder, run_key(spec, scenes), options.resume,
+      options.folder, run_key(spec, scenes, agreement_scenes), options.resume,
       {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}, {"psf", "images", "samplings", "figures"}});
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
@@ -156,6 +163,13 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
              return image_entries(spec, i, scenes[i], views, folder.path(), progress);
            }));
     seconds["images"] += parts.seconds();
+  }
+  for (std::size_t i = 0; i < spec.agreement.size(); ++i) {
+    const AgreementCase& c = spec.agreement[i];
+    report["agreement"].push_back(parts("agreement_" + c.id, "agreement " + c.id, [&](const ProgressFunction& progress) {
+      return agreement_entry(c, agreement_scenes[i], spec.seed, folder.path(), progress);
+    }));
+    seconds["agreement"] += parts.seconds();
   }
   if (spec.lens_study) {
     report["lens_study"] = lens_study(*spec.lens_study, parts, seconds["lens_study"]);
