@@ -58,7 +58,14 @@ HtmlTable::HtmlTable(std::string caption, std::string css_class, std::vector<Col
     : caption_(std::move(caption)), css_class_(std::move(css_class)), columns_(std::move(columns)) {}
 
 void HtmlTable::add_row(const std::vector<Cell>& cells, std::string_view css_class) {
-  rows_ += css_class.empty() ? "<tr>" : "<tr class=\"" + std::string(css_class) + "\">";
+  add_row(cells, RowState{std::string(css_class), ""});
+}
+
+void HtmlTable::add_row(const std::vector<Cell>& cells, const RowState& state) {
+  rows_ += "<tr";
+  if (!state.css_class.empty()) rows_ += " class=\"" + state.css_class + "\"";
+  if (!state.status.empty()) rows_ += " data-status=\"" + escaped(state.status) + "\"";
+  rows_ += ">";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const bool numeric = columns_.at(i).numeric;
     rows_ += i == 0 ? "<th scope=\"row\"" : "<td";

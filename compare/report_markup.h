@@ -30,14 +30,21 @@ struct Cell {
   Cell(const char* html_) : html(html_) {}
 };
 
+/// What a filterable table knows of a row beside its text.
+struct RowState {
+  std::string css_class;  ///< of the row; "" = none
+  std::string status;     ///< what the filter by state knows it by; "" = the row has no state
+};
+
 /// An HTML table with caption and scoped headers, in a frame that scrolls (also by keyboard) where the window is too narrow.
 class HtmlTable {
  public:
-  /// `css_class` may hold "sortable"; `caption` is plain text.
+  /// `css_class` may hold "sortable" and "filterable"; `caption` is plain text.
   HtmlTable(std::string caption, std::string css_class, std::vector<Column> columns);
 
   /// One cell per column; the first one is the row's header.
   void add_row(const std::vector<Cell>& cells, std::string_view css_class = "");
+  void add_row(const std::vector<Cell>& cells, const RowState& state);
 
   std::string html() const;
 
