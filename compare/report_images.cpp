@@ -94,9 +94,8 @@ std::string viewer_place(const Json& entry, const Pair& pair, double limit, std:
                                               pair.difference, limit, maps_of(pair), factor);
   return element("div", "class=\"viewer\" data-case=\"" + std::to_string(number) + "\"", "") +
          element("p", "class=\"made-by\"",
-                 "Files: <a href=\"" + escaped(traced) + "\">" + escaped(traced) + "</a>, <a href=\"" + escaped(predicted) + "\">" +
-                     escaped(predicted) + "</a>. Maps by <code>sturm compare " + escaped(predicted) + " " + escaped(traced) +
-                     " --maps maps</code> in the run's folder.");
+                 "Files: " + file_link(traced) + ", " + file_link(predicted) + ". Maps by <code>sturm compare " + escaped(predicted) + " " +
+                     escaped(traced) + " --maps maps</code> in the run's folder.");
 }
 
 /// encode_png refuses numbers that are not finite; the picture shows them in the colour that stands for them.

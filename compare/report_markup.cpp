@@ -1,6 +1,7 @@
 #include "compare/report_markup.h"
 
 #include <cctype>
+#include <cstdio>
 
 #include "compare/report_numbers.h"
 
@@ -46,6 +47,20 @@ std::string element(std::string_view tag, std::string_view attributes, std::stri
   result.append(tag);
   if (!attributes.empty()) result.append(" ").append(attributes);
   return result.append(">").append(inner_html).append("</").append(tag).append(">\n");
+}
+
+std::string file_link(std::string_view path) {
+  std::string address = "./";
+  for (const char c : path) {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '/' || c == '.' || c == '_' || c == '-') {
+      address += c;
+    } else {
+      char encoded[4];
+      std::snprintf(encoded, sizeof encoded, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+      address += encoded;
+    }
+  }
+  return "<a href=\"" + address + "\">" + escaped(path) + "</a>";
 }
 
 std::string slug(std::string_view text) {

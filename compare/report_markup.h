@@ -15,6 +15,9 @@ std::string text_html(std::string_view text);
 /// <tag attributes>inner</tag>; `attributes` and `inner_html` are HTML already.
 std::string element(std::string_view tag, std::string_view attributes, std::string_view inner_html);
 
+/// A link to a file of the run folder. Whatever is in the name is part of the path: no other scheme, query or fragment.
+std::string file_link(std::string_view path);
+
 /// Letters, digits and hyphens made of any text, for an id attribute; different texts may collide.
 std::string slug(std::string_view text);
 

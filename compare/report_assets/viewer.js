@@ -41,11 +41,15 @@ class Viewer {
     this.draw();
   }
 
+  // Numbers of the layers that have a panel.
+  shown() {
+    if (this.state().layout.mode !== "side") return [this.active];
+    return this.active > 1 ? [0, 1, this.active] : [0, 1];
+  }
+
   // Panels in CSS pixels with their layers: one, or several of one size side by side.
   panels() {
-    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
-    if (this.state().layout.mode !== "side") return [{ left: 0, top: 0, width, height, layer: this.layers[this.active] }];
-    const shown = this.active > 1 ? [0, 1, this.active] : [0, 1];
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight, shown = this.shown();
     const each = (width - PANEL_GAP * (shown.length - 1)) / shown.length;
     return shown.map((layer, i) => ({ left: i * (each + PANEL_GAP), top: 0, width: each, height, layer: this.layers[layer] }));
   }
@@ -64,8 +68,12 @@ class Viewer {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.imageSmoothingEnabled = false;
     context.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
-    this.panels().forEach((panel) => this.drawLayer(context, panel, panel.layer, panel.left, panel.width));
-    if (this.state().layout.mode === "split") this.drawSplit(context);
+    const mode = this.state().layout.mode;
+    this.panels().forEach((panel) => {
+      this.drawLayer(context, panel, panel.layer, panel.left, panel.width);
+      if (mode === "side") label(context, panel.layer.title, panel.left + 8, "left");
+    });
+    if (mode === "split") this.drawSplit(context);
   }
 
   // The part of a layer from `left` on, `width` wide, with a mark around the pixel whose values are shown.
@@ -95,15 +103,16 @@ class Viewer {
     this.drawLayer(context, panel, this.layers[this.behind], x, panel.width - x);
     context.fillStyle = "#fff";
     context.fillRect(x - 1, 0, 2, panel.height);
-    context.font = "12px sans-serif";
-    context.textBaseline = "top";
-    [[this.layers[this.active].title, x - 8, "right"], [this.layers[this.behind].title, x + 8, "left"]].forEach(([text, at, align]) => {
-      context.textAlign = align;
-      context.strokeStyle = "#000";
-      context.lineWidth = 3;
-      context.strokeText(text, at, 6);
-      context.fillText(text, at, 6);
-    });
-    context.lineWidth = 1;
+    label(context, this.layers[this.active].title, x - 8, "right");
+    label(context, this.layers[this.behind].title, x + 8, "left");
   }
+}
+
+// White text with a dark rim at the top of the canvas.
+function label(context, text, x, align) {
+  context.save();
+  Object.assign(context, { font: "12px sans-serif", textBaseline: "top", textAlign: align, strokeStyle: "#000", fillStyle: "#fff", lineWidth: 3 });
+  context.strokeText(text, x, 6);
+  context.fillText(text, x, 6);
+  context.restore();
 }

@@ -42,13 +42,13 @@ function buildPanel(viewer) {
   parts.splitControls = [behind, split];
 
   viewer.canvas = make("canvas", { tabindex: 0, role: "img", "aria-label": viewer.item.title + ": arrow keys choose a pixel" });
-  viewer.canvas.style.aspectRatio = String(Math.max(1, viewer.layers[0].width / viewer.layers[0].height));
+  parts.legend = make("p", { class: "legend" });
   viewer.readout = make("div", { class: "readout" });
   const help = "Keys: 1 … 9 layer, arrows pixel (Shift: 10), + − 0 zoom, [ ] split, e E exposure. Mouse: drag, wheel (after a click), double click.";
   viewer.place.append(
     make("div", { class: "layers", role: "group", "aria-label": "Layer" }, ...parts.layers),
     make("div", { class: "controls" }, layout, behind, split, exposure, tone, parts.whole, link),
-    viewer.canvas, viewer.readout, make("p", { class: "help" }, help));
+    viewer.canvas, parts.legend, viewer.readout, make("p", { class: "help" }, help));
   wirePanel(viewer);
   updatePanel(viewer);
   updateReadout(viewer);
@@ -83,4 +83,22 @@ function updatePanel(viewer) {
   parts.tone.value = display.tone;
   parts.link.checked = viewer.linked;
   parts.splitControls.forEach((part) => { part.hidden = layout.mode !== "split"; });
+  const picture = viewer.layers[0];
+  viewer.canvas.style.aspectRatio = String(viewer.shown().length * picture.width / picture.height);
+  parts.legend.replaceChildren(...legendOf(viewer.layers[viewer.active], display, viewer.colours));
+}
+
+// A bar of the layer's colours with the values at its ends; nothing for a picture in its own colours.
+function legendOf(layer, display, colours) {
+  const radiance = layer.scale === "radiance", logarithmic = radiance && display.tone === "log";
+  if (radiance && !logarithmic) return [];
+  const table = layer.scale === "signed" ? colours.diverging : colours.sequential;
+  const stops = [];
+  for (let i = 0; i < 256; i += 17) stops.push("rgb(" + table.slice(3 * i, 3 * i + 3).join(",") + ")");
+  const bar = make("span", { class: "bar", style: "background: linear-gradient(to right, " + stops.join(", ") + ")" });
+  const white = 2 ** -display.stops;
+  const ends = logarithmic ? [(white * 10 ** -LOG_DECADES).toPrecision(3), white.toPrecision(3)] :
+    layer.scale === "signed" ? ["−" + layer.end, "+" + layer.end] :
+    layer.scale === "similarity" ? ["1", "≤ " + Number((1 - layer.end).toPrecision(4))] : ["0", "≥ " + layer.end];
+  return [layer.title + (logarithmic ? ", luminance (logarithmic)" : "") + ": ", ends[0], " ", bar, " ", ends[1]];
 }

@@ -22,7 +22,7 @@ class Browser:
                 self._port = int(line.rstrip(". \n").rsplit(" ", 1)[1])
                 break
         self._session = ""
-        options = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+        options = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--force-prefers-reduced-motion", "--no-first-run",
                             f"--user-data-dir={profile}", f"--window-size={width},{height}"]}
         try:
             capabilities = {"browserName": "chrome", "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}
