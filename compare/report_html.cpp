@@ -27,6 +27,7 @@ std::string navigation(const std::vector<Part>& parts) {
 
 std::string render_report_html(const Json& report, const std::filesystem::path& run_folder) {
   const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
+                                   {"cases", "Cases", case_section(report)},
                                    {"sin2", "sin²", sin2_section(report)},
                                    {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
                                    {"sampling_study", "Pupil samplings", sampling_section(report, run_folder)},

@@ -16,6 +16,7 @@
 #include "compare/lens_study_figures.h"
 #include "compare/report_csv.h"
 #include "compare/report_html.h"
+#include "compare/report_markdown.h"
 #include "compare/sampling_sheet.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
@@ -135,9 +136,9 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
 
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(
-      options.folder, run_key(spec, scenes, agreement_scenes), options.resume,
-      {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}, {"psf", "images", "samplings", "figures"}});
+  const RunFolder folder(options.folder, run_key(spec, scenes, agreement_scenes), options.resume,
+                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml", "summary.md"},
+                          {"psf", "images", "samplings", "figures"}});
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
@@ -191,6 +192,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   write_file_atomically(folder.path() / "ellipses.csv", ellipses_csv(report));
   if (spec.lens_study) write_file_atomically(folder.path() / "lens_study.csv", lens_study_csv(report["lens_study"]));
   write_file_atomically(folder.path() / "junit.xml", junit_xml(report["gates"], spec.title, seconds["total"]));
+  write_file_atomically(folder.path() / "summary.md", report_markdown(report, report["gates"], report["verdict"]));
   write_file_atomically(folder.path() / "report.html", render_report_html(report, folder.path()));
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];
