@@ -7,12 +7,13 @@
 #include "compare/report_viewer.h"
 #include "compare/stored_images.h"
 #include "io/half_pixels.h"
+#include "io/json.h"
 
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 Json document_of(const ViewerPayload& payload) {
   const std::string html = payload.html();
