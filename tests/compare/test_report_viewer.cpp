@@ -8,6 +8,7 @@
 #include "compare/stored_images.h"
 #include "io/half_pixels.h"
 #include "io/json.h"
+#include "io/json.h"
 
 namespace sturm {
 namespace {
