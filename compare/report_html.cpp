@@ -30,9 +30,11 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
                                    {"cases", "Cases", case_section(report)},
                                    {"sin2", "sin²", sin2_section(report)},
                                    {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
+                                   {"sampling_study", "Pupil samplings", sampling_section(report, run_folder)},
                                    {"figures", "Figures", figure_section(report, run_folder)},
                                    {"psfs", "Point-spread functions", psf_section(report, run_folder)},
                                    {"images", "Images", image_section(report, run_folder)},
+                                   {"agreement", "Predictions", agreement_section(report, run_folder)},
                                    {"ellipses", "All ellipses", ellipse_section(report)},
                                    {"provenance", "Provenance", provenance_section(report)}};
   std::string body = verdict_section(report) + navigation(parts);
