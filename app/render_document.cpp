@@ -129,13 +129,15 @@ class DocumentRenderer {
   }
 
   EyePicture predicted(const EyeTask& task) {
-    if (spec_.prediction.kind != PredictionKind::Ellipses) {
-      PredictedView result = predict_view(scene_, spec_.camera, task.worn, task.sideways_m, spec_.prediction, task.settings);
-      for (const auto& [name, seconds] : result.seconds) output_.seconds[name] += seconds;
-      return {std::move(result.layers), std::move(result.counters)};
-    }
     PredictorSettings spreading;
     spreading.sharp_below_px = plan_.copied_below_px;
+    if (spec_.prediction.kind != PredictionKind::Ellipses) {
+      PredictedView view = predict_view(scene_, spec_.camera, task.worn, task.sideways_m, spec_.prediction, task.settings, spreading);
+      for (const auto& [part, seconds] : view.seconds) output_.seconds[part] += seconds;
+      count_saved(plan_.items, task.view, view.shaded);
+      count_copied(plan_.items, view.spread);
+      return {std::move(view.layers), std::move(view.counters)};
+    }
     PredictedImage result =
         predict(scene_, camera_pose(spec_.camera), task.worn.eye, spec_.prediction.oversampling, task.settings, spreading);
     output_.seconds["sharp_view"] += result.times.sharp_view_seconds;
