@@ -7,6 +7,7 @@
 #include "compare/extreme_statistic.h"
 #include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
+#include "compare/sin2_study/statistics.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -190,6 +191,7 @@ std::map<std::string, Statistic> statistics_of(const Json& report) {
   add_images(report, out);
   add_mutants(report, out);
   add_lens_study(report, out);
+  add_sin2_study(report, out);
   return out;
 }
 

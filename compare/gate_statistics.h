@@ -44,6 +44,9 @@ struct Statistic {
 /// | lens_published_min_of_largest_D | smallest over the lenses of eyes with a cylinder of the largest first-order error of `published` |
 /// | lens_previous_unscaled_max | `previous` with the true magnification in place of its own, against exact first order |
 /// | lens_previous_min_of_largest_D | smallest over all lenses of the largest first-order error of `previous` |
+/// | sin2_study/NAME | the entry NAME of `sin2_study.checks` in the report: its value, cases and worst case |
+/// | sin2_study/gallery_sin2_over_noise_min | gallery views with a cylinder: smallest total variation of sin² ÷ that of two runs of theory |
+/// | sin2_study/gallery_repaired_over_noise_max | all gallery views: the largest of sin² with the tangential term |
 /// | must_fail/ID | the statistic that mutant ID was to spoil |
 /// | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one says that it did not fail |
 // clang-format on

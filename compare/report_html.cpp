@@ -28,6 +28,7 @@ std::string navigation(const std::vector<Part>& parts) {
 std::string render_report_html(const Json& report, const std::filesystem::path& run_folder) {
   const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
                                    {"sin2", "sin²", sin2_section(report)},
+                                   {"sin2_study", "sin² study", sin2_study_section(report, run_folder)},
                                    {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
                                    {"figures", "Figures", figure_section(report, run_folder)},
                                    {"psfs", "Point-spread functions", psf_section(report, run_folder)},

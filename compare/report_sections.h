@@ -12,6 +12,7 @@ std::string verdict_section(const Json& report);
 std::string gates_section(const Json& report);
 std::string sin2_section(const Json& report);
 std::string lens_study_section(const Json& report, const std::filesystem::path& run_folder);
+std::string sin2_study_section(const Json& report, const std::filesystem::path& run_folder);
 std::string figure_section(const Json& report, const std::filesystem::path& run_folder);
 std::string psf_section(const Json& report, const std::filesystem::path& run_folder);
 std::string image_section(const Json& report, const std::filesystem::path& run_folder);

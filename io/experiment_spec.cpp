@@ -131,6 +131,11 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.lens_study = read_lens_study(document["lens_study"], root / "lens_study");
     add_files(spec.input_files, spec.lens_study->input_files);
   }
+  if (document.contains("sin2_study")) {
+    require_unique_ids(document["sin2_study"].value("gallery", Json::array()), root / "sin2_study" / "gallery");
+    spec.sin2_study = read_sin2_study(document["sin2_study"], root / "sin2_study");
+    add_files(spec.input_files, spec.sin2_study->input_files);
+  }
   const Json figures = document.value("figures", Json::array());
   require_unique_ids(figures, root / "figures");
   for (std::size_t i = 0; i < figures.size(); ++i) {

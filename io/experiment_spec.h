@@ -12,6 +12,7 @@
 #include "io/lens_study_spec.h"
 #include "io/ray_bundle_spec.h"
 #include "io/scene_spec.h"
+#include "io/sin2_study_spec.h"
 
 namespace sturm {
 
@@ -65,6 +66,7 @@ struct ExperimentSpec {
   std::vector<ImageExperiment> images;  ///< ids are unique
   bool share_views = true;              ///< pictures that are the same are rendered once
   std::optional<LensStudySpec> lens_study;
+  std::optional<Sin2StudySpec> sin2_study;
   std::vector<FigureSpec> figures;                ///< ids are unique
   std::filesystem::path gates;                    ///< absolute
   std::optional<std::filesystem::path> baseline;  ///< absolute; need not exist yet

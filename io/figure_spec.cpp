@@ -103,8 +103,9 @@ class FigureReader {
 FigureSpec read_figure(const Json& value, const Source& where) {
   FigureSpec spec;
   spec.id = value["id"].get<std::string>();
-  if (spec.id.starts_with("lens_study_"))
-    (where / "id").fail(value["id"], "an id that does not start with \"lens_study_\": those are the run's own");
+  for (const char* own : {"lens_study_", "sin2_study_"})
+    if (spec.id.starts_with(own))
+      (where / "id").fail(value["id"], std::string("an id that does not start with \"") + own + "\": those are the run's own");
   spec.title = value["title"].get<std::string>();
   spec.caption = value.value("caption", "");
   spec.command = value.value("command", "");

@@ -7,6 +7,7 @@
 #include "app/experiment/run_folder.h"
 #include "app/experiment/scene_fingerprint.h"
 #include "app/experiment/sections.h"
+#include "app/experiment/sin2_study/sin2_study.h"
 #include "app/progress.h"
 #include "app/stopwatch.h"
 #include "compare/figure.h"
@@ -15,6 +16,8 @@
 #include "compare/lens_study_figures.h"
 #include "compare/report_csv.h"
 #include "compare/report_html.h"
+#include "compare/sin2_study/figures.h"
+#include "compare/sin2_study/summary.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/gate_spec.h"
@@ -33,6 +36,8 @@ std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescripti
   for (const SceneDescription& scene : scenes) facts += scene_fingerprint(scene);
   if (spec.lens_study)
     for (const std::string& lens_file : spec.lens_study->input_files) facts += sha256_of_file(lens_file);
+  if (spec.sin2_study)
+    for (const std::string& table : spec.sin2_study->input_files) facts += sha256_of_file(table);
   return sha256(facts);
 }
 
@@ -77,6 +82,25 @@ Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
   return assembled_lens_study(spec, lenses, field);
 }
 
+/// The study of sin², one part per group of eyes and one for the gallery.
+Json sin2_study(const Sin2StudySpec& spec, std::uint64_t seed, Parts& parts, const std::filesystem::path& folder, double& seconds) {
+  std::vector<StudyCase> cases;
+  for (const StudyEyeGroup& group : spec.groups) {
+    const Json rows = parts("sin2_" + group.name, "sin² " + group.name,
+                            [&](const ProgressFunction& progress) { return sin2_study_rows(spec, group, progress); });
+    seconds += parts.seconds();
+    for (const Json& row : rows) cases.push_back(case_of(row));
+  }
+  Json gallery = Json::array();
+  for (const Sin2GalleryView& view : spec.gallery) {
+    gallery.push_back(parts("sin2_psf_" + view.id, "PSFs " + view.id,
+                            [&](const ProgressFunction&) { return sin2_gallery_entry(spec, view, seed, folder); }));
+    seconds += parts.seconds();
+  }
+  write_file_atomically(folder / "sin2_study.csv", sin2_study_csv(cases, spec));
+  return summarised_sin2_study(spec, cases, gallery);
+}
+
 /// Writes the pictures into the run folder; the report's list of them.
 Json written(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
   Json list = Json::array();
@@ -109,8 +133,9 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
 
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume,
-                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml"}, {"psf", "images", "figures"}});
+  const RunFolder folder(
+      options.folder, run_key(spec, scenes), options.resume,
+      {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml"}, {"psf", "images", "figures"}});
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
@@ -142,10 +167,19 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     append(report["must_fail"], lens_study_mutants(report["lens_study"]));
     for (Figure& figure : lens_study_figures(report["lens_study"])) figures.push_back(std::move(figure));
   }
+  if (spec.sin2_study) {
+    report["sin2_study"] = sin2_study(*spec.sin2_study, spec.seed, parts, folder.path(), seconds["sin2_study"]);
+    append(report["must_fail"], sin2_study_mutants(report["sin2_study"]));
+    for (Figure& figure : sin2_study_figures(report["sin2_study"], folder.path())) {
+      figure.command = "sturm run " + std::filesystem::path(experiment_file).filename().string();
+      figures.push_back(std::move(figure));
+    }
+  }
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
   report["verdict"]["lens_sentence"] = spec.lens_study ? lens_study_sentence(report["lens_study"]) : Json(nullptr);
+  report["verdict"]["sin2_study_sentence"] = spec.sin2_study ? sin2_study_sentence(report["sin2_study"]) : Json(nullptr);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
 
@@ -157,7 +191,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];
   std::vector<std::string> findings;
-  for (const char* sentence : {"sin2_sentence", "lens_sentence"})
+  for (const char* sentence : {"sin2_sentence", "lens_sentence", "sin2_study_sentence"})
     if (verdict.at(sentence).is_string()) findings.push_back(verdict.at(sentence));
   return {verdict.at("passed"), verdict.at("sentence"), std::move(findings), folder.path() / "report.html"};
 }
