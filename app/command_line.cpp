@@ -51,6 +51,7 @@ struct CommandLine {
   PreviewOptions preview;
   StressOptions stress;
   CompareOptions compare;
+  CompareRunsOptions compare_runs;
   PlanOptions plan;
   GateOptions gate;
   std::string output, folder, file, schema;
@@ -68,6 +69,7 @@ struct CommandLine {
     add_bench();
     add_stress();
     add_compare();
+    add_compare_runs();
     add_plan_samples();
     add_gate();
     auto* validate = app.add_subcommand("validate", "check a configuration without running it");
@@ -186,6 +188,18 @@ struct CommandLine {
     c->callback([this] { action = [this] { return compare_command(compare); }; });
   }
 
+  void add_compare_runs() {
+    auto* c = app.add_subcommand("compare-runs", "what has changed between two runs of an experiment, beyond its uncertainty");
+    c->add_option("before", compare_runs.before, "run folder or report.json")->required();
+    c->add_option("after", compare_runs.after, "run folder or report.json")->required();
+    c->add_option("--json", compare_runs.json_file, "write the comparison as JSON (- is standard output, instead of the table)");
+    c->add_option("--level", compare_runs.level, "chance of any false alarm in the whole comparison")
+        ->check(CLI::Range(1e-9, 0.5))
+        ->capture_default_str();
+    c->add_flag("--gate", compare_runs.gate, "exit status 1 if something got worse");
+    c->callback([this] { action = [this] { return compare_runs_command(compare_runs); }; });
+  }
+
   void add_plan_samples() {
     auto* p = app.add_subcommand("plan-samples", "number of independent rays that a measurement needs");
     p->add_option("--difference", plan.relative_difference, "relative difference to be seen")
@@ -210,6 +224,7 @@ struct CommandLine {
     g->add_option("--gates", gate.gates, "gates file (default: the gates that the report was judged by)");
     g->add_option("--baseline", gate.baseline, "baseline to compare with");
     g->add_option("--junit", gate.junit, "write the results as JUnit XML");
+    g->add_option("--markdown", gate.markdown, "write a short summary in Markdown, for a pull request");
     g->add_option("--write-baseline", gate.new_baseline, "store this report's numbers as a new baseline");
     g->callback([this] { action = [this] { return gate_command(gate); }; });
   }

@@ -67,7 +67,15 @@ struct StressOptions {
 };
 
 struct GateOptions {
-  std::string report, gates, baseline, junit, new_baseline;  ///< "" = not given
+  std::string report, gates, baseline, junit, markdown, new_baseline;  ///< "" = not given
+};
+
+/// What `sturm compare-runs` is asked for.
+struct CompareRunsOptions {
+  std::string before, after;  ///< run folders or report.json files
+  std::string json_file;      ///< "" = none, "-" = standard output instead of the table
+  double level = 0.01;        ///< chance of any false alarm in the whole comparison
+  bool gate = false;          ///< exit status 1 where something is worse
 };
 
 // Each command returns the exit status; errors are thrown as InputError (2) or RuntimeFailure (3).
@@ -80,6 +88,7 @@ int run_command(const CommonOptions& options, const std::string& folder, bool re
 int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
+int compare_runs_command(const CompareRunsOptions& options);
 int plan_samples_command(const PlanOptions& options);
 int gate_command(const GateOptions& options);
 int validate_command(const std::string& file);

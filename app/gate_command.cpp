@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "compare/gates.h"
 #include "compare/junit.h"
+#include "compare/report_markdown.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/gate_spec.h"
@@ -50,7 +51,7 @@ void print_results(const Json& results) {
 /// What later runs are held against: the numbers with their uncertainty, not every case.
 Json baseline_of(const Json& report) {
   Json baseline = report;
-  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "sin2_study"}) baseline.erase(bulky);
+  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study"}) baseline.erase(bulky);
   return baseline;
 }
 
@@ -68,6 +69,7 @@ int gate_command(const GateOptions& options) {
   print_results(results);
   std::cout << verdict.at("sentence").get<std::string>() << "\n";
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results, report.at("title")));
+  if (!options.markdown.empty()) write_file_atomically(options.markdown, report_markdown(report, results, verdict));
   if (!options.new_baseline.empty()) write_file_atomically(options.new_baseline, baseline_of(report).dump(1) + "\n");
   return verdict.at("passed").get<bool>() ? 0 : 1;
 }

@@ -110,6 +110,7 @@ class DocumentRenderer {
     RenderResult result = path_trace_watched(task);
     output_.seconds["path_tracing"] += watch.lap();
     EyePicture picture{{}, counters_json(result.counters)};
+    picture.counters["guide"] = name_of(result.guide_use);
     if (may_stop_early(spec_)) picture.counters["sampling"] = sampling_json(result.passes, spec_);
     count_saved(plan_.items, task.view, result.counters);
     if (result.passes.interrupted) output_.notes.push_back(interruption_note(result.passes, spec_));
@@ -128,13 +129,15 @@ class DocumentRenderer {
   }
 
   EyePicture predicted(const EyeTask& task) {
-    if (spec_.prediction.kind != PredictionKind::Ellipses) {
-      PredictedView result = predict_view(scene_, spec_.camera, task.worn, task.sideways_m, spec_.prediction, task.settings);
-      for (const auto& [name, seconds] : result.seconds) output_.seconds[name] += seconds;
-      return {std::move(result.layers), std::move(result.counters)};
-    }
     PredictorSettings spreading;
     spreading.sharp_below_px = plan_.copied_below_px;
+    if (spec_.prediction.kind != PredictionKind::Ellipses) {
+      PredictedView view = predict_view(scene_, spec_.camera, task.worn, task.sideways_m, spec_.prediction, task.settings, spreading);
+      for (const auto& [part, seconds] : view.seconds) output_.seconds[part] += seconds;
+      count_saved(plan_.items, task.view, view.shaded);
+      count_copied(plan_.items, view.spread);
+      return {std::move(view.layers), std::move(view.counters)};
+    }
     PredictedImage result =
         predict(scene_, camera_pose(spec_.camera), task.worn.eye, spec_.prediction.oversampling, task.settings, spreading);
     output_.seconds["sharp_view"] += result.times.sharp_view_seconds;

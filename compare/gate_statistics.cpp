@@ -4,9 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/agreement_statistics.h"
 #include "compare/extreme_statistic.h"
 #include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
+#include "compare/sampling_statistics.h"
 #include "compare/sin2_study/statistics.h"
 #include "lensmodel/units.h"
 
@@ -189,8 +191,10 @@ std::map<std::string, Statistic> statistics_of(const Json& report) {
   add_ellipses(report, out);
   add_psfs(report, out);
   add_images(report, out);
+  add_agreement_statistics(report, out);
   add_mutants(report, out);
   add_lens_study(report, out);
+  add_sampling_study(report, out);
   add_sin2_study(report, out);
   return out;
 }

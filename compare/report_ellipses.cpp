@@ -143,7 +143,7 @@ std::string case_table(const std::string& model, const std::vector<Row>& rows) {
       {"Orientation error [°]"}, {"Bures–Wasserstein [arcmin]"}};
   if (closed_form) columns.insert(columns.end(), {{"Relative difference from closed form"}, {"Largest |z| from closed form [σ]"}});
   columns.push_back({"Status", false});
-  HtmlTable table("Ellipses of " + model + " rays against the conoid, worst first", "sortable", columns);
+  HtmlTable table("Ellipses of " + model + " rays against the conoid, worst first", "sortable filterable", columns);
   for (const Row& row : rows) {
     const Json &item = *row.item, &rays = *row.rays;
     std::vector<Cell> cells = {text_html(text_at(item, "id")),

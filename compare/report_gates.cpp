@@ -60,12 +60,12 @@ std::string gate_table(const Json& gates) {
   std::vector<const Json*> order;
   for (const Json& gate : gates) order.push_back(&gate);
   std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return reading_order(*a) < reading_order(*b); });
-  HtmlTable table("Gates, failures first", "gates",
+  HtmlTable table("Gates, failures first", "gates filterable",
                   {{"Gate", false}, {"Result", false}, {"Value ± uncertainty"}, {"Bound, with unit"}, {"Worst case", false}});
   for (const Json* gate : order) {
     table.add_row({description(*gate), result_html(*gate), measured_html(number_at(*gate, "value"), number_at(*gate, "uncertainty"), 3),
                    bound_html(*gate), worst_case_html(*gate)},
-                  failed(*gate) ? "fail" : "");
+                  RowState{failed(*gate) ? "fail" : "", failed(*gate) ? "failed" : "passed"});
   }
   return table.html();
 }

@@ -27,12 +27,15 @@ std::string navigation(const std::vector<Part>& parts) {
 
 std::string render_report_html(const Json& report, const std::filesystem::path& run_folder) {
   const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
+                                   {"cases", "Cases", case_section(report)},
                                    {"sin2", "sin²", sin2_section(report)},
                                    {"sin2_study", "sin² study", sin2_study_section(report, run_folder)},
                                    {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
+                                   {"sampling_study", "Pupil samplings", sampling_section(report, run_folder)},
                                    {"figures", "Figures", figure_section(report, run_folder)},
                                    {"psfs", "Point-spread functions", psf_section(report, run_folder)},
                                    {"images", "Images", image_section(report, run_folder)},
+                                   {"agreement", "Predictions", agreement_section(report, run_folder)},
                                    {"ellipses", "All ellipses", ellipse_section(report)},
                                    {"provenance", "Provenance", provenance_section(report)}};
   std::string body = verdict_section(report) + navigation(parts);

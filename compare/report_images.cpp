@@ -4,11 +4,14 @@
 #include <vector>
 
 #include "compare/false_colour.h"
+#include "compare/image_comparison.h"
+#include "compare/report_command.h"
 #include "compare/report_json.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
 #include "compare/report_pictures.h"
 #include "compare/report_sections.h"
+#include "compare/report_viewer.h"
 #include "io/error.h"
 #include "io/tone_map.h"
 
@@ -23,10 +26,15 @@ constexpr double bytes_per_pixel = 3.0 * 4.0 / 3.0;
 /// Share of the pixels that the ends of the error map's scale leave inside.
 constexpr double shown_share = 0.995;
 
+/// Bytes that the viewer's numbers may take on the page: two pictures of 3 channels and 7 maps per case, 2 bytes each in base64.
+constexpr double viewer_byte_budget = 12e6;
+constexpr double viewer_bytes_per_pixel = (2 * 3 + 7) * 2.0 * 4.0 / 3.0;
+
 struct Pair {
   Image path_traced, predicted;  ///< display-referred
   Image difference;              ///< luma, predicted − path traced, in display space
-  std::string problem;           ///< why there are no pictures; plain text
+  Image linear_traced, linear_predicted;
+  std::string problem;  ///< why there are no pictures; plain text
 };
 
 Pair load_pair(const Json& entry, const std::filesystem::path& run_folder) {
@@ -34,15 +42,15 @@ Pair load_pair(const Json& entry, const std::filesystem::path& run_folder) {
     const Image traced = main_layer(run_folder / text_at(entry, "files/path_traced"));
     const Image predicted = main_layer(run_folder / text_at(entry, "files/predicted"));
     if (traced.width != predicted.width || traced.height != predicted.height || traced.channels != predicted.channels) {
-      return {{}, {}, {}, "the two images differ in size"};
+      return {{}, {}, {}, {}, {}, "the two images differ in size"};
     }
-    Pair pair{to_display(traced, 1.0), to_display(predicted, 1.0), {}, ""};
+    Pair pair{to_display(traced, 1.0), to_display(predicted, 1.0), {}, traced, predicted, ""};
     const Image a = luma_image(pair.path_traced);
     pair.difference = luma_image(pair.predicted);
     for (std::size_t i = 0; i < a.pixels.size(); ++i) pair.difference.pixels[i] -= a.pixels[i];
     return pair;
   } catch (const InputError& error) {
-    return {{}, {}, {}, error.what()};
+    return {{}, {}, {}, {}, {}, error.what()};
   }
 }
 
@@ -60,9 +68,34 @@ double error_limit(const std::vector<Pair>& pairs) {
   return *nth > 0.0f ? round_length_above(*nth) : 1.0;
 }
 
-int shrink_factor(const Image& image, std::size_t pictures) {
-  const double pixels = static_cast<double>(image.width) * image.height * static_cast<double>(pictures);
-  return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels * bytes_per_pixel / byte_budget))));
+/// Side of the blocks of pixels whose means fit `budget` when `count` pictures of this size take `bytes` per pixel.
+int shrink_factor(const Image& image, std::size_t count, double bytes, double budget) {
+  const double pixels = static_cast<double>(image.width) * image.height * static_cast<double>(count);
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels * bytes / budget))));
+}
+
+/// The metrics of a pair with their maps; none where the pictures are too small for them or hold numbers that are not finite.
+std::vector<ImageMetric> maps_of(const Pair& pair) {
+  try {
+    return measure_images(pair.linear_predicted, pair.linear_traced, {});
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// Gives the case to the viewer; its place on the page as HTML.
+std::string viewer_place(const Json& entry, const Pair& pair, double limit, std::size_t cases, ViewerPayload& payload) {
+  const std::string traced = text_at(entry, "files/path_traced"), predicted = text_at(entry, "files/predicted");
+  if (pair.linear_traced.channels != 3) return "";
+  const int factor = shrink_factor(pair.linear_traced, cases, viewer_bytes_per_pixel, viewer_byte_budget);
+  payload.add_picture(traced, pair.linear_traced, factor);
+  payload.add_picture(predicted, pair.linear_predicted, factor);
+  const std::size_t number = payload.add_case(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
+                                              pair.difference, limit, maps_of(pair), factor);
+  return element("div", "class=\"viewer\" data-case=\"" + std::to_string(number) + "\"", "") +
+         element("p", "class=\"made-by\"",
+                 "Files: " + file_link(traced) + ", " + file_link(predicted) + ". Maps by <code>sturm compare " + escaped(predicted) + " " +
+                     escaped(traced) + " --maps maps</code> in the run's folder.");
 }
 
 /// encode_png refuses numbers that are not finite; the picture shows them in the colour that stands for them.
@@ -126,16 +159,17 @@ std::string metrics_table(const Json& images) {
   return table.html();
 }
 
-std::string article(const Json& entry, const Pair& pair, double limit, std::size_t pictures) {
+std::string article(const Json& entry, const Pair& pair, double limit, std::size_t cases, ViewerPayload& payload) {
   std::string heading = text_html(text_at(entry, "id")) + " · <code>" + text_html(text_at(entry, "ray_model")) + "</code> <small>" +
                         text_html(text_at(entry, "scene")) + " · " + text_html(text_at(entry, "prescription")) + " · pupil " +
                         exact_html(number_at(entry, "pupil_mm")) + " mm · " + count_html(number_at(entry, "samples_per_pixel")) +
                         " samples per pixel";
   std::string body;
   if (pair.problem.empty()) {
-    const int factor = shrink_factor(pair.path_traced, pictures);
+    const int factor = shrink_factor(pair.path_traced, 3 * cases, bytes_per_pixel, byte_budget);
     if (factor > 1) heading += " · shown at 1/" + std::to_string(factor) + " of its size";
-    body = element("div", "class=\"three\"",
+    body = viewer_place(entry, pair, limit, cases, payload) +
+           element("div", "class=\"three stills\"",
                    picture(with_visible_defects(shrunk(pair.path_traced, factor)), "Path traced") +
                        picture(with_visible_defects(shrunk(pair.predicted, factor)), "Predicted") +
                        picture(diverging_false_colour(shrunk(pair.difference, factor), limit), "Predicted − path traced"));
@@ -163,8 +197,9 @@ std::string image_section(const Json& report, const std::filesystem::path& run_f
       metrics_table(images) +
       colour_bar_svg(ColourMap::Diverging, {{0.0, "−" + end}, {0.25, "−" + half}, {0.5, "0"}, {0.75, half}, {1.0, end}},
                      "Predicted − path traced, luma in display space (one scale for all)");
-  for (std::size_t i = 0; i < images.size(); ++i) html += article(images[i], pairs[i], limit, 3 * images.size());
-  return element("section", "id=\"images\"", html);
+  ViewerPayload payload;
+  for (std::size_t i = 0; i < images.size(); ++i) html += article(images[i], pairs[i], limit, images.size(), payload);
+  return element("section", "id=\"images\"", html + made_by(report) + payload.html());
 }
 
 }  // namespace sturm

@@ -1,6 +1,7 @@
 #include "compare/report_markup.h"
 
 #include <cctype>
+#include <cstdio>
 
 #include "compare/report_numbers.h"
 
@@ -48,6 +49,20 @@ std::string element(std::string_view tag, std::string_view attributes, std::stri
   return result.append(">").append(inner_html).append("</").append(tag).append(">\n");
 }
 
+std::string file_link(std::string_view path) {
+  std::string address = "./";
+  for (const char c : path) {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '/' || c == '.' || c == '_' || c == '-') {
+      address += c;
+    } else {
+      char encoded[4];
+      std::snprintf(encoded, sizeof encoded, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+      address += encoded;
+    }
+  }
+  return "<a href=\"" + address + "\">" + escaped(path) + "</a>";
+}
+
 std::string slug(std::string_view text) {
   std::string result;
   for (const char c : text) result += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
@@ -58,7 +73,14 @@ HtmlTable::HtmlTable(std::string caption, std::string css_class, std::vector<Col
     : caption_(std::move(caption)), css_class_(std::move(css_class)), columns_(std::move(columns)) {}
 
 void HtmlTable::add_row(const std::vector<Cell>& cells, std::string_view css_class) {
-  rows_ += css_class.empty() ? "<tr>" : "<tr class=\"" + std::string(css_class) + "\">";
+  add_row(cells, RowState{std::string(css_class), ""});
+}
+
+void HtmlTable::add_row(const std::vector<Cell>& cells, const RowState& state) {
+  rows_ += "<tr";
+  if (!state.css_class.empty()) rows_ += " class=\"" + state.css_class + "\"";
+  if (!state.status.empty()) rows_ += " data-status=\"" + escaped(state.status) + "\"";
+  rows_ += ">";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const bool numeric = columns_.at(i).numeric;
     rows_ += i == 0 ? "<th scope=\"row\"" : "<td";

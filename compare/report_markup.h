@@ -15,6 +15,9 @@ std::string text_html(std::string_view text);
 /// <tag attributes>inner</tag>; `attributes` and `inner_html` are HTML already.
 std::string element(std::string_view tag, std::string_view attributes, std::string_view inner_html);
 
+/// A link to a file of the run folder. Whatever is in the name is part of the path: no other scheme, query or fragment.
+std::string file_link(std::string_view path);
+
 /// Letters, digits and hyphens made of any text, for an id attribute; different texts may collide.
 std::string slug(std::string_view text);
 
@@ -30,14 +33,21 @@ struct Cell {
   Cell(const char* html_) : html(html_) {}
 };
 
+/// What a filterable table knows of a row beside its text.
+struct RowState {
+  std::string css_class;  ///< of the row; "" = none
+  std::string status;     ///< what the filter by state knows it by; "" = the row has no state
+};
+
 /// An HTML table with caption and scoped headers, in a frame that scrolls (also by keyboard) where the window is too narrow.
 class HtmlTable {
  public:
-  /// `css_class` may hold "sortable"; `caption` is plain text.
+  /// `css_class` may hold "sortable" and "filterable"; `caption` is plain text.
   HtmlTable(std::string caption, std::string css_class, std::vector<Column> columns);
 
   /// One cell per column; the first one is the row's header.
   void add_row(const std::vector<Cell>& cells, std::string_view css_class = "");
+  void add_row(const std::vector<Cell>& cells, const RowState& state);
 
   std::string html() const;
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "compare/false_colour.h"
+#include "compare/report_command.h"
 #include "compare/report_json.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
@@ -118,7 +119,7 @@ std::string psf_section(const Json& report, const std::filesystem::path& run_fol
     }
     html += element("article", "", element("h3", "", group_heading(*first)) + element("div", "class=\"gallery\"", figures));
   }
-  return element("section", "id=\"psfs\"", html);
+  return element("section", "id=\"psfs\"", html + made_by(report));
 }
 
 }  // namespace sturm

@@ -10,12 +10,15 @@ namespace sturm {
 /// or "" when the report has nothing for it.
 std::string verdict_section(const Json& report);
 std::string gates_section(const Json& report);
+std::string case_section(const Json& report);
 std::string sin2_section(const Json& report);
 std::string lens_study_section(const Json& report, const std::filesystem::path& run_folder);
 std::string sin2_study_section(const Json& report, const std::filesystem::path& run_folder);
+std::string sampling_section(const Json& report, const std::filesystem::path& run_folder);
 std::string figure_section(const Json& report, const std::filesystem::path& run_folder);
 std::string psf_section(const Json& report, const std::filesystem::path& run_folder);
 std::string image_section(const Json& report, const std::filesystem::path& run_folder);
+std::string agreement_section(const Json& report, const std::filesystem::path& run_folder);
 std::string ellipse_section(const Json& report);
 std::string provenance_section(const Json& report);
 

@@ -10,15 +10,10 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// What one fragment receives: radiance over albedo, and the variance of its luma.
+/// What one fragment receives: radiance over albedo, and its variance.
 struct Light {
-  Vector3f value;
-  float luma, variance;
+  Vector3f value, variance;
 };
-
-float luma(const Vector3f& rgb) {
-  return 0.2126f * rgb.x() + 0.7152f * rgb.y() + 0.0722f * rgb.z();
-}
 
 /// Below this albedo a division would blow up noise; such a fragment is divided by this.
 Vector3f divisor(const Vector3f& albedo) {
@@ -38,9 +33,7 @@ class Wavelet {
       const Fragment& f = view.fragments[i];
       if (!takes_part(f)) continue;
       light_[i].value = f.radiance.cwiseQuotient(divisor(f.albedo));
-      light_[i].luma = luma(light_[i].value);
-      const float scale = luma(divisor(f.albedo));
-      light_[i].variance = f.variance / (scale * scale);
+      light_[i].variance = f.variance.cwiseQuotient(divisor(f.albedo).cwiseAbs2());
       pixel_size_[i] = static_cast<float>(pixel_slope) * (f.position - eye).norm();
     }
   }
@@ -80,32 +73,35 @@ class Wavelet {
   Light smoothed(int x, int y, const Fragment& f, int step) const {
     constexpr float b3[3] = {3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f};
     const Light& own = light_[index(f)];
-    const float spread = static_cast<float>(settings_.luma_tolerance) * std::sqrt(mean_variance(x, y, f)) + 1e-6f * own.luma;
-    Vector3f sum = Vector3f::Zero();
-    float weights = 0.0f, variance = 0.0f;
+    // Channel by channel: the luma of a red glow is too dark to tell it from noise. A noiseless neighbourhood keeps 1e-6 of rounding.
+    const float tolerance = static_cast<float>(settings_.tolerance);
+    const Vector3f spread = tolerance * tolerance * mean_variance(x, y, f) + 1e-12f * own.value.cwiseAbs2();
+    Vector3f sum = Vector3f::Zero(), variance = Vector3f::Zero();
+    float weights = 0.0f;
     for (int dy = -2; dy <= 2; ++dy)
       for (int dx = -2; dx <= 2; ++dx) {
         const Fragment* g = dx == 0 && dy == 0 ? &f : continued(x + dx * step, y + dy * step, f, 2 * step);
         if (!g) continue;
         const Light& other = light_[index(*g)];
-        const float off = spread > 0.0f ? (other.luma - own.luma) / spread : 0.0f;
-        const float weight = b3[std::abs(dx)] * b3[std::abs(dy)] * std::exp(-off * off);
+        float off = 0.0f;
+        for (int c = 0; c < 3; ++c)
+          if (spread[c] > 0.0f) off = std::max(off, (other.value[c] - own.value[c]) * (other.value[c] - own.value[c]) / spread[c]);
+        const float weight = b3[std::abs(dx)] * b3[std::abs(dy)] * std::exp(-off);
         sum += weight * other.value;
         weights += weight;
         variance += weight * weight * other.variance;
       }
-    const Vector3f value = sum / weights;
-    return {value, luma(value), variance / (weights * weights)};
+    return {sum / weights, variance / (weights * weights)};
   }
 
   /// Variances estimated from few samples are noisy themselves: the mean over 3 × 3 pixels.
-  float mean_variance(int x, int y, const Fragment& f) const {
-    float sum = 0.0f;
+  Vector3f mean_variance(int x, int y, const Fragment& f) const {
+    Vector3f sum = Vector3f::Zero();
     int count = 0;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
         if (const Fragment* g = continued(x + dx, y + dy, f, 2)) sum += light_[index(*g)].variance, ++count;
-    return count > 0 ? sum / static_cast<float>(count) : light_[index(f)].variance;
+    return count > 0 ? Vector3f(sum / static_cast<float>(count)) : light_[index(f)].variance;
   }
 
   const FragmentImage& view_;

@@ -13,13 +13,13 @@
 
 #include "conoid/disocclusion.h"
 #include "conoid/ellipse_kernel.h"
+#include "conoid/layer_compositor.h"
 #include "lensmodel/symmetric2.h"
 
 namespace sturm {
 namespace {
 
 constexpr int bins_per_layer = 64;
-constexpr int rows_per_band = 8;
 constexpr double largest_radius_px = 16384.0;  // keeps kernels and layer numbers bounded; no image is that wide
 
 /// The blur of one eye in image pixels, as a function of vergence 1/d.
@@ -45,7 +45,7 @@ class PixelBlur {
   double scale_;
 };
 
-constexpr std::int32_t copied = -1;
+constexpr std::int32_t copied = LayerCompositor::Spot::copied;
 
 /// One source pixel. Samples are sorted by layer, then by row.
 struct Sample {
@@ -56,21 +56,6 @@ struct Sample {
   double vergence_D;
   float rgb[3];
 };
-
-/// Sums in double: a bright lamp spread over many pixels must not swallow its dim neighbours (physics.md §9.4).
-struct Light {
-  double rgb[3] = {0.0, 0.0, 0.0};
-  double coverage = 0.0;
-
-  void add(const Light& other) {
-    for (int c = 0; c < 3; ++c) rgb[c] += other.rgb[c];
-    coverage += other.coverage;
-  }
-};
-
-Light weighted(const Sample& sample, double weight) {
-  return {{weight * sample.rgb[0], weight * sample.rgb[1], weight * sample.rgb[2]}, weight};
-}
 
 void check(const SharpView& view, const PredictorSettings& settings) {
   const auto require = [](bool holds, const char* message) {
@@ -97,8 +82,7 @@ class Predictor {
         width_((view.radiance.width - 2 * view.margin_px) / n_),
         height_((view.radiance.height - 2 * view.margin_px) / n_),
         blur_(eye, accommodation_D, view.pixel_slope * n_),
-        layer_(static_cast<std::size_t>(width_) * height_),
-        total_(layer_.size()) {}
+        compositor_(width_, height_, n_ * n_) {}
 
   Prediction run() {
     collect_samples();
@@ -110,7 +94,8 @@ class Predictor {
       spread_layer(begin, end);
       begin = end;
     }
-    return finished();
+    // No pixel is empty: every ellipse covers its own centre, so a pixel gets at least its own light.
+    return {compositor_.radiance(), compositor_.coverage(), counters_};
   }
 
  private:
@@ -207,69 +192,13 @@ class Predictor {
     });
   }
 
-  /// Bands of output rows in parallel: each pixel is summed by one thread, in the order of the samples.
   void spread_layer(std::size_t begin, std::size_t end) {
-    int reach_up = 0, reach_down = 0;
-    for (const EllipseKernel& k : kernels_) {
-      reach_up = std::max(reach_up, -k.first_row());
-      reach_down = std::max(reach_down, k.first_row() + static_cast<int>(k.rows().size()) - 1);
+    spots_.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      const Sample& s = samples_[i];
+      spots_.push_back({s.x, s.y, s.kernel, 1.0f, {s.rgb[0], s.rgb[1], s.rgb[2]}});
     }
-    const int first_row = std::max(0, samples_[begin].y - reach_up), end_row = std::min(height_, samples_[end - 1].y + reach_down + 1);
-    if (first_row >= end_row) return;
-    const auto samples_begin = samples_.begin() + begin, samples_end = samples_.begin() + end;
-    tbb::parallel_for(first_row / rows_per_band, (end_row - 1) / rows_per_band + 1, [&](int band) {
-      const int row0 = band * rows_per_band, row1 = std::min(height_, row0 + rows_per_band);
-      std::fill(layer_.begin() + static_cast<std::size_t>(row0) * width_, layer_.begin() + static_cast<std::size_t>(row1) * width_,
-                Light{});
-      auto s = std::lower_bound(samples_begin, samples_end, row0 - reach_down, [](const Sample& a, int row) { return a.y < row; });
-      for (; s != samples_end && s->y < row1 + reach_up; ++s) spread(*s, row0, row1);
-      composite(row0, row1);
-    });
-  }
-
-  void spread(const Sample& s, int row0, int row1) {
-    if (s.kernel == copied) {
-      if (s.x >= 0 && s.x < width_ && s.y >= row0 && s.y < row1) layer_[static_cast<std::size_t>(s.y) * width_ + s.x].add(weighted(s, 1.0));
-      return;
-    }
-    const EllipseKernel& kernel = kernels_[s.kernel];
-    const Light inner = weighted(s, kernel.inner_weight());
-    const int top = s.y + kernel.first_row();
-    const int y_end = std::min(row1, top + static_cast<int>(kernel.rows().size()));
-    for (int y = std::max(row0, top); y < y_end; ++y) {
-      const EllipseKernel::Row& row = kernel.rows()[y - top];
-      Light* const out = &layer_[static_cast<std::size_t>(y) * width_];
-      const auto clipped = [&](int column) { return std::clamp(s.x + column, 0, width_); };
-      const auto add_edges = [&](int from, int to, const double* weights) {
-        for (int x = clipped(from), x_end = clipped(to); x < x_end; ++x) out[x].add(weighted(s, weights[x - s.x - from]));
-      };
-      const double* const weights = kernel.edge_weights().data() + row.edges;
-      add_edges(row.begin, row.inner_begin, weights);
-      for (int x = clipped(row.inner_begin), x_end = clipped(row.inner_end); x < x_end; ++x) out[x].add(inner);
-      add_edges(row.inner_end, row.end, weights + (row.inner_begin - row.begin));
-    }
-  }
-
-  void composite(int row0, int row1) {
-    const double per_sample = 1.0 / (n_ * n_);  // a full pixel holds oversampling² samples
-    for (std::size_t i = static_cast<std::size_t>(row0) * width_; i < static_cast<std::size_t>(row1) * width_; ++i) {
-      const double alpha = layer_[i].coverage * per_sample;
-      const double added = std::min(alpha, 1.0 - total_[i].coverage);
-      if (!(added > 0.0)) continue;
-      const double scale = per_sample * (added / alpha);
-      for (int c = 0; c < 3; ++c) total_[i].rgb[c] += scale * layer_[i].rgb[c];
-      total_[i].coverage += added;
-    }
-  }
-
-  Prediction finished() const {
-    Prediction result{Image(width_, height_, 3), Image(width_, height_, 1), counters_};
-    for (std::size_t i = 0; i < total_.size(); ++i) {
-      // Never zero: every ellipse covers its own centre, so a pixel gets at least its own light.
-      for (int c = 0; c < 3; ++c) result.radiance.pixels[3 * i + c] = static_cast<float>(total_[i].rgb[c] / total_[i].coverage);
-      result.coverage.pixels[i] = static_cast<float>(total_[i].coverage);
-    }
-    return result;
+    compositor_.add_layer(spots_, kernels_);
   }
 
   const SharpView& view_;
@@ -278,7 +207,8 @@ class Predictor {
   const PixelBlur blur_;
   std::vector<Sample> samples_;
   std::vector<EllipseKernel> kernels_;  // of the current layer
-  std::vector<Light> layer_, total_;
+  LayerCompositor compositor_;
+  std::vector<LayerCompositor::Spot> spots_;
   PredictionCounters counters_;
 };
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 
@@ -108,33 +109,35 @@ class SharpLookup {
   SharpLookup(const FragmentImage& view, int oversampling, double pixel_slope)
       : view_(view), oversampling_(oversampling), pixel_slope_(static_cast<float>(pixel_slope / oversampling)) {}
 
-  /// The fragment in the pixel of `place` (of the picture), or beside it, on whose plane the point lies to a pixel's size; none if there is
-  /// no such. `cell` is set to where the point would be.
-  const Fragment* find(const Vector2d& place, const Vector3f& point, float distance, bool surroundings, Cell& cell) const {
+  /// Radiance of the fragment in the pixel of `place` (of the picture) on whose plane the point lies to a pixel's size; none
+  /// if there is no such. `cell` is set to where the point would be.
+  std::optional<Vector3f> find(const Vector2d& place, const Vector3f& point, float distance, bool surroundings, Cell& cell) const {
     const int x = static_cast<int>(std::floor(place.x() * oversampling_)), y = static_cast<int>(std::floor(place.y() * oversampling_));
     // 64 steps per factor e: 1.6 % of the distance.
     cell = {x, y, surroundings ? Cell::at_infinity : static_cast<std::int32_t>(std::floor(64.0f * std::log(distance))), 0};
-    if (const Fragment* own = in_pixel(x, y, point, distance, surroundings)) return own;
-    constexpr int beside[8][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-    for (const auto& [dx, dy] : beside)
-      if (const Fragment* other = in_pixel(x + dx, y + dy, point, distance, surroundings)) return other;
-    return nullptr;
+    return in_pixel(x, y, point, distance, surroundings);
   }
 
  private:
-  const Fragment* in_pixel(int x, int y, const Vector3f& point, float distance, bool surroundings) const {
-    if (x < 0 || y < 0 || x >= view_.width || y >= view_.height) return nullptr;
-    const Fragment* best = nullptr;
-    float best_distance = pixel_slope_ * distance;
+  std::optional<Vector3f> in_pixel(int x, int y, const Vector3f& point, float distance, bool surroundings) const {
+    if (x < 0 || y < 0 || x >= view_.width || y >= view_.height) return std::nullopt;
+    const float pixel = pixel_slope_ * distance;
+    const auto off_plane = [&](const Fragment& f) {
+      if (f.surroundings != surroundings) return std::numeric_limits<float>::infinity();
+      return surroundings ? 0.0f : std::abs(f.normal.dot(point - f.position));
+    };
+    float best = pixel;
+    for (const Fragment& f : view_.at(x, y)) best = std::min(best, off_plane(f));
+    // Several fragments may lie on one plane (a lamp in a ceiling): the pixel's mean over them.
+    Vector3f sum = Vector3f::Zero();
+    float share = 0.0f;
     for (const Fragment& f : view_.at(x, y)) {
-      if (f.surroundings != surroundings) continue;
-      if (surroundings) return &f;
-      const float off = std::abs(f.normal.dot(point - f.position));
-      if (off > best_distance) continue;
-      best = &f;
-      best_distance = off;
+      if (!(off_plane(f) <= std::min(best + 0.05f * pixel, pixel))) continue;
+      sum += f.share * f.radiance;
+      share += f.share;
     }
-    return best;
+    if (!(share > 0.0f)) return std::nullopt;
+    return Vector3f(sum / share);
   }
 
   const FragmentImage& view_;
@@ -241,8 +244,8 @@ class Passes {
       for (int i = 0; i < count; ++i) {
         const auto pass = static_cast<std::size_t>(first + i);
         Unseen found{{x, y, 0, Cell::nowhere}, pixel, static_cast<std::uint32_t>(pass)};
-        if (const Fragment* known = looked_up(rays, packet[i], distance[i], found.cell)) {
-          sum.radiance += weights[pass] * known->radiance.cast<double>();
+        if (const auto known = looked_up(rays, packet[i], distance[i], found.cell)) {
+          sum.radiance += weights[pass] * known->cast<double>();
         } else {
           sum.unseen += weights[pass];
           unseen.push_back(found);
@@ -271,12 +274,12 @@ class Passes {
     }
   }
 
-  const Fragment* looked_up(const PixelRays& rays, const UnseenPlaces::Ray& ray, float t, Cell& cell) const {
+  std::optional<Vector3f> looked_up(const PixelRays& rays, const UnseenPlaces::Ray& ray, float t, Cell& cell) const {
     constexpr float far_away = 1e6f;  // [m]: a direction as a point; its place is off by a millionth of the pupil
     const bool surroundings = std::isinf(t);
     const Vector3f point = ray.origin + (surroundings ? far_away : t) * ray.direction;
     const auto place = rays.around.place_of(point.cast<double>());
-    if (!place || !(place->cwiseAbs().maxCoeff() < 1e6)) return nullptr;
+    if (!place || !(place->cwiseAbs().maxCoeff() < 1e6)) return std::nullopt;
     return lookup_.find(*place, point, (point - ray.origin).norm(), surroundings, cell);
   }
 

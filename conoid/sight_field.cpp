@@ -28,13 +28,14 @@ SightField::SightField(const PicturePlane& plane, const Eye& eye, std::optional<
 }
 
 void SightField::fill_grid() {
-  columns_ = (plane_.width + grid_px - 1) / grid_px + 3;
-  rows_ = (plane_.height + grid_px - 1) / grid_px + 3;
+  grid_px_ = grid_slope / plane_.pixel_slope;
+  columns_ = static_cast<int>(std::ceil(plane_.width / grid_px_)) + 3;
+  rows_ = static_cast<int>(std::ceil(plane_.height / grid_px_)) + 3;
   grid_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   tbb::parallel_for(0, rows_, [&](int j) {
     for (int i = 0; i < columns_; ++i)
       grid_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)] =
-          traced({static_cast<double>((i - 1) * grid_px), static_cast<double>((j - 1) * grid_px)});
+          traced({(i - 1) * grid_px_, (j - 1) * grid_px_});
   });
 }
 
@@ -75,7 +76,7 @@ Sight SightField::traced(const Eigen::Vector2d& place) const {
 }
 
 std::optional<SightField::Cell> SightField::cell_of(const Eigen::Vector2d& place) const {
-  const double column = place.x() / grid_px + 1.0, row = place.y() / grid_px + 1.0;
+  const double column = place.x() / grid_px_ + 1.0, row = place.y() / grid_px_ + 1.0;
   const int i = static_cast<int>(std::floor(column)), j = static_cast<int>(std::floor(row));
   if (i < 0 || j < 0 || i + 1 >= columns_ || j + 1 >= rows_) return std::nullopt;
   const Sight* upper = &grid_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)];

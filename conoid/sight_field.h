@@ -38,15 +38,15 @@ struct Sight {
 };
 
 /// Sights over a picture: naked eye or spectacles (conoid tracing, physics.md §7), gaze `camera` or `foveal`. Naked eyes in closed form.
-/// Through spectacles, conoids stand on a grid of `grid_px` pixels, linear in between: with second derivatives of the deviation of at most
-/// 0.2 rad⁻¹ (a progressive corridor) chief rays are within 2e-5 rad at 8 px of 3 mrad. Cells that a rim crosses, and places beyond the
-/// grid, are traced one by one.
+/// Through spectacles, conoids stand on a grid of `grid_slope` (1.1°), linear in between: chief rays are off by an eighth of its square
+/// times the second derivative of the deviation, 2e-5 rad where that is 0.4 rad⁻¹. Cells that a rim crosses, and places beyond the grid,
+/// are traced one by one.
 ///
 /// In gaze `camera` the pupil is seen obliquely by the chief ray of slope q: its point p stands at the offset T p across the ray, with the
 /// slope T s/√(1 + q²), where T keeps what is across. Immutable.
 class SightField {
  public:
-  static constexpr int grid_px = 8;
+  static constexpr double grid_slope = 0.02;
 
   SightField(const PicturePlane& plane, const Eye& eye, std::optional<Spectacles> spectacles);
 
@@ -81,6 +81,7 @@ class SightField {
   PicturePlane plane_;
   Eye eye_;
   std::optional<Spectacles> spectacles_;
+  double grid_px_ = 1.0;        ///< step of the grid [px]
   int columns_ = 0, rows_ = 0;  ///< of the grid, which begins one step outside of the picture
   std::vector<Sight> grid_;
 };

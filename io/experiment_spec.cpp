@@ -83,6 +83,8 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
   image.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   image.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", image.samples_per_pixel);
   image.replicates = value.value("replicates", 2);
+  image.guide_emitters = value.value("guide_emitters", image.guide_emitters);
+  image.max_bounces = value.value("max_bounces", image.max_bounces);
   return image;
 }
 
@@ -95,6 +97,9 @@ Json resolved_experiment(const Json& document) {
   // Lenses stay as given: the schema's defaults of one kind of surface are refused for another.
   if (const auto study = resolved.find("lens_study"); study != resolved.end())
     for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i) (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
+  if (const auto agreement = resolved.find("agreement"); agreement != resolved.end())
+    for (std::size_t i = 0; i < agreement->size(); ++i)
+      if (document["agreement"][i].contains("spectacles")) (*agreement)[i]["spectacles"] = document["agreement"][i]["spectacles"];
   if (const auto figures = resolved.find("figures"); figures != resolved.end())
     for (std::size_t i = 0; i < figures->size(); ++i)
       for (const auto& [key, given] : document["figures"][i].items()) (*figures)[i][key] = given;
@@ -126,6 +131,11 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     if (std::filesystem::is_regular_file(*spec.baseline)) add_files(spec.input_files, {spec.baseline->string()});
   }
   if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
+  if (document.contains("agreement")) {
+    require_unique_ids(document["agreement"], root / "agreement");
+    spec.agreement = read_agreement(document["agreement"], root / "agreement");
+    for (const AgreementCase& c : spec.agreement) add_files(spec.input_files, c.input_files);
+  }
   if (document.contains("lens_study")) {
     require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");
     spec.lens_study = read_lens_study(document["lens_study"], root / "lens_study");
@@ -135,6 +145,10 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     require_unique_ids(document["sin2_study"].value("gallery", Json::array()), root / "sin2_study" / "gallery");
     spec.sin2_study = read_sin2_study(document["sin2_study"], root / "sin2_study");
     add_files(spec.input_files, spec.sin2_study->input_files);
+  }
+  if (document.contains("sampling_study")) {
+    spec.sampling_study = read_sampling_study(document["sampling_study"], root / "sampling_study");
+    add_files(spec.input_files, spec.sampling_study->scene.input_files);
   }
   const Json figures = document.value("figures", Json::array());
   require_unique_ids(figures, root / "figures");

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "io/agreement_spec.h"
 #include "io/camera_spec.h"
 #include "io/eye_spec.h"
 #include "io/figure_spec.h"
 #include "io/lens_study_spec.h"
 #include "io/ray_bundle_spec.h"
+#include "io/sampling_study_spec.h"
 #include "io/scene_spec.h"
 #include "io/sin2_study_spec.h"
 
@@ -54,6 +56,8 @@ struct ImageExperiment {
   std::uint64_t samples_per_pixel = 0;
   std::uint64_t sharp_samples_per_pixel = 0;  ///< of the prediction's sharp view
   int replicates = 0;                         ///< independently seeded path-traced images, ≥ 2
+  bool guide_emitters = false;                ///< as in RenderSpec, of the path-traced images
+  int max_bounces = 16;                       ///< of the path-traced images and the sharp view
 };
 
 /// A validated document of format sturm.experiment/1.
@@ -65,8 +69,10 @@ struct ExperimentSpec {
   std::vector<PsfExperiment> psfs;      ///< ids are unique
   std::vector<ImageExperiment> images;  ///< ids are unique
   bool share_views = true;              ///< pictures that are the same are rendered once
+  std::vector<AgreementCase> agreement;  ///< ids are unique
   std::optional<LensStudySpec> lens_study;
   std::optional<Sin2StudySpec> sin2_study;
+  std::optional<SamplingStudySpec> sampling_study;
   std::vector<FigureSpec> figures;                ///< ids are unique
   std::filesystem::path gates;                    ///< absolute
   std::optional<std::filesystem::path> baseline;  ///< absolute; need not exist yet

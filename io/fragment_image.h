@@ -13,7 +13,7 @@ struct Fragment {
   Eigen::Vector3f normal;    ///< unit length; of the surroundings zero
   Eigen::Vector3f radiance;  ///< linear, towards the pupil's centre
   Eigen::Vector3f albedo;    ///< of a Lambertian surface; where the colour may change with the direction, zero
-  float variance = 0.0f;     ///< of the mean radiance's luma, from the scatter of its samples (low-discrepancy samples do better)
+  Eigen::Vector3f variance;  ///< of the mean radiance, from the scatter of its samples (low-discrepancy samples do better)
   float share = 0.0f;        ///< of the pixel's samples
   bool surroundings = false;
   bool emits = false;  ///< some of it is seen from a side that emits

@@ -21,6 +21,7 @@ constexpr std::size_t max_pixels = std::size_t{1} << 28;
 /// The functions of the module. Never closed: OpenImageIO keeps threads and thread-local memory.
 struct Module {
   decltype(&sturm_imageformats_read) read;
+  decltype(&sturm_imageformats_read_memory) read_memory;
   decltype(&sturm_imageformats_encode_png) encode_png;
   decltype(&sturm_imageformats_free) free;
 };
@@ -38,9 +39,10 @@ Module open_module() {
       continue;
     }
     const Module module{reinterpret_cast<decltype(Module::read)>(dlsym(library, "sturm_imageformats_read")),
+                        reinterpret_cast<decltype(Module::read_memory)>(dlsym(library, "sturm_imageformats_read_memory")),
                         reinterpret_cast<decltype(Module::encode_png)>(dlsym(library, "sturm_imageformats_encode_png")),
                         reinterpret_cast<decltype(Module::free)>(dlsym(library, "sturm_imageformats_free"))};
-    if (!module.read || !module.encode_png || !module.free)
+    if (!module.read || !module.read_memory || !module.encode_png || !module.free)
       throw RuntimeFailure(file.string() + " is not the image format module of this program");
     return module;
   }
@@ -52,20 +54,33 @@ const Module& module() {
   return opened;
 }
 
+/// What a function of the module decodes; `name` is for messages.
+template <class Read>
+Image decoded(const std::string& name, const Read& read) {
+  Image image;
+  float* pixels = nullptr;
+  std::array<char, 1024> error{};
+  if (read(image, &pixels, error.data(), error.size())) throw InputError(name, "", error.data(), "an image that OpenImageIO reads");
+  const std::unique_ptr<float, decltype(Module::free)> owner(pixels, module().free);
+  image.pixels.assign(pixels, pixels + static_cast<std::size_t>(image.width) * image.height * image.channels);
+  return image;
+}
+
 }  // namespace
 
 Image read_image(const std::filesystem::path& path) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code)) throw InputError(path.string(), "", "no such file", "an image");
-  const Module& formats = module();
-  Image image;
-  float* pixels = nullptr;
-  std::array<char, 1024> error{};
-  if (formats.read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, &pixels, error.data(), error.size()))
-    throw InputError(path.string(), "", error.data(), "an image that OpenImageIO reads");
-  const std::unique_ptr<float, decltype(Module::free)> owner(pixels, formats.free);
-  image.pixels.assign(pixels, pixels + static_cast<std::size_t>(image.width) * image.height * image.channels);
-  return image;
+  return decoded(path.string(), [&](Image& image, float** pixels, char* error, std::size_t error_size) {
+    return module().read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, pixels, error, error_size);
+  });
+}
+
+Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {
+  return decoded(name, [&](Image& image, float** pixels, char* error, std::size_t error_size) {
+    return module().read_memory(bytes.data(), bytes.size(), max_pixels, &image.width, &image.height, &image.channels, pixels, error,
+                                error_size);
+  });
 }
 
 std::vector<unsigned char> encode_png(const Image& display) {

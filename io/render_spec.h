@@ -28,7 +28,7 @@ struct RenderSpec {
   std::string ray_model;                 ///< of the path tracer; "" for a prediction
   std::uint64_t samples_per_pixel = 64;  ///< of the path tracer, or of the prediction's sharp view (per output pixel)
   int max_bounces = 16;
-  bool guide_emitters = true;  ///< of the path tracer, for the naked eye in `camera` gaze
+  bool guide_emitters = true;  ///< of the path tracer, where the pupil's spread has a density
   StopSpec stop;               ///< of the path tracer, like the next two
   std::optional<AdaptiveSpec> adaptive;
   std::optional<DenoiseSpec> denoise;

@@ -54,6 +54,8 @@ ModelSpec read_model(const Json& value, const Source& where, const std::vector<M
   ModelSpec model;
   model.file = existing_file(value["file"], where / "file", "the path of a model file");
   model.scale = value.value("scale", model.scale);
+  model.turn = value.value("turn_deg", 0.0) * std::numbers::pi / 180.0;
+  if (value.contains("position_m")) model.position = read_vector3(value["position_m"]);
   if (value.value("texture_encoding", "srgb") == "linear") model.texture_encoding = TextureEncoding::Linear;
   if (value.value("texture_filter", "bilinear") == "nearest") model.texture_filter = TextureFilter::Nearest;
   if (value.value("texture_wrap", "clamp") == "repeat") model.texture_wrap = TextureWrap::Repeat;

@@ -31,6 +31,8 @@ struct ModelSpec {
   TextureFilter texture_filter = TextureFilter::Bilinear;
   TextureWrap texture_wrap = TextureWrap::Clamp;
   std::vector<MaterialOverride> overrides{};
+  double turn = 0.0;                        ///< [rad] about +y through the file's origin, counter-clockwise seen from above; after scaling
+  Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m] where the file's origin is put, after turning
 };
 
 struct MeshSpec {

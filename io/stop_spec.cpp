@@ -26,6 +26,8 @@ std::optional<AdaptiveSpec> read_adaptive(const Json& method, const Source& wher
   AdaptiveSpec spec;
   spec.tile_px = adaptive->value("tile_px", spec.tile_px);
   spec.min_samples_per_pixel = adaptive->value("min_samples_per_pixel", spec.min_samples_per_pixel);
+  if (spec.min_samples_per_pixel % 4 != 0)
+    (where / "adaptive" / "min_samples_per_pixel").fail(spec.min_samples_per_pixel, "a multiple of 4");
   return spec;
 }
 

@@ -163,10 +163,9 @@ class ErrorRenderer {
     Image image(tiles_.width, tiles_.height, 3);
     for (std::size_t t = 0; t < tiles_.count(); ++t)
       for_each_pixel(t, [&](int x, int y) {
-        for (int h : {0, 1}) {
-          const Color color = grows(h, t) ? pixel(x, y).half(h) : pixel(x, y).kept[static_cast<std::size_t>(h)];
-          for (std::size_t k = 0; k < 3; ++k) image.at(x, y)[k] += static_cast<float>(0.5 * color[k]);
-        }
+        const Pixel& p = pixel(x, y);
+        const Color a = grows(0, t) ? p.half(0) : p.kept[0], b = grows(1, t) ? p.half(1) : p.kept[1];
+        for (std::size_t k = 0; k < 3; ++k) image.at(x, y)[k] = static_cast<float>(0.5 * (a[k] + b[k]));
       });
     return image;
   }

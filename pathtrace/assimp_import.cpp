@@ -1,5 +1,6 @@
 #include "pathtrace/assimp_import.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -21,6 +22,8 @@
 #include "io/tone_map.h"
 #include "pathtrace/collada_check.h"
 #include "pathtrace/gltf_check.h"
+#include "pathtrace/gltf_surface.h"
+#include "pathtrace/materials/fresnel.h"
 #include "pathtrace/obj_references.h"
 
 namespace sturm {
@@ -45,7 +48,8 @@ class ModelImport {
     // A library may define more than the model uses: textures nobody sees are not loaded.
     std::vector<bool> used(scene->mNumMaterials, false);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) used.at(scene->mMeshes[i]->mMaterialIndex) = true;
-    for (unsigned i = 0; i < scene->mNumMaterials; ++i) add_material(*scene->mMaterials[i], used[i]);
+    const bool metallic_roughness = extension == ".gltf" || extension == ".glb";
+    for (unsigned i = 0; i < scene->mNumMaterials; ++i) add_material(*scene, *scene->mMaterials[i], used[i], metallic_roughness);
     shown_.assign(scene->mNumMeshes, 0);
     prototype_of_.assign(scene->mNumMeshes, -1);
     count_shown(*scene->mRootNode);
@@ -73,7 +77,7 @@ class ModelImport {
     return {colour.r, colour.g, colour.b};
   }
 
-  void add_material(const aiMaterial& source, bool used) {
+  void add_material(const aiScene& scene, const aiMaterial& source, bool used, bool metallic_roughness) {
     Material material;
     material.name = source.GetName().C_Str();
     const std::string where = "material \"" + material.name + "\"";
@@ -88,21 +92,67 @@ class ModelImport {
     aiString path;
     if (used && (source.GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
                  source.GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS))
-      material.albedo_texture = texture(path.C_Str(), where);
+      material.albedo_texture = texture(scene, path.C_Str(), where, spec_.texture_encoding);
+    if (used && metallic_roughness) take_metallic_roughness(scene, source, material, where);
     material.nearest_filter = spec_.texture_filter == TextureFilter::Nearest;
     material.repeat_texture = spec_.texture_wrap == TextureWrap::Repeat;
     result_.materials.push_back(std::move(material));
   }
 
-  std::shared_ptr<const Image> texture(std::string name, const std::string& where) {
-    if (name.starts_with('*')) fail(where, "an embedded texture", "textures in files of their own");
-    std::replace(name.begin(), name.end(), '\\', '/');  // model files from Windows
-    std::shared_ptr<const Image>& known = textures_[name];
-    if (known) return known;
+  static Eigen::Vector3f mean_of(const Image& picture) {
+    Eigen::Vector3d sum(0.0, 0.0, 0.0);
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 3)
+      sum += Eigen::Vector3d(picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2]);
+    return (3.0 / static_cast<double>(picture.pixels.size()) * sum).cast<float>();
+  }
+
+  /// glTF's factors; a texture of them counts with its mean (roughness in green, metallic in blue), which is noted.
+  void take_metallic_roughness(const aiScene& scene, const aiMaterial& source, Material& material, const std::string& where) {
+    GltfFactors factors;
+    source.Get(AI_MATKEY_METALLIC_FACTOR, factors.metallic);
+    source.Get(AI_MATKEY_ROUGHNESS_FACTOR, factors.roughness);
+    source.Get(AI_MATKEY_REFRACTI, factors.index);
+    for (const float factor : {factors.metallic, factors.roughness})
+      if (!(factor >= 0.0f && factor <= 1.0f))
+        fail(where + ", metallic or roughness factor", std::to_string(factor), "a factor from 0 to 1");
+    if (!(factors.index > 1.0f && factors.index <= 4.0f)) fail(where + ", index", std::to_string(factors.index), "above 1, at most 4");
+    aiString path;
+    if (source.GetTexture(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE, &path) == aiReturn_SUCCESS) {
+      const Eigen::Vector3f mean = mean_of(*texture(scene, path.C_Str(), where, TextureEncoding::Linear));
+      factors.roughness *= mean.y();
+      factors.metallic *= mean.z();
+      note("material \"" + material.name + "\": the mean of its metallic-roughness texture is taken");
+    }
+    factors.base_colour = material.albedo;
+    if (material.albedo_texture) factors.base_colour = factors.base_colour.cwiseProduct(mean_of(*material.albedo_texture));
+    GltfSurface found = gltf_surface(factors);
+    if (!found.left_out.empty()) note("material \"" + material.name + "\" is taken without its " + found.left_out);
+    material.surface = std::move(found.surface);
+    if (const auto* metal = std::get_if<Conductor>(&material.surface)) {
+      if (material.albedo_texture) note("material \"" + material.name + "\": the mean colour of its texture is taken, since it is a metal");
+      material.albedo_texture = nullptr;
+      material.albedo = fresnel_conductor(1.0f, metal->eta, metal->kappa);  // the albedo layer shows a metal by its colour seen straight on
+    }
+  }
+
+  /// The picture of a name in the model: a file beside it, or "*0" and so on, embedded in it.
+  Image stored_texture(const aiScene& scene, const std::string& name, const std::string& where) const {
+    if (const aiTexture* embedded = scene.GetEmbeddedTexture(name.c_str())) {
+      if (embedded->mHeight != 0) fail(where, "an embedded texture of plain texels", "an embedded PNG or JPEG file");
+      return read_embedded_image({reinterpret_cast<const unsigned char*>(embedded->pcData), embedded->mWidth},
+                                 file_.string() + ", " + where + ", texture " + name);
+    }
     const auto path = file_.parent_path() / name;
     if (!std::filesystem::is_regular_file(path)) fail(where, path.string(), "a texture file that exists");
-    Image stored = read_image(path);
-    if (spec_.texture_encoding == TextureEncoding::Srgb) stored = srgb_to_linear(stored);
+    return read_image(path);
+  }
+
+  std::shared_ptr<const Image> texture(const aiScene& scene, std::string name, const std::string& where, TextureEncoding encoding) {
+    std::replace(name.begin(), name.end(), '\\', '/');  // model files from Windows
+    std::shared_ptr<const Image>& known = textures_[{name, encoding}];
+    if (known) return known;
+    Image stored = stored_texture(scene, name, where);
+    if (encoding == TextureEncoding::Srgb) stored = srgb_to_linear(stored);
     Image rgb(stored.width, stored.height, 3);
     const bool grey = stored.channels <= 2;
     for (int y = 0; y < rgb.height; ++y)
@@ -120,16 +170,17 @@ class ModelImport {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i)
       if (scene.mMeshes[i]->HasBones()) note("mesh \"" + std::string(scene.mMeshes[i]->mName.C_Str()) + "\": its skeleton is left out");
     for (unsigned i = 0; i < scene.mNumMaterials; ++i)
-      if (used[i]) note_material(*scene.mMaterials[i]);
+      if (used[i]) note_material(*scene.mMaterials[i], result_.materials[i].surface);
   }
 
-  void note_material(const aiMaterial& source) {
+  void note_material(const aiMaterial& source, const SurfaceModel& surface) {
     std::string left_out;
     const auto add = [&](const char* what) { left_out += (left_out.empty() ? "" : ", ") + std::string(what); };
     float value = 0.0f;
     aiColor3D colour(0, 0, 0);
-    if (source.Get(AI_MATKEY_METALLIC_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("metallic");
-    if (source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack()) add("specular");
+    const bool lambert = std::holds_alternative<Diffuse>(surface);
+    if (lambert && source.Get(AI_MATKEY_METALLIC_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("metallic");
+    if (lambert && source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack()) add("specular");
     if (source.Get(AI_MATKEY_OPACITY, value) == aiReturn_SUCCESS && value < 1.0f) add("transparency");
     if (source.Get(AI_MATKEY_TRANSMISSION_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("transmission");
     for (const auto& [type, name] : {std::pair{aiTextureType_NORMALS, "normal map"},
@@ -139,7 +190,9 @@ class ModelImport {
                                      {aiTextureType_SPECULAR, "specular texture"},
                                      {aiTextureType_DISPLACEMENT, "displacement"}})
       if (source.GetTextureCount(type) > 0) add(name);
-    if (!left_out.empty()) note("material \"" + std::string(source.GetName().C_Str()) + "\" is taken as Lambert without its " + left_out);
+    if (!left_out.empty())
+      note("material \"" + std::string(source.GetName().C_Str()) + "\" is taken " + (lambert ? "as Lambert " : "") + "without its " +
+           left_out);
   }
 
   void count_shown(const aiNode& node) {
@@ -230,7 +283,7 @@ class ModelImport {
   double scale_;
   std::vector<unsigned> shown_;    // by how many nodes each mesh is
   std::vector<int> prototype_of_;  // −1: none yet
-  std::map<std::string, std::shared_ptr<const Image>> textures_;
+  std::map<std::pair<std::string, TextureEncoding>, std::shared_ptr<const Image>> textures_;
   SceneDescription result_;
 };
 

@@ -109,10 +109,11 @@ class Filter {
   float similarity(int x, int y, int u, int v) const { return std::exp(-(radiance_cost(x, y, u, v) + guide_cost(x, y, u, v))); }
 
   float radiance_cost(int x, int y, int u, int v) const {
-    const float *p = radiance_.at(x, y), *q = radiance_.at(u, v), *vp = tolerance_.at(x, y), *vq = tolerance_.at(u, v);
+    // The neighbour's own variance does not count: an outlier would excuse itself and be spread over the taps' pattern.
+    const float *p = radiance_.at(x, y), *q = radiance_.at(u, v), *variance = tolerance_.at(x, y);
     const float difference = over_channels([&](int k) { return (p[k] - q[k]) * (p[k] - q[k]); });
     const float sigma = static_cast<float>(spec_.radiance_sigma);
-    return cost(difference, sigma * sigma * over_channels([&](int k) { return vp[k] + vq[k]; }));
+    return cost(difference, sigma * sigma * 2.0f * over_channels([&](int k) { return variance[k]; }));
   }
 
   float guide_cost(int x, int y, int u, int v) const {

@@ -29,56 +29,39 @@ EmitterGuide::EmitterGuide(const EmitterClusters& clusters, const EyeCamera& cam
               svd.matrixU().col(1),    svd.matrixV().col(0), svd.matrixV().col(1),
               svd.singularValues()};
     // Seen from straight behind it.
-    const Rectangle seen = rectangle(lens, lens.lateral.x() / lens.distance, lens.lateral.y() / lens.distance);
+    const PupilRectangle seen = rectangle(lens, lens.lateral.x() / lens.distance, lens.lateral.y() / lens.distance);
     if (!(seen.area() < largest_share * pupil_area)) continue;
     lens_of_cluster_[k] = static_cast<int>(lenses_.size());
     lenses_.push_back(lens);
   }
 }
 
-EmitterGuide::Rectangle EmitterGuide::rectangle(const Lens& lens, float qx, float qy, float widening) const {
+PupilRectangle EmitterGuide::rectangle(const Lens& lens, float qx, float qy, float widening) const {
   const Eigen::Vector2f offset = lens.lateral - lens.distance * Eigen::Vector2f(qx, qy);
-  const float reach = lens.reach + widening;
-  Rectangle r;
-  const auto side = [&](int k, float along, float sigma) {
-    // |σ t − along| ≤ reach and |t| ≤ a; σ = 0 leaves all of the pupil or nothing.
-    if (sigma * radius_ <= 1e-6f * reach) {
-      r.low[k] = -radius_;
-      r.high[k] = std::abs(along) <= reach ? radius_ : -radius_;
-      return;
-    }
-    r.low[k] = std::max(-radius_, (along - reach) / sigma);
-    r.high[k] = std::min(radius_, (along + reach) / sigma);
-  };
-  side(0, lens.u1.dot(offset), lens.sigma[0]);
-  side(1, lens.u2.dot(offset), lens.sigma[1]);
-  return r;
+  return PupilRectangle::that_reaches({lens.u1.dot(offset), lens.u2.dot(offset)}, lens.sigma, lens.reach + widening, radius_);
 }
 
-void EmitterGuide::find_targets(int x, int y, std::vector<Target>& targets) const {
+void EmitterGuide::find_targets(int x, int y, std::vector<GuidedTarget>& targets) const {
   targets.clear();
   const float qx = camera_.slope_x(static_cast<float>(x) + 0.5f), qy = camera_.slope_y(static_cast<float>(y) + 0.5f);
   const float half_diagonal = 0.5f * std::numbers::sqrt2_v<float> * (camera_.slope_x(1.0f) - camera_.slope_x(0.0f));
   float sum = 0.0f;
   for (const Lens& lens : lenses_) {
-    const Rectangle r = rectangle(lens, qx, qy, lens.distance * half_diagonal);
-    if (!(r.area() > 0.0f)) continue;
-    // A corner of the rectangle's nearest point inside of the pupil's disc.
-    const Eigen::Vector2f nearest(std::clamp(0.0f, r.low.x(), r.high.x()), std::clamp(0.0f, r.low.y(), r.high.y()));
-    if (nearest.squaredNorm() > radius_ * radius_) continue;
+    const PupilRectangle r = rectangle(lens, qx, qy, lens.distance * half_diagonal);
+    if (!(r.area() > 0.0f) || !r.meets_disc(radius_)) continue;
     const float expected = lens.luminance * r.area();
     targets.push_back({lens.cluster, expected});
     sum += expected;
   }
-  for (Target& target : targets) target.probability /= sum;
+  for (GuidedTarget& target : targets) target.probability /= sum;
 }
 
 EmitterGuide::Proposal EmitterGuide::propose(int cluster, float qx, float qy, float u, float v) const {
   const Lens& lens = lens_of(cluster);
-  const Rectangle r = rectangle(lens, qx, qy);
+  const PupilRectangle r = rectangle(lens, qx, qy);
   const float area = r.area();
   if (!(area > 0.0f)) return {0.0f, 0.0f, 0.0f};
-  const Eigen::Vector2f p = (r.low.x() + u * (r.high.x() - r.low.x())) * lens.v1 + (r.low.y() + v * (r.high.y() - r.low.y())) * lens.v2;
+  const Eigen::Vector2f t = r.point(u, v), p = t.x() * lens.v1 + t.y() * lens.v2;
   if (p.squaredNorm() > radius_ * radius_) return {0.0f, 0.0f, 0.0f};
   return {p.x(), p.y(), 1.0f / area};
 }
@@ -87,9 +70,9 @@ float EmitterGuide::pdf(int cluster, float qx, float qy, float px, float py) con
   const int index = lens_of_cluster_[static_cast<std::size_t>(cluster)];
   if (index < 0) return 0.0f;
   const Lens& lens = lenses_[static_cast<std::size_t>(index)];
-  const Rectangle r = rectangle(lens, qx, qy);
+  const PupilRectangle r = rectangle(lens, qx, qy);
   const Eigen::Vector2f p(px, py), t(lens.v1.dot(p), lens.v2.dot(p));
-  if (!(t.x() >= r.low.x() && t.x() <= r.high.x() && t.y() >= r.low.y() && t.y() <= r.high.y())) return 0.0f;
+  if (!r.contains(t)) return 0.0f;
   const float area = r.area();
   return area > 0.0f ? 1.0f / area : 0.0f;
 }

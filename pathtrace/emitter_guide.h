@@ -4,6 +4,8 @@
 
 #include "pathtrace/camera.h"
 #include "pathtrace/emitter_clusters.h"
+#include "pathtrace/guided_target.h"
+#include "pathtrace/pupil_rectangle.h"
 
 namespace sturm {
 
@@ -17,12 +19,6 @@ namespace sturm {
 /// wrong S would only cost efficiency: the estimate is right with any density that is known.
 class EmitterGuide {
  public:
-  /// An emitter that a pixel may see, and the probability of choosing it.
-  struct Target {
-    int cluster;
-    float probability;
-  };
-
   /// A pupil point [m] and the density per area with which it was chosen; 0: outside of the pupil.
   struct Proposal {
     float px, py, pdf;
@@ -34,7 +30,7 @@ class EmitterGuide {
   bool empty() const { return lenses_.empty(); }
 
   /// The emitters that may be seen in pixel (x, y); their probabilities sum to 1.
-  void find_targets(int x, int y, std::vector<Target>& targets) const;
+  void find_targets(int x, int y, std::vector<GuidedTarget>& targets) const;
 
   /// From two uniform numbers, for chief slope (qx, qy).
   Proposal propose(int cluster, float qx, float qy, float u, float v) const;
@@ -55,12 +51,7 @@ class EmitterGuide {
     Eigen::Vector2f u1, u2, v1, v2, sigma;
   };
 
-  /// The rectangle [low, high] on (v1, v2) for one chief slope.
-  struct Rectangle {
-    Eigen::Vector2f low, high;
-    float area() const { return std::max(0.0f, high.x() - low.x()) * std::max(0.0f, high.y() - low.y()); }
-  };
-  Rectangle rectangle(const Lens& lens, float qx, float qy, float widening = 0.0f) const;
+  PupilRectangle rectangle(const Lens& lens, float qx, float qy, float widening = 0.0f) const;
   const Lens& lens_of(int cluster) const { return lenses_[static_cast<std::size_t>(lens_of_cluster_[static_cast<std::size_t>(cluster)])]; }
 
   const EyeCamera& camera_;

@@ -3,8 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
+#include <limits>
 #include <mutex>
 #include <string>
 
@@ -18,18 +18,14 @@ namespace {
 
 using Eigen::Vector3f;
 
-double luma(const Eigen::Vector3d& rgb) {
-  return 0.2126 * rgb.x() + 0.7152 * rgb.y() + 0.0722 * rgb.z();
-}
-
 /// Sums over the samples of one piece of surface; its first sample says which plane it is.
 struct Piece {
   Vector3f point, normal;
   float pixel_size;
   bool surroundings, emits;
   Eigen::Vector3d position{0.0, 0.0, 0.0}, normals{0.0, 0.0, 0.0}, radiance{0.0, 0.0, 0.0}, albedo{0.0, 0.0, 0.0};
-  double luma_squares = 0.0;
-  int count = 0;
+  Eigen::Vector3d squares{0.0, 0.0, 0.0};
+  int count = 0, cover = 0;  ///< samples that were shaded, samples that met it
 };
 
 struct Seen {
@@ -47,25 +43,40 @@ class PixelPieces {
     piece.normals += seen.normal.cast<double>();
     piece.radiance += seen.radiance.cast<double>();
     piece.albedo += seen.albedo.cast<double>();
-    piece.luma_squares += luma(seen.radiance.cast<double>()) * luma(seen.radiance.cast<double>());
-    piece.emits = piece.emits || seen.emits;
+    piece.squares += seen.radiance.cast<double>().cwiseAbs2();
     ++piece.count;
+    ++piece.cover;
+  }
+
+  /// A sample that counts for the size of its piece alone. False where there is no such piece yet.
+  bool add_cover(const Seen& seen) {
+    const std::size_t before = pieces_.size();
+    Piece& piece = of(seen);
+    if (pieces_.size() > before) {
+      pieces_.pop_back();
+      return false;
+    }
+    piece.position += seen.point.cast<double>();
+    ++piece.cover;
+    return true;
+  }
+
+  bool emits() const {
+    return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.emits; });
   }
 
   void append_to(std::vector<Fragment>& list, int samples) const {
-    for (int i = 0; i < count_; ++i) {
-      const Piece& p = pieces_[static_cast<std::size_t>(i)];
+    for (const Piece& p : pieces_) {
       Fragment f;
-      const Eigen::Vector3d mean = p.position / p.count;
+      const Eigen::Vector3d mean = p.position / p.cover;
       f.position = (p.surroundings ? Eigen::Vector3d(mean.normalized()) : mean).cast<float>();
       f.normal = p.surroundings ? Vector3f(Vector3f::Zero()) : Vector3f(p.normals.normalized().cast<float>());
       f.radiance = (p.radiance / p.count).cast<float>();
       f.albedo = (p.albedo / p.count).cast<float>();
-      const double bright = luma(p.radiance / p.count);
       // Of a single sample nothing is known: as uncertain as it is bright.
-      f.variance =
-          static_cast<float>(p.count > 1 ? std::max(0.0, p.luma_squares / p.count - bright * bright) / (p.count - 1) : bright * bright);
-      f.share = static_cast<float>(static_cast<double>(p.count) / samples);
+      const Eigen::Vector3d square = (p.radiance / p.count).cwiseAbs2();
+      f.variance = (p.count > 1 ? Eigen::Vector3d((p.squares / p.count - square).cwiseMax(0.0) / (p.count - 1)) : square).cast<float>();
+      f.share = static_cast<float>(static_cast<double>(p.cover) / samples);
       f.surroundings = p.surroundings;
       f.emits = p.emits;
       list.push_back(f);
@@ -73,29 +84,24 @@ class PixelPieces {
   }
 
  private:
-  static constexpr int most = 8;
+  static constexpr std::size_t most = 8;
   static constexpr float same_way = 0.906f;  // cos 25°
 
   /// The piece that a sample belongs to; the one whose plane is nearest where there is no room for more.
   Piece& of(const Seen& seen) {
-    int best = -1;
-    float best_distance = std::numeric_limits<float>::infinity();
-    for (int i = 0; i < count_; ++i) {
-      const Piece& p = pieces_[static_cast<std::size_t>(i)];
+    Piece* nearest = nullptr;
+    float nearest_distance = std::numeric_limits<float>::infinity();
+    for (Piece& p : pieces_) {
       if (p.surroundings != seen.surroundings) continue;
       const float distance = p.surroundings ? 0.0f : std::abs(p.normal.dot(seen.point - p.point)) / p.pixel_size;
-      const bool alike = p.surroundings || (p.normal.dot(seen.normal) > same_way && distance <= 1.0f);
-      if (alike) return pieces_[static_cast<std::size_t>(i)];
-      if (distance < best_distance) best = i, best_distance = distance;
+      if (p.surroundings || (p.emits == seen.emits && p.normal.dot(seen.normal) > same_way && distance <= 1.0f)) return p;
+      if (distance < nearest_distance) nearest = &p, nearest_distance = distance;
     }
-    if (count_ == most) return pieces_[static_cast<std::size_t>(best >= 0 ? best : 0)];
-    Piece& fresh = pieces_[static_cast<std::size_t>(count_++)];
-    fresh = Piece{seen.point, seen.normal, seen.pixel_size, seen.surroundings, seen.emits};
-    return fresh;
+    if (pieces_.size() == most) return nearest ? *nearest : pieces_.front();
+    return pieces_.emplace_back(Piece{seen.point, seen.normal, seen.pixel_size, seen.surroundings, seen.emits});
   }
 
-  std::array<Piece, most> pieces_;
-  int count_ = 0;
+  std::vector<Piece> pieces_;
 };
 
 void add(RenderCounters& total, const RenderCounters& part) {
@@ -104,10 +110,11 @@ void add(RenderCounters& total, const RenderCounters& part) {
   total.shadow_rays += part.shadow_rays;
 }
 
-/// Traces one ray and shades what it meets; numbers.begin_block is the caller's.
-Seen seen_along(const Scene& scene, const PathTracer& tracer, const Vector3f& origin, const Vector3f& direction, double pixel_slope,
+/// Traces one ray and, with a tracer, shades what it meets; numbers.begin_block is the caller's.
+Seen seen_along(const Scene& scene, const PathTracer* tracer, const Vector3f& origin, const Vector3f& direction, double pixel_slope,
                 VertexNumbers& numbers, std::uint32_t sample, RenderCounters& counters) {
   Seen seen;
+  seen.radiance = Vector3f::Zero();
   ++counters.camera.launched;
   RTCRayHit ray = ray_from(origin, direction);
   if (!intersect(scene.embree(), ray)) {
@@ -123,47 +130,107 @@ Seen seen_along(const Scene& scene, const PathTracer& tracer, const Vector3f& or
   seen.emits = point.emitter >= 0 && point.normal.dot(direction) < 0.0f;
   if (std::holds_alternative<Diffuse>(point.material->surface)) seen.albedo = point.albedo;
   seen.pixel_size = static_cast<float>(pixel_slope) * (point.position - origin).norm();
-  seen.radiance = tracer.radiance(point, direction, numbers, sample, counters);
+  if (!tracer) return seen;
+  seen.radiance = tracer->radiance(point, direction, numbers, sample, counters);
   if (!seen.radiance.allFinite()) throw RuntimeFailure("a sample of the sharp view is not finite");
   return seen;
 }
+
+/// Renders pixel by pixel.
+class FragmentRenderer {
+ public:
+  FragmentRenderer(const Scene& scene, int width, const ChiefRays& chief_rays, double pixel_slope, const RenderSettings& settings)
+      : scene_(scene),
+        tracer_(scene, settings),
+        width_(width),
+        chief_rays_(chief_rays),
+        pixel_slope_(pixel_slope),
+        settings_(settings),
+        samples_(static_cast<std::uint32_t>(settings.samples_per_pixel)) {}
+
+  PixelPieces pieces_of(int x, int y, RenderCounters& counters) const {
+    const PixelSequence sequence = sequence_of(x, y);
+    VertexNumbers numbers(sequence);
+    PixelPieces pieces;
+    for (std::uint32_t i = 0; i < samples_; ++i) {
+      if (i % CameraRayBlock::size == 0) numbers.begin_block(i);
+      if (const auto seen = sample(x, y, i, &tracer_, sequence, numbers, counters)) pieces.add(*seen);
+    }
+    return pieces;
+  }
+
+  /// More samples that are not shaded, of a pixel where a lamp begins: it is so much brighter than all around that its share must be known
+  /// better than by the few that are. What they find first is shaded once.
+  int refine(int x, int y, PixelPieces& pieces, RenderCounters& counters) const {
+    const PixelSequence sequence = sequence_of(x, y);
+    VertexNumbers numbers(sequence);
+    for (std::uint32_t i = samples_; i < samples_ + outline_samples; ++i) {
+      const auto seen = sample(x, y, i, nullptr, sequence, numbers, counters);
+      if (!seen || pieces.add_cover(*seen)) continue;
+      numbers.begin_block(i);
+      pieces.add(*sample(x, y, i, &tracer_, sequence, numbers, counters));
+    }
+    return static_cast<int>(samples_) + outline_samples;
+  }
+
+ private:
+  static constexpr int outline_samples = 256;
+
+  PixelSequence sequence_of(int x, int y) const { return {settings_.sequence, settings_.seed, static_cast<std::uint32_t>(y * width_ + x)}; }
+  std::optional<Seen> sample(int x, int y, std::uint32_t i, const PathTracer* tracer, const PixelSequence& sequence, VertexNumbers& numbers,
+                             RenderCounters& counters) const {
+    const auto film = sequence.pair(i, dimension::film);
+    const auto chief = chief_rays_(x + unit_double(film.x), y + unit_double(film.y));
+    if (!chief) return std::nullopt;
+    return seen_along(scene_, tracer, chief->origin.cast<float>(), chief->direction.cast<float>(), pixel_slope_, numbers, i, counters);
+  }
+
+  const Scene& scene_;
+  PathTracer tracer_;
+  int width_;
+  const ChiefRays& chief_rays_;
+  double pixel_slope_;
+  const RenderSettings& settings_;
+  std::uint32_t samples_;
+};
 
 }  // namespace
 
 FragmentImage render_fragments(const Scene& scene, int width, int height, const ChiefRays& chief_rays, double pixel_slope,
                                const RenderSettings& settings, RenderCounters& counters) {
-  const PathTracer tracer(scene, settings);
-  std::vector<std::vector<Fragment>> rows(static_cast<std::size_t>(height));
-  FragmentImage image{
-      width, height, std::vector<std::uint32_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + 1), {}};
+  const FragmentRenderer renderer(scene, width, chief_rays, pixel_slope, settings);
+  const auto index = [width](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  };
+  std::vector<PixelPieces> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<std::uint8_t> lamps(pixels.size());
   std::mutex merging;
   std::atomic<int> finished{0};
-  tbb::parallel_for(0, height, [&](int y) {
-    RenderCounters of_row;
-    for (int x = 0; x < width; ++x) {
-      const PixelSequence sequence(settings.sequence, settings.seed, static_cast<std::uint32_t>(y * width + x));
-      VertexNumbers numbers(sequence);
-      PixelPieces pieces;
-      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.samples_per_pixel); ++i) {
-        if (i % CameraRayBlock::size == 0) numbers.begin_block(i);
-        const auto film = sequence.pair(i, dimension::film);
-        const auto chief = chief_rays(x + unit_double(film.x), y + unit_double(film.y));
-        if (!chief) continue;
-        pieces.add(seen_along(scene, tracer, chief->origin.cast<float>(), chief->direction.cast<float>(), pixel_slope, numbers, i, of_row));
-      }
-      auto& row = rows[static_cast<std::size_t>(y)];
-      const std::size_t before = row.size();
-      pieces.append_to(row, settings.samples_per_pixel);
-      image.first[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x) + 1] =
-          static_cast<std::uint32_t>(row.size() - before);
-    }
-    const int done = ++finished;
-    if (settings.progress) settings.progress(static_cast<double>(done) / height);
-    const std::lock_guard lock(merging);
-    add(counters, of_row);  // integers: the order does not matter
+  const auto for_rows = [&](const auto& work) {
+    tbb::parallel_for(0, height, [&](int y) {
+      RenderCounters of_row;
+      for (int x = 0; x < width; ++x) work(x, y, of_row);
+      const std::lock_guard lock(merging);
+      add(counters, of_row);  // integers: the order does not matter
+    });
+  };
+  for_rows([&](int x, int y, RenderCounters& of_row) {
+    pixels[index(x, y)] = renderer.pieces_of(x, y, of_row);
+    lamps[index(x, y)] = pixels[index(x, y)].emits();
+    if (x == width - 1 && settings.progress) settings.progress(static_cast<double>(++finished) / height);
   });
-  for (std::size_t i = 1; i < image.first.size(); ++i) image.first[i] += image.first[i - 1];
-  for (const auto& row : rows) image.fragments.insert(image.fragments.end(), row.begin(), row.end());
+  std::vector<int> samples(pixels.size(), settings.samples_per_pixel);
+  for_rows([&](int x, int y, RenderCounters& of_row) {
+    bool near_lamp = false;
+    for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
+      for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) near_lamp = near_lamp || lamps[index(u, v)];
+    if (near_lamp) samples[index(x, y)] = renderer.refine(x, y, pixels[index(x, y)], of_row);
+  });
+  FragmentImage image{width, height, {0}, {}};
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    pixels[i].append_to(image.fragments, samples[i]);
+    image.first.push_back(static_cast<std::uint32_t>(image.fragments.size()));
+  }
   return image;
 }
 
@@ -182,7 +249,7 @@ std::vector<Vector3f> shade_places(const Scene& scene, std::size_t count, const 
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.samples_per_pixel); ++i) {
         if (i % CameraRayBlock::size == 0) numbers.begin_block(i);
         const auto& [origin, direction] = at.rays[i % at.rays.size()];
-        sum += seen_along(scene, tracer, origin, direction, 0.0, numbers, i, of_range).radiance.cast<double>();
+        sum += seen_along(scene, &tracer, origin, direction, 0.0, numbers, i, of_range).radiance.cast<double>();
       }
       radiance[k] = (sum / settings.samples_per_pixel).cast<float>();
     }

@@ -13,8 +13,9 @@ namespace sturm {
 using ChiefRays = std::function<std::optional<LightRay>(double x, double y)>;
 
 /// A sharp view, path traced along chief rays that somebody else knows, with the surfaces of each pixel kept apart: samples belong to one
-/// fragment while they lie on one plane, to a pixel's size, and face the same way within 25°. `pixel_slope` is that size at a metre.
-/// Samples are addressed by pixel and `settings.seed`: the same bits for any number of threads.
+/// fragment while they lie on one plane, to a pixel's size, and face the same way within 25°, and emit or not. `pixel_slope` is that size
+/// at a metre. Where a lamp begins 256 further samples per pixel measure how much each fragment covers; they are not shaded. Samples are
+/// addressed by pixel and `settings.seed`: the same bits for any number of threads.
 FragmentImage render_fragments(const Scene& scene, int width, int height, const ChiefRays& chief_rays, double pixel_slope,
                                const RenderSettings& settings, RenderCounters& counters);
 

@@ -41,6 +41,7 @@ class GltfCheck {
     check_buffers(list(gltf, "buffers"), container.binary_bytes);
     check_views(list(gltf, "bufferViews"));
     check_accessors(list(gltf, "accessors"));
+    check_images(list(gltf, "images"));
   }
 
  private:
@@ -162,6 +163,17 @@ class GltfCheck {
         fail(pointer, std::to_string(length) + " bytes at " + std::to_string(offset),
              "a part of the buffer's " + std::to_string(buffer_bytes_[buffer]) + " bytes");
       views_.push_back({length, number(views[i], "byteStride", pointer, 0)});
+    }
+  }
+
+  /// Embedded images name a buffer view that is there.
+  void check_images(const Json& images) const {
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      const std::string pointer = "/images/" + std::to_string(i);
+      if (!images[i].is_object()) fail(pointer, compact(images[i]), "an object");
+      if (!images[i].contains("bufferView")) continue;
+      const std::uint64_t view = number(images[i], "bufferView", pointer, std::nullopt);
+      if (view >= views_.size()) fail(pointer + "/bufferView", std::to_string(view), "the number of a buffer view");
     }
   }
 

@@ -13,6 +13,7 @@ class SceneGuide {
       : scene_(scene), camera_(camera), clusters_(scene.lights()), guide_(clusters_, camera) {}
 
   bool empty() const { return guide_.empty(); }
+  GuideUse use() const;
   const Scene& scene() const { return scene_; }
   const EyeCamera& camera() const { return camera_; }
   const EmitterClusters& clusters() const { return clusters_; }
@@ -42,13 +43,13 @@ class GuidedPixel {
 
  private:
   /// π_plain/(π_plain + P g) at a pupil point.
-  float share_of_plain(const EmitterGuide::Target& target, float qx, float qy, float px, float py) const;
+  float share_of_plain(const GuidedTarget& target, float qx, float qy, float px, float py) const;
 
   const SceneGuide& guide_;
   int x_, y_;
   const PixelSequence& sequence_;
   float plain_pdf_;
-  std::vector<EmitterGuide::Target> targets_;
+  std::vector<GuidedTarget> targets_;
 };
 
 }  // namespace sturm

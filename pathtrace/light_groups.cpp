@@ -19,6 +19,9 @@ constexpr float sphere_margin = 1.0f + 1e-5f;
 /// Triangles whose unit normals agree to this, and whose corners lie this near to one plane for their size, are a panel.
 constexpr float flatness = 1e-4f;
 
+/// So near, for its size, the corners of two triangles come to those of a parallelogram: rounding, and not more.
+constexpr float closure = 1e-5f;
+
 /// A convex body covers, averaged over all directions, area/4 of its sphere's disc (Cauchy). Up to one half, area sampling loses no more
 /// samples to backs of triangles than a cone would to misses.
 constexpr float least_cover_of_round = 0.5f;
@@ -45,15 +48,42 @@ Triangles measured(const LightGroup& group, const LightSet& lights) {
   return t;
 }
 
+LightGroup group_about(const Eigen::Vector3f& center, float radius) {
+  LightGroup group;
+  group.center = center;
+  group.radius = radius;
+  return group;
+}
+
+/// Makes two triangles of one panel that share a diagonal and complete each other one parallelogram.
+void find_parallelogram(LightGroup& group, const LightSet& lights) {
+  if (group.lights.size() != 2) return;
+  const LightShape first = lights.shape(group.lights[0]), second = lights.shape(group.lights[1]);
+  if (first.emission != second.emission) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3f &corner = first.corners[i], &next = first.corners[(i + 1) % 3], &last = first.corners[(i + 2) % 3];
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (second.corners[(j + 1) % 3] != last || second.corners[(j + 2) % 3] != next) continue;
+      if ((corner + second.corners[j] - next - last).norm() > closure * group.radius) continue;
+      group.parallelogram = true;
+      group.corner = corner;
+      group.edge1 = next - corner;
+      group.edge2 = last - corner;
+      group.scaled_normal = group.edge1.cross(group.edge2);
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 LightGroups::LightGroups(const LightSet& lights) {
   const EmitterClusters clusters(lights);
-  for (const EmitterCluster& c : clusters.clusters()) groups_.push_back({c.center, c.radius, false, {}, {}});
+  for (const EmitterCluster& c : clusters.clusters()) groups_.push_back(group_about(c.center, c.radius));
   for (int light = 0; light < lights.size(); ++light) {
     const int cluster = clusters.cluster_of(light);
     group_of_light_.push_back(cluster >= 0 ? cluster : size());
-    if (cluster < 0) groups_.push_back({lights.shape(light).center, 0.0f, false, {}, {}});
+    if (cluster < 0) groups_.push_back(group_about(lights.shape(light).center, 0.0f));
     groups_[static_cast<std::size_t>(group_of_light_.back())].lights.push_back(light);
   }
   std::vector<double> powers;
@@ -77,6 +107,7 @@ LightGroups::LightGroups(const LightSet& lights) {
       group.radius *= sphere_margin;
       group.round =
           !triangles.panel && triangles.area > least_cover_of_round * 4.0f * std::numbers::pi_v<float> * group.radius * group.radius;
+      if (triangles.panel) find_parallelogram(group, lights);
     }
     if (size() > most_weighed) continue;
     lanes_.x[i] = group.center.x();
@@ -124,8 +155,7 @@ float LightGroups::weigh(const Eigen::Vector3f& point, const Eigen::Vector3f& no
   return total;
 }
 
-LightGroups::Choice LightGroups::choose(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float u) const {
-  if (size() == 1) return {0, 1.0f, u};
+LightGroups::Choice LightGroups::choose_among(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float u) const {
   if (size() > most_weighed) {
     const int index = by_power_.choose(u);
     return {index, by_power_.probability(index), u};

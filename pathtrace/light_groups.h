@@ -11,9 +11,11 @@ class LightSet;
 
 /// Lights that are chosen as one: a point light, a sphere, or all emitting triangles that hang together.
 struct LightGroup {
-  Eigen::Vector3f center;  ///< [m], of a sphere that holds the group
-  float radius;            ///< [m], of that sphere; 0 for a point light
-  bool round;              ///< triangles that fill their sphere so well that directions are drawn in the cone under which it is seen
+  Eigen::Vector3f center;      ///< [m], of a sphere that holds the group
+  float radius;                ///< [m], of that sphere; 0 for a point light
+  bool round = false;          ///< triangles that fill their sphere so well that directions are drawn in the cone under which it is seen
+  bool parallelogram = false;  ///< two triangles that are sampled as one: corner + u·edge1 + v·edge2, seen from the side of edge1 × edge2
+  Eigen::Vector3f corner, edge1, edge2, scaled_normal;  ///< of the parallelogram; its normal has the length of its area
   std::vector<int> lights;
   AliasTable choices;  ///< among `lights`, in proportion to power
 };
@@ -45,12 +47,15 @@ class LightGroups {
     float rest;         ///< uniform in [0, 1) again
   };
   /// Chooses by the uniform number u for a surface at `point`, lit from the side of its unit normal; normal 0: from any side.
-  Choice choose(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float u) const;
+  Choice choose(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float u) const {
+    return size() == 1 ? Choice{0, 1.0f, u} : choose_among(point, normal, u);
+  }
 
   /// Probability of that choice.
   float probability(int group, const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const;
 
  private:
+  Choice choose_among(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float u) const;
   using Weights = std::array<float, most_weighed>;
   float weigh(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, Weights& weights) const;
 

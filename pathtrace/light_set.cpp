@@ -111,6 +111,13 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
   LightGroups::Choice choice = groups_.choose(point, normal, u);
   choice.probability *= lights_share_;
   const LightGroup& group = groups_.group(choice.group);
+  if (group.parallelogram) {
+    const Eigen::Vector3f direction = group.corner + choice.rest * group.edge1 + v * group.edge2 - point;
+    const float facing = -group.scaled_normal.dot(direction), square = direction.squaredNorm();
+    const Eigen::Vector3f& emission = lights_[static_cast<std::size_t>(group.lights.front())].emission;
+    // pdf = 1/area · distance²/cos, with cos = facing / (area · distance)
+    return {direction, emission, facing > 0.0f ? choice.probability * square * std::sqrt(square) / facing : 0.0f, false};
+  }
   if (group.round) {
     const Eigen::Vector3f to_center = group.center - point;
     const float square = to_center.squaredNorm();

@@ -7,11 +7,13 @@
 
 namespace sturm {
 
-/// Probability with which Russian roulette lets a path of this throughput go on. What comes to a path's end is multiplied by 1/p: with
-/// p = throughput the paths that are left are all worth the same, but so few that their number is most of the noise, and the ends are
-/// cheap. With the cube root rays per sample rise by a sixth and squared errors fall by a third in the room of tests/reference/scene_plain.
+/// Probability with which Russian roulette lets a path of this throughput go on: s(1.6 − 0.6 s) with s = √throughput, within 0.06 of the
+/// cube root and cheaper. What comes to a path's end is multiplied by 1/p: with p = throughput the paths that are left are all worth the
+/// same, but so few that their number is most of the noise. With the cube root rays per sample rise by a sixth and squared errors fall by
+/// a third in the room of tests/reference/scene_plain.
 inline float survival_probability(float throughput) {
-  return std::min(0.95f, std::cbrt(throughput));
+  const float s = std::sqrt(std::min(1.0f, throughput));
+  return std::min(0.95f, s * (1.6f - 0.6f * s));
 }
 
 /// Radiance along one camera ray that has already been traced, by unidirectional path tracing with next-event estimation.

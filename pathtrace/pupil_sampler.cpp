@@ -77,6 +77,18 @@ WeightedPoint PupilSampler::at(double u, double v) const {
   return {point, weight * std::exp(-apodization_ * point.squaredNorm()) / mean_weight_};
 }
 
+double PupilSampler::density(const Eigen::Vector2d& point) const {
+  if (spec_.kind != PupilSampling::UniformDisk) return 1.0 / (2.0 * std::numbers::pi * point.norm());
+  // mean_over_disc: the mean of e^(−q r²) over the disc, so that the density integrates to 1.
+  return std::exp(-apodization_ * point.squaredNorm()) / (std::numbers::pi * mean_over_disc(apodization_));
+}
+
+double PupilSampler::weight(const Eigen::Vector2d& point) const {
+  if (spec_.kind == PupilSampling::UniformDisk) return 1.0;
+  const double spread = spec_.kind == PupilSampling::UniformPolarWeighted ? 2.0 * point.norm() : 1.0;
+  return spread * std::exp(-apodization_ * point.squaredNorm()) / mean_weight_;
+}
+
 double apodization_of(double rho_per_m2, double pupil_radius_m) {
   return rho_per_m2 * std::numbers::ln10 * pupil_radius_m * pupil_radius_m;
 }

@@ -31,6 +31,14 @@ class PupilSampler {
   /// The point for (u, v) in [0, 1)². Weights have the mean 1 over the unit square.
   WeightedPoint at(double u, double v) const;
 
+  /// False for points that stand in fixed places.
+  bool has_density() const { return spec_.kind != PupilSampling::Rings; }
+
+  /// How densely `at` spreads its points, per area of the unit disc, and the weight that it gives to one there. Needs `has_density`.
+  /// `uniform_polar` is infinitely dense at the centre.
+  double density(const Eigen::Vector2d& point) const;
+  double weight(const Eigen::Vector2d& point) const;
+
  private:
   PupilSamplingSpec spec_;
   double apodization_;

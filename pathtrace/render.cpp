@@ -12,6 +12,7 @@
 #include "pathtrace/adaptive_render.h"
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/guided_pixel.h"
+#include "pathtrace/guided_view_pixel.h"
 #include "pathtrace/path_tracer.h"
 #include "pathtrace/progressive_render.h"
 #include "pathtrace/result_layers.h"
@@ -27,6 +28,20 @@ constexpr int tile_size = 16;
                        std::to_string(sample) + ", seed " + std::to_string(seed));
 }
 
+/// What guides the samples of a camera.
+template <class Camera>
+struct GuideOf;
+template <>
+struct GuideOf<EyeCamera> {
+  using Guide = SceneGuide;
+  using Pixel = GuidedPixel;
+};
+template <>
+struct GuideOf<ViewCamera> {
+  using Guide = ViewGuide;
+  using Pixel = GuidedViewPixel;
+};
+
 /// What a stream adds to the seed: beyond all seeds of documents (2⁵³) and of their left eyes (as much again).
 constexpr std::uint64_t stream_seed = std::uint64_t{1} << 54;
 
@@ -36,10 +51,10 @@ class PixelRenderer final : public PixelSource {
  public:
   PixelRenderer(const Scene& scene, const Camera& camera, const RenderSettings& settings)
       : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings) {
-    if constexpr (can_guide)
-      if (settings.guide_emitters) guide_.emplace(scene, camera);
+    if (settings.guide_emitters) guide_.emplace(scene, camera);
   }
 
+  GuideUse guide_use() const { return guide_ ? guide_->use() : GuideUse::not_asked; }
   int width() const override { return camera_.width(); }
   int height() const override { return camera_.height(); }
 
@@ -48,7 +63,7 @@ class PixelRenderer final : public PixelSource {
                                  static_cast<std::uint32_t>(y * camera_.width() + x));
     VertexNumbers numbers(sequence);
     CameraHits hits;
-    std::optional<GuidedPixel> guided;
+    std::optional<typename GuideOf<Camera>::Pixel> guided;
     if (guide_ && !guide_->empty()) guided.emplace(*guide_, x, y, sequence);
     const std::uint32_t end = range.first + range.count;
     for (std::uint32_t first = range.first; first < end; first += CameraRayBlock::size) {
@@ -73,7 +88,10 @@ class PixelRenderer final : public PixelSource {
           records.first_hit.add(point.albedo, point.normal, hits.distance(i));
           if (records.guide) records.guide->add(point.albedo, point.normal, hits.distance(i));
         } else {
-          if (scene_.has_environment()) value = scene_.environment(hits.direction(i));
+          if (scene_.has_environment() && goes_on(hits.rays.status[i])) {
+            value = scene_.environment(hits.direction(i));
+            if constexpr (Camera::weighted) value *= hits.rays.weight[i];
+          }
           records.first_hit.add_miss();
           if (records.guide) records.guide->add_miss();
         }
@@ -88,8 +106,7 @@ class PixelRenderer final : public PixelSource {
   const Camera& camera_;
   const RenderSettings& settings_;
   PathTracer tracer_;
-  static constexpr bool can_guide = std::is_same_v<Camera, EyeCamera>;  ///< of the others the footprint is not known here
-  std::optional<SceneGuide> guide_;
+  std::optional<typename GuideOf<Camera>::Guide> guide_;
 };
 
 /// Every pixel in one go, its statistics on the stack of one thread.
@@ -125,9 +142,11 @@ RenderResult render_at_once(const PixelRenderer<Camera>& renderer, const RenderS
 template <class Camera>
 RenderResult render_with(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
   const PixelRenderer<Camera> renderer(scene, camera, settings);
-  if (settings.relative_error) return render_to_error(renderer, settings);
-  if (settings.after_pass) return render_in_passes(renderer, settings);
-  return render_at_once(renderer, settings);
+  RenderResult result = settings.relative_error ? render_to_error(renderer, settings)
+                        : settings.after_pass   ? render_in_passes(renderer, settings)
+                                                : render_at_once(renderer, settings);
+  result.guide_use = renderer.guide_use();
+  return result;
 }
 
 }  // namespace

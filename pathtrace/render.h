@@ -4,6 +4,7 @@
 #include "io/image.h"
 #include "io/stop_spec.h"
 #include "pathtrace/camera.h"
+#include "pathtrace/guided_target.h"
 #include "pathtrace/ray_model.h"
 #include "pathtrace/scene.h"
 #include "pathtrace/sequence.h"
@@ -41,7 +42,7 @@ struct RenderSettings {
 struct RenderCounters {
   RayCounters camera;
   std::uint64_t bounce_rays = 0, shadow_rays = 0;
-  std::uint64_t guided_rays = 0, guided_hits = 0;  ///< rays sent by pathtrace/emitter_guide.h, and those that met their emitter
+  std::uint64_t guided_rays = 0, guided_hits = 0;  ///< rays sent by an EmitterGuide or ViewGuide, and those that met their emitter
 
   RenderCounters& operator+=(const RenderCounters& part) {
     camera += part.camera;
@@ -69,6 +70,7 @@ struct PassSummary {
 struct RenderResult {
   Image radiance, variance, albedo, normal, depth;
   RenderCounters counters;
+  GuideUse guide_use = GuideUse::not_asked;
   PassSummary passes;
   Image samples, mean_variance, guide_mean, guide_variance;
 };

@@ -106,6 +106,21 @@ void apply_overrides(SceneDescription& model, const ModelSpec& spec) {
   }
 }
 
+/// Turns the model about +y and moves it to its place.
+void place(SceneDescription& model, const ModelSpec& spec) {
+  if (spec.turn == 0.0 && spec.position.isZero()) return;
+  const Eigen::Matrix3f turn = Eigen::AngleAxisd(spec.turn, Eigen::Vector3d::UnitY()).toRotationMatrix().cast<float>();
+  const Eigen::Vector3f position = spec.position.cast<float>();
+  for (Mesh& mesh : model.meshes) {
+    for (Eigen::Vector3f& p : mesh.positions) p = turn * p + position;
+    for (Eigen::Vector3f& n : mesh.normals) n = turn * n;
+  }
+  for (Instance& instance : model.instances) {
+    instance.world_from_prototype = (turn * instance.world_from_prototype).eval();
+    instance.world_from_prototype.col(3) += position;
+  }
+}
+
 /// Lights must know where they are: instances of emitters become meshes in place.
 void place_emitters(SceneDescription& model) {
   std::erase_if(model.instances, [&](const Instance& instance) {
@@ -163,6 +178,7 @@ SceneDescription build_scene(const SceneSpec& spec) {
   for (const ModelSpec& spec_of_model : spec.models) {
     SceneDescription model = import_model(spec_of_model);
     apply_overrides(model, spec_of_model);
+    place(model, spec_of_model);
     place_emitters(model);
     append_model(scene, std::move(model));
   }

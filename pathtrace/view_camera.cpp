@@ -8,6 +8,7 @@
 
 #include "lensmodel/best_accommodation.h"
 #include "lensmodel/gaze.h"
+#include "pathtrace/across.h"
 
 namespace sturm {
 
@@ -32,31 +33,13 @@ Eigen::Matrix3d turned_head(double longitude, double latitude) {
       .toRotationMatrix();
 }
 
+constexpr PupilRay<double> chief_ray{0.0, 0.0, 0.0, 0.0, LaunchStatus::ok};
+
 double accommodation_at_rest(const Eye& eye) {
   return std::holds_alternative<BestAccommodation>(eye.accommodation) ? 0.0 : eye.accommodation_for(0.0);
 }
 
 }  // namespace
-
-/// How the eye stands for one point of the picture.
-struct ViewCamera::Sight {
-  Eigen::Matrix3d world_from_head;
-  Eigen::Vector3d pupil_center;  // head
-  Eigen::Matrix3d turn;          // head from pupil
-  Eigen::Vector2d slope;         // of the chief ray, pupil frame
-
-  LightRay in_head(const PupilRay<double>& ray) const {
-    return {pupil_center + turn * Eigen::Vector3d(ray.px, ray.py, 0.0),
-            (turn * Eigen::Vector3d(ray.sx + slope.x(), ray.sy + slope.y(), -1.0)).normalized()};
-  }
-};
-
-/// First derivatives of the rays that leave the spectacles with respect to the pupil point and to the slope: offset across the chief ray
-/// [m] and difference of direction.
-struct ViewCamera::Bundle {
-  Eigen::Matrix2d offset_by_point = Eigen::Matrix2d::Identity(), direction_by_point = Eigen::Matrix2d::Zero();
-  Eigen::Matrix2d offset_by_slope = Eigen::Matrix2d::Zero(), direction_by_slope = Eigen::Matrix2d::Identity();
-};
 
 ViewCamera::ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options)
     : pose_(pose),
@@ -73,6 +56,15 @@ ViewCamera::ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, V
 
 Eigen::Vector3d ViewCamera::in_world(const Sight& sight, const Eigen::Vector3d& point) const {
   return pose_.position + sight.world_from_head * (point + options_.sideways_m * Eigen::Vector3d::UnitX());
+}
+
+Eigen::Vector3d ViewCamera::in_head(const Sight& sight, const Eigen::Vector3d& world) const {
+  return sight.world_from_head.transpose() * (world - pose_.position) - options_.sideways_m * Eigen::Vector3d::UnitX();
+}
+
+double ViewCamera::pixel_angle() const {
+  if (options_.projection == Projection::Perspective) return pixel_slope_;
+  return std::max(2.0 * std::numbers::pi / pose_.width, std::numbers::pi / pose_.height);
 }
 
 ViewCamera::Sight ViewCamera::sight_at(double px, double py) const {
@@ -106,27 +98,30 @@ bool ViewCamera::launch(const Sight& sight, const PupilRay<double>& ray, LightRa
   return true;
 }
 
-/// By central differences of real rays: exact to the square of the steps, 0.1 mm and 0.1 mrad. Rays that are lost leave their entries as
-/// they are without spectacles.
+std::optional<LightRay> ViewCamera::leaving(const Sight& sight, const PupilRay<double>& ray) const {
+  LaunchStatus status = LaunchStatus::ok;
+  LightRay out;
+  return launch(sight, ray, out, status) ? std::optional(out) : std::nullopt;
+}
+
 ViewCamera::Bundle ViewCamera::bundle_about(const Sight& sight) const {
+  if (!options_.spectacles) return {};
+  const auto chief = leaving(sight, chief_ray);
+  return chief ? differences(sight, *chief) : Bundle{};
+}
+
+ViewCamera::Bundle ViewCamera::differences(const Sight& sight, const LightRay& chief) const {
   Bundle bundle;
-  if (!options_.spectacles) return bundle;
   constexpr double step = 1e-4;
   LaunchStatus status = LaunchStatus::ok;
-  LightRay chief;
-  if (!launch(sight, {0.0, 0.0, 0.0, 0.0, status}, chief, status)) return bundle;
-  const Eigen::Matrix<double, 2, 3> across = smallest_rotation({0.0, 0.0, -1.0}, chief.direction).leftCols<2>().transpose();
+  const Eigen::Matrix<double, 2, 3> across = axes_across(chief);
   for (int k = 0; k < 4; ++k) {
     const Eigen::Vector2d e = step * Eigen::Vector2d::Unit(k % 2), p = k < 2 ? e : Eigen::Vector2d::Zero(), s = e - p;
     LightRay ahead, behind;
     if (!launch(sight, {p.x(), p.y(), s.x(), s.y(), status}, ahead, status)) continue;
     if (!launch(sight, {-p.x(), -p.y(), -s.x(), -s.y(), status}, behind, status)) continue;
-    // Where the rays pass the plane across the chief ray at its exit point.
-    const auto crossing = [&](const LightRay& ray) -> Eigen::Vector2d {
-      const Eigen::Vector3d w = ray.origin - chief.origin;
-      return across * (w - w.dot(chief.direction) / ray.direction.dot(chief.direction) * ray.direction);
-    };
-    (k < 2 ? bundle.offset_by_point : bundle.offset_by_slope).col(k % 2) = (crossing(ahead) - crossing(behind)) / (2.0 * step);
+    (k < 2 ? bundle.offset_by_point : bundle.offset_by_slope).col(k % 2) =
+        (offset_across(across, chief, ahead) - offset_across(across, chief, behind)) / (2.0 * step);
     (k < 2 ? bundle.direction_by_point : bundle.direction_by_slope).col(k % 2) =
         across * (ahead.direction - behind.direction) / (2.0 * step);
   }
@@ -135,10 +130,9 @@ ViewCamera::Bundle ViewCamera::bundle_about(const Sight& sight) const {
 
 /// By how much the eye accommodates to what its line of sight meets [D].
 double ViewCamera::accommodation_change(const Sight& sight, const Bundle& bundle) const {
-  LaunchStatus status = LaunchStatus::ok;
-  LightRay chief;
-  if (!launch(sight, {0.0, 0.0, 0.0, 0.0, status}, chief, status)) return 0.0;
-  const LightRay world{in_world(sight, chief.origin), sight.world_from_head * chief.direction};
+  const auto chief = leaving(sight, chief_ray);
+  if (!chief) return 0.0;
+  const LightRay world{in_world(sight, chief->origin), sight.world_from_head * chief->direction};
   const double vergence = 1.0 / options_.distance_along(world);
   const double amplitude = std::get<BestAccommodation>(eye_.accommodation).amplitude_D;
   if (!options_.spectacles) return eye_.accommodation_for(vergence);
@@ -147,30 +141,46 @@ double ViewCamera::accommodation_change(const Sight& sight, const Bundle& bundle
   return best_accommodation(by_point + by_slope * eye_.correction.matrix(), by_slope, amplitude);
 }
 
-void ViewCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
-  const Bundle bundle = seeks_focus_ ? bundle_about(sight_at(x + 0.5, y + 0.5)) : Bundle{};
+ViewCamera::Place ViewCamera::place(double film_x, double film_y, const Bundle& focus_bundle) const {
+  Place place{sight_at(film_x, film_y)};
+  if (seeks_focus_) place.accommodation_change = accommodation_change(place.sight, focus_bundle);
+  return place;
+}
+
+ViewCamera::SamplePlace ViewCamera::place_of(int x, int y, std::uint32_t sample, const PixelSequence& sequence) const {
+  const owen_sobol::Pair film = sequence.pair(sample, dimension::film), lens = sequence.pair(sample, dimension::lens);
+  return {x + unit_double(film.x), y + unit_double(film.y), options_.pupil.at(unit_double(lens.x), unit_double(lens.y))};
+}
+
+ViewCamera::SingleRay ViewCamera::single(const Place& place, double px, double py) const {
   const bool planar = options_.projection == Projection::Perspective && options_.gaze == Gaze::Camera;
+  PupilRay<double> ray = rays_.through(px, py);
+  if (seeks_focus_) {
+    ray.sx -= place.accommodation_change * ray.px;
+    ray.sy -= place.accommodation_change * ray.py;
+  }
+  SingleRay single;
+  single.status = ray.status;
+  LightRay out{Eigen::Vector3d::Zero(), -Eigen::Vector3d::UnitZ()};
+  if (goes_on(ray.status)) launch(place.sight, ray, out, single.status);
+  // Rays that leave spectacles at more than 89.9° from the line of sight keep their length.
+  const double length = planar && -out.direction.z() > 1.7e-3 ? -1.0 / out.direction.z() : 1.0;
+  single.origin = in_world(place.sight, out.origin).cast<float>();
+  single.direction = (length * (place.sight.world_from_head * out.direction)).cast<float>();
+  return single;
+}
+
+void ViewCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
+  const Bundle bundle = focus_bundle(x, y);
   for (int i = 0; i < CameraRayBlock::size; ++i) {
-    const auto sample = first_sample + static_cast<std::uint32_t>(i);
-    const owen_sobol::Pair film = sequence.pair(sample, dimension::film), lens = sequence.pair(sample, dimension::lens);
-    const Sight sight = sight_at(x + unit_double(film.x), y + unit_double(film.y));
-    const WeightedPoint pupil = options_.pupil.at(unit_double(lens.x), unit_double(lens.y));
-    PupilRay<double> ray = rays_.through(rays_.pupil_radius() * pupil.point.x(), rays_.pupil_radius() * pupil.point.y());
-    if (seeks_focus_) {
-      const double change = accommodation_change(sight, bundle);
-      ray.sx -= change * ray.px;
-      ray.sy -= change * ray.py;
-    }
+    const SamplePlace at = place_of(x, y, first_sample + static_cast<std::uint32_t>(i), sequence);
+    const SingleRay ray =
+        single(place(at.film_x, at.film_y, bundle), rays_.pupil_radius() * at.pupil.point.x(), rays_.pupil_radius() * at.pupil.point.y());
     block.status[i] = ray.status;
-    block.weight[i] = static_cast<float>(rays_.model() == RayModel::pinhole ? 1.0 : pupil.weight);
-    LightRay out{Eigen::Vector3d::Zero(), -Eigen::Vector3d::UnitZ()};
-    if (goes_on(ray.status)) launch(sight, ray, out, block.status[i]);
-    // Rays that leave spectacles at more than 89.9° from the line of sight keep their length.
-    const double length = planar && -out.direction.z() > 1.7e-3 ? -1.0 / out.direction.z() : 1.0;
-    const Eigen::Vector3d origin = in_world(sight, out.origin), direction = length * (sight.world_from_head * out.direction);
+    block.weight[i] = static_cast<float>(rays_.model() == RayModel::pinhole ? 1.0 : at.pupil.weight);
     for (int k = 0; k < 3; ++k) {
-      block.origin[k][i] = static_cast<float>(origin[k]);
-      block.direction[k][i] = static_cast<float>(direction[k]);
+      block.origin[k][i] = ray.origin[k];
+      block.direction[k][i] = ray.direction[k];
     }
   }
 }

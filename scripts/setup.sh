@@ -13,15 +13,20 @@ install_dependencies() {
     dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' || missing+=("$package")
   done <scripts/dependencies.txt
   [ ${#missing[@]} -eq 0 ] && return
-  echo "== installing ${#missing[@]} packages: ${missing[*]}"
+  install_packages "${missing[@]}"
+}
+
+# install_packages PACKAGE...
+install_packages() {
+  echo "== installing $# packages: $*"
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || fail "packages are missing (${missing[*]}) and there is neither root nor sudo"
+    command -v sudo >/dev/null || fail "packages are missing ($*) and there is neither root nor sudo"
     as_root=(sudo)
   fi
   "${as_root[@]}" apt-get update -qq || fail "the package lists could not be updated"
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
-    fail "packages could not be installed: ${missing[*]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null ||
+    fail "packages could not be installed: $*"
 }
 
 # build_preset PRESET [TARGET...]

@@ -100,6 +100,7 @@ std::vector<MeasuredView> measured(const BenchSpec& spec, const std::vector<Benc
     }
     views.push_back(std::move(view));
   }
+  render_view(spec.views.front().settings.front().render, {});  // the first rendering of a process starts its threads; it does not count
   MeasuringProgress progress(samples_of_round * spec.rounds, quiet);
   for (int round = 0; round < spec.rounds; ++round)
     for (std::size_t v = 0; v < spec.views.size(); ++v) {

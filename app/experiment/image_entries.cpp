@@ -69,6 +69,7 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
 
   RenderSettings sharp;
   sharp.samples_per_pixel = static_cast<int>(spec.sharp_samples_per_pixel);
+  sharp.max_bounces = spec.max_bounces;
   const PredictedReplicates predicted =
       predict_replicates(scene, pose, spec.eye, sharp, seed ^ sharp_view_stream, spec.replicates, part(0));
   const std::string predicted_file = "images/" + spec.id + "_predicted";
@@ -80,6 +81,8 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
     const std::shared_ptr<const SharedViews::View> view = views.get(index, model, [&] {
       RenderSettings settings;
       settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
+      settings.max_bounces = spec.max_bounces;
+      settings.guide_emitters = spec.guide_emitters;
       const Stopwatch watch;
       Replicates replicates = render_replicates(scene, pose, spec.eye, model, settings, seed, spec.replicates, part(k + 1));
       return SharedViews::View{std::move(replicates), watch.seconds(), spec.id + "/" + spec.ray_models[k]};

@@ -5,6 +5,7 @@
 
 #include "app/experiment/figures.h"
 #include "app/experiment/run_folder.h"
+#include "app/experiment/sampling_study.h"
 #include "app/experiment/scene_fingerprint.h"
 #include "app/experiment/sections.h"
 #include "app/experiment/sin2_study/sin2_study.h"
@@ -16,6 +17,8 @@
 #include "compare/lens_study_figures.h"
 #include "compare/report_csv.h"
 #include "compare/report_html.h"
+#include "compare/report_markdown.h"
+#include "compare/sampling_sheet.h"
 #include "compare/sin2_study/figures.h"
 #include "compare/sin2_study/summary.h"
 #include "io/atomic_file.h"
@@ -31,9 +34,13 @@ namespace sturm {
 namespace {
 
 /// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, and the lens files.
-std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) {
+std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes,
+                    const std::vector<SceneDescription>& agreement_scenes) {
   std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
-  for (const SceneDescription& scene : scenes) facts += scene_fingerprint(scene);
+  for (const auto* list : {&scenes, &agreement_scenes})
+    for (const SceneDescription& scene : *list) facts += scene_fingerprint(scene);
+  for (const AgreementCase& c : spec.agreement)
+    for (const std::string& file : c.input_files) facts += sha256_of_file(file);
   if (spec.lens_study)
     for (const std::string& lens_file : spec.lens_study->input_files) facts += sha256_of_file(lens_file);
   if (spec.sin2_study)
@@ -101,6 +108,22 @@ Json sin2_study(const Sin2StudySpec& spec, std::uint64_t seed, Parts& parts, con
   return summarised_sin2_study(spec, cases, gallery);
 }
 
+/// The study of pupil samplings, one part per configuration.
+Json sampling_study(const SamplingStudySpec& spec, const SceneDescription& description, std::uint64_t seed, const RunFolder& folder,
+                    Parts& parts, double& seconds) {
+  const Scene scene(description);
+  Json entries = Json::array();
+  for (std::size_t i = 0; i < spec.configurations.size(); ++i) {
+    const std::string& id = spec.configurations[i].id;
+    for (const Json& entry : parts("sampling_" + id, "samplings " + id, [&](const ProgressFunction& progress) {
+           return sampling_entries(spec, i, scene, seed, folder.path(), progress);
+         }))
+      entries.push_back(entry);
+    seconds += parts.seconds();
+  }
+  return assembled_sampling_study(spec, entries);
+}
+
 /// Writes the pictures into the run folder; the report's list of them.
 Json written(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
   Json list = Json::array();
@@ -130,12 +153,16 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
   std::vector<SceneDescription> scenes;
   for (const ImageExperiment& image : spec.images) scenes.push_back(build_scene(image.scene));
+  if (spec.sampling_study) scenes.push_back(build_scene(spec.sampling_study->scene));
+
+  std::vector<SceneDescription> agreement_scenes;
+  for (const AgreementCase& c : spec.agreement) agreement_scenes.push_back(build_scene(c.scene));
 
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(
-      options.folder, run_key(spec, scenes), options.resume,
-      {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml"}, {"psf", "images", "figures"}});
+  const RunFolder folder(options.folder, run_key(spec, scenes, agreement_scenes), options.resume,
+                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
+                          {"psf", "images", "samplings", "figures"}});
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
@@ -162,6 +189,13 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
            }));
     seconds["images"] += parts.seconds();
   }
+  for (std::size_t i = 0; i < spec.agreement.size(); ++i) {
+    const AgreementCase& c = spec.agreement[i];
+    report["agreement"].push_back(parts("agreement_" + c.id, "agreement " + c.id, [&](const ProgressFunction& progress) {
+      return agreement_entry(c, agreement_scenes[i], spec.seed, folder.path(), progress);
+    }));
+    seconds["agreement"] += parts.seconds();
+  }
   if (spec.lens_study) {
     report["lens_study"] = lens_study(*spec.lens_study, parts, seconds["lens_study"]);
     append(report["must_fail"], lens_study_mutants(report["lens_study"]));
@@ -175,6 +209,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
       figures.push_back(std::move(figure));
     }
   }
+  if (spec.sampling_study) {
+    report["sampling_study"] = sampling_study(*spec.sampling_study, scenes.back(), spec.seed, folder, parts, seconds["sampling_study"]);
+    for (Figure& figure : sampling_sheets(report["sampling_study"], folder.path())) figures.push_back(std::move(figure));
+  }
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
@@ -187,6 +225,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   write_file_atomically(folder.path() / "ellipses.csv", ellipses_csv(report));
   if (spec.lens_study) write_file_atomically(folder.path() / "lens_study.csv", lens_study_csv(report["lens_study"]));
   write_file_atomically(folder.path() / "junit.xml", junit_xml(report["gates"], spec.title, seconds["total"]));
+  write_file_atomically(folder.path() / "summary.md", report_markdown(report, report["gates"], report["verdict"]));
   write_file_atomically(folder.path() / "report.html", render_report_html(report, folder.path()));
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];

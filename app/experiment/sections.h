@@ -30,6 +30,10 @@ void require_defined_models(const PsfExperiment& spec);
 Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description, SharedViews& views,
                    const std::filesystem::path& folder, const ProgressFunction& progress);
 
+/// One view path traced and predicted in several ways, with times and errors by region: one entry of "agreement".
+Json agreement_entry(const AgreementCase& spec, const SceneDescription& description, std::uint64_t seed,
+                     const std::filesystem::path& folder, const ProgressFunction& progress);
+
 /// The comparison of rays with the conoid again, with a conoid that is wrong on purpose: mirrored axis, vertex distance dropped, and
 /// sin² rays passed off as matrix rays. Each must be noticed.
 Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses);

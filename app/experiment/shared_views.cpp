@@ -33,6 +33,8 @@ std::string SharedViews::key(std::size_t index, RayModel model) const {
               number_or_null(image.eye.stated_focus_distance_m()),
               name_of(used),
               image.samples_per_pixel,
+              image.max_bounces,
+              image.guide_emitters,
               image.replicates}
       .dump();
 }

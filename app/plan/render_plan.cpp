@@ -107,7 +107,13 @@ PlanItem pair_item(const RenderSpec& spec) {
 
 /// The predictor's own threshold; which pixels lie below it shows when the sharp view is there.
 void plan_prediction(const RenderSpec& spec, const CameraPose& pose, RenderPlan& plan) {
+  if (spec.prediction.kind == PredictionKind::Multipass) return;  // spreads nothing
   const double threshold_px = PredictorSettings{}.sharp_below_px;
+  if (spec.prediction.kind == PredictionKind::Layered) {
+    plan.items.push_back({"sharp_spots", "", true, spec.skip.sharp_spots, PlanClaim::rounding, "known for each ellipse once it is there", {}});
+    if (spec.skip.sharp_spots) plan.copied_below_px = threshold_px;
+    return;
+  }
   const Eye& eye = spec.eye.eye;
   const SharpVergences sharp = sharp_vergences(eye, eye.accommodation_for(0.0), threshold_px * pixel_slope(pose));
   PlanItem item{"sharp_spots", "", !sharp.empty(), spec.skip.sharp_spots, PlanClaim::rounding, "", {}};

@@ -81,8 +81,8 @@ PlanItem sharp_item(const RenderSpec& spec, const Eye& eye, RayModel model, cons
   const double share = cells ? static_cast<double>(cells->pixels()) / (static_cast<double>(pose.width) * pose.height) : 0.0;
   item.needless = cells != nullptr;
   item.finding =
-      (item.switched_on ? printed("%.3g %% of the pixels", 100.0 * share) + " stay" : std::string("not looked for: pixels that stay")) +
-      " below " + bound + ", the blur " + described(sharp);
+      (item.switched_on ? "in " + printed("%.3g %% of the pixels", 100.0 * share) : std::string("pixels are not looked for where")) +
+      " the blur is at most " + bound + " (sharp " + described(sharp) + ")";
   if (!cells) return item;
   item.claim = PlanClaim::bounded;
   item.saved["pixels"] = cells->pixels();

@@ -77,9 +77,10 @@ TimeToReach time_to_reach(std::span<const CostPoint> points, double level) {
   const double y = std::log(level);
   for (std::size_t i = 0; i < curve.size(); ++i) {
     if (curve[i].y > y) continue;
-    if (i == 0) return {Reach::AtOnce, std::exp(curve[0].x)};
+    if (i == 0) return {Reach::AtOnce, std::exp(curve[0].x), std::nullopt};
     const LogPoint &p = curve[i - 1], &q = curve[i];
-    return {Reach::Interpolated, std::exp(p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y))};
+    const double slope = (q.y - p.y) / (q.x - p.x);
+    return {Reach::Interpolated, std::exp(p.x + (y - p.y) / slope), slope};
   }
   return {};
 }

@@ -38,6 +38,7 @@ enum class Reach {
 struct TimeToReach {
   Reach reach = Reach::Never;
   std::optional<double> seconds;
+  std::optional<double> slope;  ///< of log error against log seconds between the two settings, if interpolated: what errors do to the time
 };
 
 /// The time in which a method's error falls to `level` for the first time, going through its settings by rising seconds.

@@ -1,5 +1,6 @@
 #include "compare/bench/requirements.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sturm {
@@ -40,8 +41,14 @@ StatisticValue time_ratio(const MethodCurve& method, const MethodCurve& baseline
   const CostPoint& goal = baseline.points.back();
   const TimeToReach reached = time_to_reach(method.points, goal.error);
   if (!reached.seconds) return {std::nullopt, std::nullopt, "the error is never reached"};
-  return {*reached.seconds / goal.seconds, std::nullopt,
-          reached.reach == Reach::AtOnce ? "at most: the cheapest setting reaches the error" : ""};
+  const double value = *reached.seconds / goal.seconds;
+  if (!reached.slope) return {value, std::nullopt, "at most: the cheapest setting reaches the error"};
+  const auto least_certain = std::max_element(method.points.begin(), method.points.end(), [](const CostPoint& a, const CostPoint& b) {
+    return a.standard_error.value_or(0.0) / a.error < b.standard_error.value_or(0.0) / b.error;
+  });
+  std::optional<double> relative = relative_error_of(*least_certain, goal);
+  if (relative) *relative /= std::abs(*reached.slope);
+  return ratio(value, relative);
 }
 
 StatisticValue cost_ratio(const MethodCurve& method, const MethodCurve& baseline, const ErrorKind& kind) {

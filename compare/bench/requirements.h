@@ -18,7 +18,9 @@ StatisticValue statistic_of(const BenchRequirement& requirement, const MeasuredV
 /// Ratio of two methods' errors at the largest number of samples that both were set to, with its standard error.
 StatisticValue error_ratio(const MethodCurve& method, const MethodCurve& baseline);
 
-/// Time in which the method reaches the baseline's error at its last setting, over the baseline's time.
+/// Time in which the method reaches the baseline's error at its last setting, over the baseline's time. Standard error: that of the
+/// baseline's last error and the largest of the method's (relative), over the slope of the method's curve there; none where the cheapest
+/// setting reaches it.
 StatisticValue time_ratio(const MethodCurve& method, const MethodCurve& baseline);
 
 /// Squared error × seconds of the method over that of the baseline, each at its last setting, with its standard error (of the errors; the

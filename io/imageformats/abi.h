@@ -9,8 +9,12 @@ extern "C" {
 int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels, float** pixels, char* error,
                             std::size_t error_size);
 
-int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int height, int channels, unsigned char** bytes, std::size_t* size,
-                                  char* error, std::size_t error_size);
+/// The same of a PNG or JPEG file of `size` bytes in memory.
+int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size, std::size_t max_pixels, int* width, int* height,
+                                   int* channels, float** pixels, char* error, std::size_t error_size);
+
+int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int height, int channels, unsigned char** bytes,
+                                  std::size_t* size, char* error, std::size_t error_size);
 
 void sturm_imageformats_free(void* memory);
 }

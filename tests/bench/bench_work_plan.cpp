@@ -71,20 +71,23 @@ Document street(const Options& o) {
   return view;
 }
 
-/// The room, and a sign on its outside, fifty times as bright as the lamp within.
+/// A room, and a sign of forty panels on its roof, much brighter together than the lamp within.
 Document room_with_a_sign(const Options& o) {
   Document view = room(o);
+  Document meshes = {quad("white", {{0, 0, 0}, {0, 0, 0.56}, {0.56, 0, 0.56}, {0.56, 0, 0}}),
+                     quad("white", {{0, 0, 0.56}, {0, 0.55, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0, 0.56}}),
+                     quad("white", {{0, 0, 0}, {0, 0.55, 0}, {0, 0.55, 0.56}, {0, 0, 0.56}}),
+                     quad("white", {{0.56, 0, 0}, {0.56, 0, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0.55, 0}}),
+                     quad("lamp", {{0.2, 0.549, 0.2}, {0.35, 0.549, 0.2}, {0.35, 0.549, 0.35}, {0.2, 0.549, 0.35}})};
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.06 * (i % 8), z = 0.06 * (i / 8);
+    meshes.push_back(quad("sign", {{x, 0.56, z}, {x, 0.56, z + 0.05}, {x + 0.05, 0.56, z + 0.05}, {x + 0.05, 0.56, z}}));
+  }
   view["scene"] = {{"materials",
                     {{"white", {{"albedo", {0.7, 0.7, 0.7}}}},
                      {"lamp", {{"albedo", {0, 0, 0}}, {"emission", {10, 10, 10}}}},
                      {"sign", {{"albedo", {0, 0, 0}}, {"emission", {50, 50, 50}}}}}},
-                   {"meshes",
-                    {quad("white", {{0, 0, 0}, {0, 0, 0.56}, {0.56, 0, 0.56}, {0.56, 0, 0}}),
-                     quad("white", {{0, 0, 0.56}, {0, 0.55, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0, 0.56}}),
-                     quad("white", {{0, 0, 0}, {0, 0.55, 0}, {0, 0.55, 0.56}, {0, 0, 0.56}}),
-                     quad("white", {{0.56, 0, 0}, {0.56, 0, 0.56}, {0.56, 0.55, 0.56}, {0.56, 0.55, 0}}),
-                     quad("lamp", {{0.2, 0.549, 0.2}, {0.35, 0.549, 0.2}, {0.35, 0.549, 0.35}, {0.2, 0.549, 0.35}}),
-                     quad("sign", {{0.2, 0.56, 0.2}, {0.2, 0.56, 0.35}, {0.35, 0.56, 0.35}, {0.35, 0.56, 0.2}})}}};
+                   {"meshes", meshes}};
   return view;
 }
 
@@ -108,7 +111,8 @@ struct Row {
 };
 
 std::vector<Row> rows(const Options& o) {
-  const Document box = room(o), far = street(o), materials = set(box, "/scene", scenes + "materials.json");
+  const Document box = room(o), far = street(o);
+  const Document glossy = set(far, "/scene/materials/ground", {{"type", "plastic"}, {"albedo", {0.3, 0.3, 0.3}}});
   const Document wearing = set(box, "/spectacles", lens);
   const auto pair = [](const Document& view, double distance_mm) {
     return set(view, "/camera/stereo", {{"interpupillary_distance_mm", distance_mm}});
@@ -125,7 +129,7 @@ std::vector<Row> rows(const Options& o) {
           {"refraction", "room, naked eye", box, true},
           {"refraction", "room, spectacles", wearing, false},
           {"surface_models", "street", far, true},
-          {"surface_models", "room of all materials", materials, false},
+          {"surface_models", "street, glossy ground", glossy, false},
           {"shading_frames", "room", box, true},
           {"shading_frames", "street (has a sky)", far, false},
           {"environment_light", "street", far, true},

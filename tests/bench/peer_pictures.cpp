@@ -35,9 +35,9 @@ int run(const std::string& reference_path, const std::vector<std::string>& our_p
   nlohmann::ordered_json report = {{"trimmed_relative_mse", {{"ours", errors(ours, reference)}, {"theirs", errors(theirs, reference)}}}};
   if (ours.size() > 1 && theirs.size() > 1) {
     const Agreement a = agreement(ours, theirs);
-    report["agreement"] = {{"mean_ratio", a.mean_ratio},         {"mean_ratio_standard_error", a.standard_error},
-                           {"blocks", a.blocks},                 {"rms_z", a.rms_z},
-                           {"largest_z", a.largest_z},           {"largest_z_expected_0_01", a.largest_z_expected_0_01}};
+    report["agreement"] = {{"mean_ratio", a.mean_ratio}, {"mean_ratio_standard_error", a.standard_error},
+                           {"blocks", a.blocks},         {"rms_z", a.rms_z},
+                           {"largest_z", a.largest_z},   {"largest_z_expected_0_01", a.largest_z_expected_0_01}};
   }
   std::printf("%s\n", report.dump(2).c_str());
   return 0;

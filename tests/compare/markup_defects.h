@@ -12,6 +12,11 @@ inline std::string markup_defects(const std::string& page) {
   std::set<std::string> ids;
   std::string defects;
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at)) {
+    if (page.compare(at, 9, "<![CDATA[") == 0) {
+      at = page.find("]]>", at);
+      if (at == std::string::npos) return defects + "a CDATA section is not closed\n";
+      continue;
+    }
     const std::size_t end = page.find('>', at);
     if (end == std::string::npos) return defects + "a tag is not closed\n";
     std::string tag = page.substr(at + 1, end - at - 1);

@@ -1,5 +1,6 @@
 """Small valid documents; each test changes what it is about."""
 import copy
+import json
 
 from sturm_process import CORNELL_BOX
 
@@ -84,6 +85,10 @@ _GATES = {
          "unit": "σ", "reason": "as in the shipped gates"},
     ],
 }
+
+
+def json_text(document):
+    return json.dumps(document, indent=1)
 
 
 def query():

@@ -1,5 +1,6 @@
 """OpenEXR files by their published layout, without a library: the attributes of a single-part file, and its packed pixels."""
 import struct
+import zlib
 
 MAGIC = 20000630
 LINES_PER_BLOCK = {0: 1, 2: 1, 3: 16}  # by compression: none, ZIPS, ZIP
@@ -43,3 +44,37 @@ def packed_pixels(data):
     lines = LINES_PER_BLOCK[attributes["compression"][1][0]]
     blocks = -(-size(attributes)[1] // lines)
     return data[at + 8 * blocks:]
+
+
+def float_pixels(data):
+    """{channel: rows of floats} of a file with 32-bit float channels in lines of ZIP, ZIPS or no compression, whole window at the origin."""
+    attributes, at = read_header(data)
+    width, height = size(attributes)
+    names = channel_names(attributes)
+    compression = attributes["compression"][1][0]
+    lines = LINES_PER_BLOCK[compression]
+    at += 8 * -(-height // lines)
+    rows = {name: [None] * height for name in names}
+    while at < len(data):
+        first, packed = struct.unpack_from("<ii", data, at)
+        block = data[at + 8:at + 8 + packed]
+        at += 8 + packed
+        count = min(lines, height - first)
+        if len(block) < 4 * width * len(names) * count:
+            block = _unpredicted(zlib.decompress(block))
+        values = struct.unpack(f"<{len(block) // 4}f", block)
+        for y in range(count):
+            for c, name in enumerate(names):
+                start = (y * len(names) + c) * width
+                rows[name][first + y] = values[start:start + width]
+    return rows
+
+
+def _unpredicted(data):
+    """Undoes OpenEXR's preparation for zlib: differences of neighbouring bytes, then even bytes before odd ones."""
+    sums, last = bytearray(data), data[0]
+    for i in range(1, len(sums)):
+        last = sums[i] = (last + sums[i] - 128) & 255
+    result, half = bytearray(len(sums)), (len(sums) + 1) // 2
+    result[0::2], result[1::2] = sums[:half], sums[half:]
+    return bytes(result)

@@ -87,7 +87,10 @@ class Files(Render):
         kind, text = attributes["sturm"]
         self.assertEqual(kind, "string")
         spec = strict_json(text.decode())
-        self.assertEqual(spec["method"], {**view["method"], "max_bounces": 16, "guide_emitters": True, "sampler": "sobol", "sampling": "uniform_disk", "filter": "box"})
+        skip = ("scalar_power", "zero_pupil", "sharp_pixels", "refraction", "surface_models", "shading_frames", "environment_light", "unseen_emitters", "same_views",
+                "sharp_spots")
+        self.assertEqual(spec["method"], {**view["method"], "max_bounces": 16, "guide_emitters": True, "sampler": "sobol", "sampling": "uniform_disk", "filter": "box",
+                                          "sharp_below_px": 0.02, "skip": dict.fromkeys(skip, True)})
         self.assertEqual(spec["eye"]["rotation_center_mm"], 13.5)
         self.assertEqual(spec["seed"], 1)
         header = data[:header_end].lower()

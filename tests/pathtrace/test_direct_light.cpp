@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pathtrace/render.h"
+#include "support/lamp.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
 
@@ -43,9 +44,10 @@ testing::Estimate radiance_at(const Scene& scene, const Vector3d& point, int cha
 
 /// 4 standard errors, and 1e−4 for two lengths over a distance of half a metre or more: the meter's field of 1e−5 rad seen from 4 m
 /// (40 µm on the floor, centred), and the 15 µm by which a ray starts above the floor, twice for the inverse square.
-void expect_radiance(const Scene& scene, const Vector3d& point, const Vector3d& irradiance, const std::string& what, int bounces = 1) {
+void expect_radiance(const Scene& scene, const Vector3d& point, const Vector3d& irradiance, const std::string& what, int bounces = 1,
+                     const Vector3d& eye = {1.7, 2.1, 2.9}) {
   for (int k = 0; k < 3; ++k) {
-    const testing::Estimate e = radiance_at(scene, point, k, 4096, bounces);
+    const testing::Estimate e = radiance_at(scene, point, k, 4096, bounces, eye);
     const double expected = static_cast<double>(albedo[k]) / pi * irradiance[k];
     EXPECT_NEAR(e.mean, expected, 4.0 * e.standard_error + 1e-4 * expected) << what << " channel " << k;
     EXPECT_LE(e.standard_error, 0.01 * expected) << what << " channel " << k;
@@ -149,6 +151,64 @@ TEST(AreaLight, SeveralLightsAddUp) {
   const double ball = pi * 0.04 / to_ball.squaredNorm() * to_ball.normalized().y();
   const double bulb = 0.3 * to_point.normalized().y() / to_point.squaredNorm();
   expect_radiance(scene, p, (first + 0.1 * second + ball) * radiance.cast<double>() + bulb * Vector3d::Ones(), "four lights");
+}
+
+/// Irradiance of a convex lamp wholly above the horizon: its faces that look at the point hide nothing of each other.
+double lamp_irradiance(const Vector3d& p, const Mesh& lamp) {
+  double sum = 0.0;
+  for (const auto& t : lamp.triangles) {
+    const Vector3d a = lamp.positions[t[0]].cast<double>(), b = lamp.positions[t[1]].cast<double>(),
+                   c = lamp.positions[t[2]].cast<double>();
+    if ((b - a).cross(c - a).dot(p - a) > 0.0) sum += polygon_irradiance(p, {0, 1, 0}, {a, b, c});
+  }
+  return sum;
+}
+
+TEST(AreaLight, ARoundLampIsTheSumOfItsFaces) {
+  SceneDescription description = floor_scene();
+  const Mesh lamp = testing::round_lamp({0.2f, 0.5f, -0.1f}, 0.25f, 3, 1);
+  description.meshes.push_back(lamp);
+  const Scene scene(description);
+  ASSERT_TRUE(scene.lights().groups().group(0).round);
+  for (const Vector3d& point : {Vector3d(0.2, 0, -0.1), {0.6, 0, 0.2}, {-1.5, 0, 1.5}})
+    expect_radiance(scene, point, lamp_irradiance(point, lamp) * radiance.cast<double>(), "round lamp");
+}
+
+TEST(AreaLight, ALampBesideAHiddenBrightOne) {
+  // Near the point, and all that the choice of a light sees of brightness, stands a lamp behind a card.
+  SceneDescription description = floor_scene();
+  description.materials.push_back(testing::lambertian(Vector3f::Zero(), 10.0f * radiance));
+  const Mesh hidden = testing::round_lamp({0.0f, 0.2f, 0.0f}, 0.05f, 3, 3), seen = testing::round_lamp({1.0f, 0.9f, 0.4f}, 0.1f, 3, 1);
+  description.meshes.push_back(hidden);
+  description.meshes.push_back(seen);
+  description.meshes.push_back(testing::parallelogram({-0.1f, 0.1f, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}, 2));
+  const Scene scene(description);
+  const Vector3d p(0.05, 0, 0.02);
+  EXPECT_EQ(radiance_at(Scene([&] {
+                          SceneDescription d = description;
+                          d.meshes.erase(d.meshes.begin() + 2);
+                          return d;
+                        }()),
+                        p, 0, 16, 1, {0.05, 0.05, 0.5})
+                .mean,
+            0.0);
+  expect_radiance(scene, p, lamp_irradiance(p, seen) * radiance.cast<double>(), "beside a hidden lamp", 1, {0.05, 0.05, 0.5});
+}
+
+TEST(SphereLight, FortyOfThemAddUp) {
+  SceneDescription description = floor_scene();
+  double e = 0.0;
+  const Vector3d p(0.3, 0, 0.1);
+  for (int k = 0; k < 40; ++k) {
+    const Vector3f center(0.3f * static_cast<float>(k % 8) - 1.0f, 1.0f + 0.01f * static_cast<float>(k),
+                          0.4f * static_cast<float>(k / 8) - 0.8f);
+    description.spheres.push_back({center, 0.04f, 1});
+    const Vector3d to_center = center.cast<double>() - p;
+    e += pi * 0.0016 / to_center.squaredNorm() * to_center.normalized().y();
+  }
+  const Scene scene(description);
+  ASSERT_GT(scene.lights().groups().size(), LightGroups::most_weighed);
+  expect_radiance(scene, p, e * radiance.cast<double>(), "forty spheres", 1, {0.3, 0.2, 2.9});
 }
 
 TEST(AreaLight, EmitsFromTheSideItsWindingFaces) {

@@ -7,6 +7,7 @@
 
 #include "pathtrace/guided_pixel.h"
 #include "pathtrace/render.h"
+#include "support/lights_in_the_dark.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
 
@@ -14,6 +15,8 @@ namespace sturm {
 namespace {
 
 using Eigen::Vector3f;
+using testing::lamp;
+using testing::lights_in_the_dark;
 
 constexpr int size = 48;
 
@@ -25,31 +28,6 @@ CameraPose pose() {
   p.vertical_field = 0.12;
   p.width = p.height = size;
   return p;
-}
-
-/// An octahedron of emitting triangles, normals outwards.
-Mesh lamp(const Vector3f& center, float radius, int material) {
-  Mesh mesh;
-  mesh.name = "lamp";
-  for (const Vector3f& corner : {Vector3f(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}})
-    mesh.positions.push_back(center + radius * corner);
-  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  mesh.material = material;
-  return mesh;
-}
-
-/// Two spheres and two lamps at 0.4 to 3 m, one of each half behind a black card, before a dim wall. `scale` 1: so small that a hundred
-/// plain samples of a pixel in their blur hit them less than once; their power does not depend on it.
-SceneDescription lights_in_the_dark(float scale = 1.0f) {
-  SceneDescription d;
-  d.materials = {
-      testing::lambertian({0.5f, 0.5f, 0.5f}), testing::lambertian(Vector3f::Zero(), Vector3f(9e4f, 7e4f, 4e4f) / (scale * scale)),
-      testing::lambertian(Vector3f::Zero(), Vector3f(3e4f, 3e4f, 9e4f) / (scale * scale)), testing::lambertian(Vector3f::Zero())};
-  d.meshes = {testing::parallelogram({-3, -3, -4}, {6, 0, 0}, {0, 6, 0}, 0), lamp({0.02f, 0.012f, -0.8f}, 0.00008f * scale, 1),
-              lamp({-0.05f, -0.06f, -2.0f}, 0.0003f * scale, 2),
-              testing::parallelogram({-0.0505f, -0.3f, -1.2f}, {0, 0.3f, 0}, {0.3f, 0, 0}, 3)};
-  d.spheres = {{{-0.008f, 0.01f, -0.4f}, 0.00004f * scale, 1}, {{0.06f, -0.09f, -3.0f}, 0.0004f * scale, 2}};
-  return d;
 }
 
 EyeRays<float> eye(const Prescription& rx, double accommodation_D, RayModel model = RayModel::power_matrix) {
@@ -182,18 +160,18 @@ TEST(EmitterGuide, DensityIsThatOfTheProposals) {
   const EmitterClusters clusters(scene.lights());
   const EmitterGuide guide(clusters, camera);
   ASSERT_FALSE(guide.empty());
-  std::vector<EmitterGuide::Target> targets;
+  std::vector<GuidedTarget> targets;
   int pixels = 0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       guide.find_targets(x, y, targets);
       float sum = 0.0f;
-      for (const EmitterGuide::Target& t : targets) sum += t.probability;
+      for (const GuidedTarget& t : targets) sum += t.probability;
       if (!targets.empty()) {
         EXPECT_NEAR(sum, 1.0f, 1e-5f);
         ++pixels;
       }
-      for (const EmitterGuide::Target& t : targets) {
+      for (const GuidedTarget& t : targets) {
         const float qx = camera.slope_x(static_cast<float>(x) + 0.3f), qy = camera.slope_y(static_cast<float>(y) + 0.6f);
         for (const float u : {0.01f, 0.5f, 0.99f}) {
           const EmitterGuide::Proposal p = guide.propose(t.cluster, qx, qy, u, 1.0f - u);

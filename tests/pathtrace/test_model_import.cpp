@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -104,6 +105,32 @@ TEST_F(ModelImport, InstancesThatEmitBecomeLightsInPlace) {
   ASSERT_TRUE(point);
   EXPECT_GT(point->normal.z(), 0.99f);
   EXPECT_EQ(point->material->emission, Vector3f(3, 2, 1));
+}
+
+TEST_F(ModelImport, AModelIsTurnedThenPutInItsPlace) {
+  // A quarter turn to the left, seen from above, takes +x to −z; the mirrored instance at x = 3 … 5 moves along.
+  SceneSpec spec;
+  spec.models.push_back({.file = write("leaves.gltf", gltf(two_leaves, "[0, 1]")), .turn = 0.5 * M_PI, .position = {10.0, 2.0, -1.0}});
+  const Scene scene(build_scene(spec));
+  EXPECT_NEAR(scene.lower().z(), -6.0f, 1e-5f);  // rounding of float
+  EXPECT_NEAR(scene.upper().z(), -1.0f, 1e-5f);
+  EXPECT_NEAR(scene.lower().y(), 2.0f, 1e-6f);
+  EXPECT_NEAR(scene.upper().y(), 3.0f, 1e-6f);
+  EXPECT_NEAR(scene.lower().x(), 10.0f, 1e-5f);
+  const Vector3f origin(12.0f, 2.2f, -1.2f), direction(-1.0f, 0.0f, 0.0f);
+  RTCRayHit ray = ray_from(origin, direction);
+  ASSERT_TRUE(intersect(scene.embree(), ray));
+  EXPECT_GT(scene.surface_point(ray.hit, origin, direction, ray.ray.tfar).normal.x(), 0.999f);  // the front was towards +z
+}
+
+TEST_F(ModelImport, VertexNormalsTurnWithTheirModel) {
+  // Normals that lean towards +x beside a face towards +z.
+  const fs::path file = write("lean.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0.6 0 0.8\nf 1//1 2//1 3//1\n");
+  SceneSpec spec;
+  spec.models.push_back({.file = file, .turn = 0.5 * M_PI});
+  const SceneDescription description = build_scene(spec);
+  ASSERT_EQ(description.meshes.at(0).normals.size(), 3u);
+  EXPECT_LT((description.meshes[0].normals[0] - Vector3f(0.8f, 0.0f, -0.6f)).norm(), 1e-6f);
 }
 
 TEST_F(ModelImport, OverridesReplaceTheMaterialOfOneMesh) {

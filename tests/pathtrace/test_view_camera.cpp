@@ -117,6 +117,34 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackAndCounted) {
   EXPECT_EQ(result.radiance.at(16, 16)[0], 1.0f);
 }
 
+TEST(ViewCamera, WhatTheRimStopsIsBlackBeforeAnEnvironmentToo) {
+  // Rays that the rim had stopped used to bring the sky behind it, and weights of the pupil were left out of it.
+  SceneDescription description;
+  description.materials = {testing::lambertian(Eigen::Vector3f::Zero())};
+  description.spheres = {{{0.0f, 0.0f, 5.0f}, 0.1f, 0}};  // behind the eye: a scene has a surface
+  description.environment = Environment{Eigen::Vector3f::Ones(), nullptr, 0.0f};
+  const Scene scene(description);
+  Spectacles small = plus_lens();
+  small.diameter_m = 16 * mm;
+  ViewOptions options;
+  options.spectacles = small;
+  RenderSettings settings;
+  settings.samples_per_pixel = 16;
+  settings.max_bounces = 0;
+  const RenderResult result = render(scene, ViewCamera(straight_pose(32, 32, 1.0), emmetrope(0.0), RayModel::pinhole, options), settings);
+  const double launched = 32.0 * 32.0 * 16.0, lost = static_cast<double>(result.counters.camera.lost_rim);
+  EXPECT_GT(lost / launched, 0.5);
+  EXPECT_NEAR(testing::image_mean(result.radiance, 0), 1.0 - lost / launched, 1e-6);
+  // The points of a weighted polar pupil weigh 2r/a: of single samples the mean is 1 and the variance that of u ↦ 2u, 1/3.
+  ViewOptions polar;
+  polar.pupil = PupilSampler({PupilSampling::UniformPolarWeighted}, 0.0);
+  settings.samples_per_pixel = 4096;
+  const RenderResult weighted =
+      render(scene, ViewCamera(straight_pose(1, 1, 0.1), emmetrope(6.0), RayModel::power_matrix, polar), settings);
+  EXPECT_NEAR(weighted.radiance.at(0, 0)[0], 1.0, 1e-3);
+  EXPECT_NEAR(weighted.variance.at(0, 0)[0], 1.0 / 3.0, 1e-2);  // low-discrepancy points: far below 4σ of random ones
+}
+
 TEST(ViewCamera, ApodizationKeepsTheMeanAndNarrowsTheBlur) {
   SceneDescription description;
   description.materials = {testing::lambertian(Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones())};

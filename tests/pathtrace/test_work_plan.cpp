@@ -207,7 +207,7 @@ TEST(SharpCells, NoneWhereNothingCanBeSharp) {
   EXPECT_TRUE(sharp_cells(around, pose, Eye::with({-0.5}, 2e-3), 0.0, 0.02));
 }
 
-TEST(SharpCells, ThePicturesEdgesMoveByLessThanTheBound) {
+TEST(SharpCells, SlowThePicturesEdgesMoveByLessThanTheBound) {
   // One bright panel before black, an emitter seen directly: every pixel is the share of its box that the panel covers.
   SceneDescription description;
   description.materials = {testing::lambertian(Vector3f::Zero(), {1.0f, 1.0f, 1.0f})};
@@ -299,37 +299,46 @@ TEST(SimplestEnvironment, TheSampledColourLightsAlike) {
   EXPECT_GT(render(sampled, camera, few_samples()).counters.shadow_rays, 0u);
 }
 
-/// The room of scene_plain with a bright panel that closes it from outside: it faces away from everything.
-SceneDescription room_with_a_hidden_lamp(float lift = 0.0f) {
+constexpr int hidden_panels = 40;  // more groups than the choice of a light weighs at each point
+
+/// The room of scene_plain with bright panels above its ceiling that face upwards, away from everything.
+SceneDescription room_with_hidden_panels() {
   SceneDescription description = testing::scene_plain();
   const int lamp = static_cast<int>(description.materials.size());
   description.materials.push_back(testing::lambertian({0.5f, 0.5f, 0.5f}, {50.0f, 50.0f, 50.0f}));
-  description.meshes.push_back(testing::parallelogram({0.0f, 1.0f + lift, 0.0f}, {0.0f, 0.0f, 0.5f}, {0.5f, 0.0f, 0.0f}, lamp));
+  for (int i = 0; i < hidden_panels; ++i) {
+    const Vector3f corner(0.06f * static_cast<float>(i % 8), 1.0f, 0.06f * static_cast<float>(i / 8));
+    description.meshes.push_back(testing::parallelogram(corner, {0.0f, 0.0f, 0.05f}, {0.05f, 0.0f, 0.0f}, lamp));
+  }
   return description;
 }
 
-TEST(UnseenEmitters, TheOneThatFacesAwayIsFound) {
+TEST(UnseenEmitters, ThoseThatFaceAwayAreFound) {
   EXPECT_TRUE(unseen_emitters(testing::scene_plain()).empty());
-  EXPECT_EQ(unseen_emitters(room_with_a_hidden_lamp()), (std::vector<int>{2, 3}));  // after the ceiling's two triangles
-  SceneDescription seen = room_with_a_hidden_lamp();
-  seen.spheres.push_back({{0.2f, 2.0f, 0.2f}, 0.1f, 0});  // above the lamp
+  std::vector<int> hidden;
+  for (int i = 0; i < 2 * hidden_panels; ++i) hidden.push_back(2 + i);  // after the ceiling's two triangles
+  EXPECT_EQ(unseen_emitters(room_with_hidden_panels()), hidden);
+  SceneDescription seen = room_with_hidden_panels();
+  seen.spheres.push_back({{0.2f, 2.0f, 0.2f}, 0.1f, 0});  // above the panels
   EXPECT_TRUE(unseen_emitters(seen).empty());
-  seen.spheres.back().center.y() = 0.85f;  // below its plane
-  EXPECT_EQ(unseen_emitters(seen), (std::vector<int>{2, 3}));
+  seen.spheres.back().center.y() = 0.85f;  // below their plane
+  EXPECT_EQ(unseen_emitters(seen), hidden);
 }
 
 TEST(UnseenEmitters, TheMeanStaysAndNoiseFalls) {
-  SceneDescription description = room_with_a_hidden_lamp();
+  SceneDescription description = room_with_hidden_panels();
   const Scene all(description);
   description.unseen_emitters = unseen_emitters(description);
   const Scene fewer(description);
   const EyeCamera camera(small_room_pose(), testing::pinhole_rays());
   const auto a = mean_of_picture(all, camera, few_samples()), b = mean_of_picture(fewer, camera, few_samples());
   EXPECT_NEAR(a.mean, b.mean, 4.0 * std::hypot(a.standard_error, b.standard_error));  // 4σ
-  EXPECT_LT(b.standard_error, 0.5 * a.standard_error);  // nearly every choice was the hidden lamp; 16 replicates know σ to 18 %
+  // Nearly every choice was a hidden panel; the weights then rely on light that is met by chance. Measured: 0.71, of 11520 paths each.
+  const auto variance = [&](const Scene& scene) { return testing::image_mean(render(scene, camera, few_samples()).variance, 1); };
+  EXPECT_LT(variance(fewer), 0.85 * variance(all));
 }
 
-TEST(UnseenEmitters, WhatAPathMeetsOfThemCountsInFull) {
+TEST(UnseenEmitters, SlowWhatAPathMeetsOfThemCountsInFull) {
   // A lamp that is left out although it is seen: wrong for the noise only.
   SceneDescription description = testing::scene_plain();
   const Scene chosen(description);
@@ -366,7 +375,7 @@ TEST(LeastKind, ScenesSeenFromTheFrontHaveTheSameBitsWithAllMaterialModels) {
   EXPECT_FALSE(same_bytes(diffuse.radiance, render(scene, camera, settings).radiance));  // other random numbers
 }
 
-TEST(LeastKind, TheLoopsHaveTheSameMean) {
+TEST(LeastKind, SlowTheLoopsHaveTheSameMean) {
   const Scene scene(testing::scene_plain());
   const EyeCamera camera(small_room_pose(), testing::focused_lens(0.02, 1.05));
   RenderSettings settings = few_samples();

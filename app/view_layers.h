@@ -1,0 +1,17 @@
+#pragma once
+#include "conoid/sight_field.h"
+#include "io/image.h"
+#include "pathtrace/scene.h"
+
+namespace sturm {
+
+/// What the chief ray of each pixel's centre meets, for telling regions of a picture apart. One channel each.
+struct ViewLayers {
+  Image depth;     ///< distance in units of the sight's direction [m]; ∞ where nothing is met or spectacles stop the ray
+  Image blur_px;   ///< larger semi-axis of the blur ellipse there [px], by the conoid
+  Image specular;  ///< 1 where the surface is not Lambertian: its colour changes with the direction
+};
+
+ViewLayers view_layers(const Scene& scene, const SightField& field);
+
+}  // namespace sturm

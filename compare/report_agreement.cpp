@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compare/false_colour.h"
+#include "compare/report_json.h"
+#include "compare/report_markup.h"
+#include "compare/report_numbers.h"
+#include "compare/report_pictures.h"
+#include "compare/report_sections.h"
+#include "io/error.h"
+#include "io/tone_map.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double error_limit = 0.1;  ///< of the difference pictures, luma in display space
+constexpr double byte_budget = 6e6;  ///< that all pictures may take as uncompressed base64
+constexpr double bytes_per_pixel = 4.0;
+
+std::string measured_cell(const Json& value) {
+  return measured_html(number_at(value, "value"), number_at(value, "uncertainty"));
+}
+
+std::string summary_table(const Json& entries) {
+  HtmlTable table("Predictions against path tracing", "metrics",
+                  {{"View", false},
+                   {"Prediction", false},
+                   {"SSIM"},
+                   {"RMSE"},
+                   {"Predicted [s]"},
+                   {"Paths per pixel of equal error"},
+                   {"Times faster than path tracing to equal error"}});
+  for (const Json& entry : entries)
+    for (const Json& prediction : array_at(entry, "predictions")) {
+      const Json& whole = value_at(prediction, "parts/0");
+      table.add_row({text_html(text_at(entry, "id")), "<code>" + text_html(text_at(prediction, "kind")) + "</code>",
+                     measured_cell(value_at(whole, "ssim_display")) + "<small>floor " +
+                         number_html(number_at(entry, "noise_floor/ssim_display"), 4) + "</small>",
+                     measured_cell(value_at(whole, "rmse_display")), number_html(number_at(prediction, "seconds/total"), 3),
+                     number_html(number_at(prediction, "samples_of_equal_error"), 3),
+                     number_html(number_at(prediction, "times_faster"), 3)});
+    }
+  return table.html();
+}
+
+std::string region_table(const Json& entry) {
+  HtmlTable table("By region", "metrics",
+                  {{"Prediction", false},
+                   {"Region", false},
+                   {"Pixels"},
+                   {"SSIM"},
+                   {"RMSE"},
+                   {"Noise of the reference"},
+                   {"Share of the squared error"}});
+  for (const Json& prediction : array_at(entry, "predictions"))
+    for (const Json& part : array_at(prediction, "parts"))
+      table.add_row({"<code>" + text_html(text_at(prediction, "kind")) + "</code>", text_html(text_at(part, "name")),
+                     count_html(number_at(part, "pixels")), measured_cell(value_at(part, "ssim_display")),
+                     measured_cell(value_at(part, "rmse_display")), number_html(number_at(part, "noise_display"), 2),
+                     number_html(number_at(part, "share_of_squared_error"), 2)});
+  return table.html();
+}
+
+std::string picture(const Image& display, const std::string& title) {
+  return element("figure", "",
+                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) + "\" height=\"" +
+                     std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
+}
+
+/// The path-traced picture, and each prediction with its difference.
+std::string pictures(const Json& entry, const std::filesystem::path& run_folder, double budget) {
+  try {
+    const Image traced = to_display(main_layer(run_folder / text_at(entry, "files/path_traced")), 1.0);
+    const auto kinds = static_cast<double>(array_at(entry, "predictions").size());
+    const double pixels = static_cast<double>(traced.width) * traced.height * (1.0 + 2.0 * kinds);
+    const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels * bytes_per_pixel / budget))));
+    std::string html = picture(shrunk(traced, factor), "Path traced");
+    for (const Json& prediction : array_at(entry, "predictions")) {
+      const std::string kind = escaped(text_at(prediction, "kind"));
+      const Image predicted = to_display(main_layer(run_folder / text_at(prediction, "files/predicted")), 1.0);
+      Image difference = luma_image(predicted);
+      const Image luma = luma_image(traced);
+      if (difference.pixels.size() != luma.pixels.size()) return element("p", "class=\"missing\"", "No pictures: they differ in size");
+      for (std::size_t i = 0; i < luma.pixels.size(); ++i) difference.pixels[i] -= luma.pixels[i];
+      html += picture(shrunk(predicted, factor), "Predicted, " + kind) +
+              picture(diverging_false_colour(shrunk(difference, factor), error_limit), kind + " − path traced, ±0.1");
+    }
+    return element("div", "class=\"three\"", html);
+  } catch (const InputError& error) {
+    return element("p", "class=\"missing\"", "No pictures: " + escaped(error.what()));
+  }
+}
+
+}  // namespace
+
+std::string agreement_section(const Json& report, const std::filesystem::path& run_folder) {
+  const Json& entries = array_at(report, "agreement");
+  if (entries.empty()) return "";
+  std::string html =
+      element("h2", "", "Predicted pictures") +
+      element("p", "",
+              "Each prediction is one picture; it is compared in display space (sRGB, clamped to 0 … 1) with the mean of all path-traced "
+              "replicates, whose noise is taken off the error. <i>Equal error</i>: so many paths per pixel give path tracing the same mean "
+              "squared error, if that falls as 1/n. Regions: blur of at most one pixel, blurred, within reach of an edge of depth, display "
+              "white, and surfaces whose colour changes with the direction.") +
+      summary_table(entries);
+  for (const Json& entry : entries) {
+    const std::string note = text_at(entry, "note");
+    html += element("article", "",
+                    element("h3", "",
+                            text_html(text_at(entry, "id")) + " <small>" + text_html(text_at(entry, "scene")) + " · gaze " +
+                                text_html(text_at(entry, "gaze")) + (note.empty() ? "" : " · " + text_html(note)) + "</small>") +
+                        pictures(entry, run_folder, byte_budget / static_cast<double>(entries.size())) + region_table(entry));
+  }
+  return element("section", "id=\"agreement\"", html);
+}
+
+}  // namespace sturm

@@ -1,0 +1,63 @@
+// The numbers behind the viewer: 16-bit floats in base64 (io/half_pixels.h), decoded when they are first shown.
+
+let halfTable = null;
+
+// The value of each of the 65536 numbers of IEEE 754 binary16.
+function halfValues() {
+  if (halfTable) return halfTable;
+  halfTable = new Float32Array(65536);
+  for (let bits = 0; bits < 65536; ++bits) {
+    const exponent = (bits >> 10) & 31, fraction = bits & 1023, sign = bits & 0x8000 ? -1 : 1;
+    const special = fraction ? 0 / 0 : 1 / 0;
+    const size = exponent === 0 ? fraction * 2 ** -24 : exponent === 31 ? special : (1024 + fraction) * 2 ** (exponent - 25);
+    halfTable[bits] = sign * size;
+  }
+  return halfTable;
+}
+
+function bytesOf(address) {
+  return atob(address.slice(address.indexOf(",") + 1));
+}
+
+function floatsOf(address) {
+  const bytes = bytesOf(address), table = halfValues();
+  const values = new Float32Array(bytes.length / 2);
+  for (let i = 0; i < values.length; ++i) values[i] = table[bytes.charCodeAt(2 * i) | (bytes.charCodeAt(2 * i + 1) << 8)];
+  return values;
+}
+
+// What can be shown of a case: a picture (radiance) or an error map, with values() and at(x, y).
+class Layer {
+  constructor(title, pixels, file) {
+    Object.assign(this, { title, pixels, file, width: pixels.width, height: pixels.height, channels: pixels.channels });
+    this.scale = pixels.scale || "radiance";
+    this.end = pixels.end;
+    this.key = pixels.key || title.toLowerCase().replace(" ", "_");
+    this.decoded = null;
+  }
+  values() {
+    if (!this.decoded) this.decoded = floatsOf(this.pixels.halves);
+    return this.decoded;
+  }
+  at(x, y) {
+    const first = (y * this.width + x) * this.channels;
+    return Array.from(this.values().subarray(first, first + this.channels));
+  }
+}
+
+// { layers by case, colours } or null where the page has no pictures.
+function readPayload() {
+  const holder = document.getElementById("viewer-payload");
+  if (!holder) return null;
+  const payload = JSON.parse(holder.textContent);
+  const table = (address) => Uint8Array.from(bytesOf(address), (c) => c.charCodeAt(0));
+  const cases = payload.cases.map((item) => ({
+    title: item.title,
+    factor: item.factor,
+    layers: [
+      new Layer("Path traced", payload.pictures[item.pathTraced], item.pathTraced),
+      new Layer("Predicted", payload.pictures[item.predicted], item.predicted),
+    ].concat(item.maps.map((map) => new Layer(map.title, map))),
+  }));
+  return { cases, colours: { sequential: table(payload.colours.sequential), diverging: table(payload.colours.diverging) } };
+}

@@ -1,0 +1,104 @@
+// The buttons and sliders of a case in the viewer.
+
+const LAYOUTS = [["one", "One"], ["split", "Split"], ["side", "Side by side"]];
+const TONES = [["srgb", "sRGB, clamped"], ["reinhard", "Reinhard"], ["log", "Luminance, logarithmic"]];
+const MOST_STOPS = 10;
+
+function make(tag, attributes, ...children) {
+  const element = document.createElement(tag);
+  Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, value));
+  element.append(...children);
+  return element;
+}
+
+function choice(label, name, options) {
+  const select = make("select", { class: name });
+  options.forEach(([value, text]) => select.append(make("option", { value }, text)));
+  return [make("label", {}, label + " ", select), select];
+}
+
+function slider(label, name, low, high, step) {
+  const input = make("input", { type: "range", class: name, min: low, max: high, step });
+  const output = make("output", {});
+  return [make("label", {}, label + " ", input, output), input, output];
+}
+
+function buildPanel(viewer) {
+  const parts = (viewer.parts = {});
+  parts.layers = viewer.layers.map((layer, i) => {
+    const button = make("button", { type: "button", title: "key " + (i + 1) }, make("kbd", {}, String(i + 1)), " " + layer.title);
+    button.addEventListener("click", () => viewer.show(i));
+    return button;
+  });
+  let layout, behind, tone, link, exposure, split;
+  [layout, parts.layout] = choice("Layout", "layout", LAYOUTS);
+  [behind, parts.behind] = choice("Right of the split", "behind", viewer.layers.map((layer, i) => [i, layer.title]));
+  [split, parts.split] = slider("Split", "split", 0, 1, 0.01);
+  [exposure, parts.exposure, parts.exposureText] = slider("Exposure", "exposure", -MOST_STOPS, MOST_STOPS, 0.25);
+  [tone, parts.tone] = choice("Tones", "tone", TONES);
+  parts.link = make("input", { type: "checkbox", class: "link" });
+  link = make("label", {}, parts.link, " same view in all cases");
+  parts.whole = make("button", { type: "button", class: "whole" }, "Whole picture");
+  parts.splitControls = [behind, split];
+
+  viewer.canvas = make("canvas", { tabindex: 0, role: "img", "aria-label": viewer.item.title + ": arrow keys choose a pixel" });
+  parts.legend = make("p", { class: "legend" });
+  viewer.readout = make("div", { class: "readout" });
+  const help = "Keys: 1 … 9 layer, arrows pixel (Shift: 10), + − 0 zoom, [ ] split, e E exposure. Mouse: drag, wheel (after a click), double click.";
+  viewer.place.append(
+    make("div", { class: "layers", role: "group", "aria-label": "Layer" }, ...parts.layers),
+    make("div", { class: "controls" }, layout, behind, split, exposure, tone, parts.whole, link),
+    viewer.canvas, parts.legend, viewer.readout, make("p", { class: "help" }, help));
+  wirePanel(viewer);
+  updatePanel(viewer);
+  updateReadout(viewer);
+}
+
+function wirePanel(viewer) {
+  const parts = viewer.parts;
+  const set = (part, event, change) => part.addEventListener(event, () => { change(viewer.state()); viewer.changed(); });
+  set(parts.layout, "change", (state) => { state.layout.mode = parts.layout.value; });
+  set(parts.split, "input", (state) => { state.layout.split = Number(parts.split.value); });
+  set(parts.exposure, "input", (state) => { state.display.stops = Number(parts.exposure.value); });
+  set(parts.tone, "change", (state) => { state.display.tone = parts.tone.value; });
+  set(parts.whole, "click", (state) => { Object.assign(state.viewpoint, wholePicture()); });
+  set(parts.behind, "change", () => { viewer.behind = Number(parts.behind.value); });
+  parts.link.addEventListener("change", () => {
+    const { viewpoint, display, layout } = viewer.state();
+    viewer.own = { viewpoint: { ...viewpoint }, display: { ...display }, layout: { ...layout } };
+    viewer.linked = parts.link.checked;
+    viewer.changed();
+  });
+}
+
+// Shows the viewer's state on its buttons.
+function updatePanel(viewer) {
+  const parts = viewer.parts, { display, layout } = viewer.state();
+  parts.layers.forEach((button, i) => button.setAttribute("aria-pressed", String(i === viewer.active)));
+  parts.layout.value = layout.mode;
+  parts.behind.value = String(viewer.behind);
+  parts.split.value = String(layout.split);
+  parts.exposure.value = String(display.stops);
+  parts.exposureText.textContent = (display.stops > 0 ? "+" : "") + String(display.stops).replace("-", "−") + " stops";
+  parts.tone.value = display.tone;
+  parts.link.checked = viewer.linked;
+  parts.splitControls.forEach((part) => { part.hidden = layout.mode !== "split"; });
+  const picture = viewer.layers[0];
+  viewer.canvas.style.aspectRatio = String(viewer.shown().length * picture.width / picture.height);
+  parts.legend.replaceChildren(...legendOf(viewer.layers[viewer.active], display, viewer.colours));
+}
+
+// A bar of the layer's colours with the values at its ends; nothing for a picture in its own colours.
+function legendOf(layer, display, colours) {
+  const radiance = layer.scale === "radiance", logarithmic = radiance && display.tone === "log";
+  if (radiance && !logarithmic) return [];
+  const table = layer.scale === "signed" ? colours.diverging : colours.sequential;
+  const stops = [];
+  for (let i = 0; i < 256; i += 17) stops.push("rgb(" + table.slice(3 * i, 3 * i + 3).join(",") + ")");
+  const bar = make("span", { class: "bar", style: "background: linear-gradient(to right, " + stops.join(", ") + ")" });
+  const white = 2 ** -display.stops;
+  const ends = logarithmic ? [(white * 10 ** -LOG_DECADES).toPrecision(3), white.toPrecision(3)] :
+    layer.scale === "signed" ? ["−" + layer.end, "+" + layer.end] :
+    layer.scale === "similarity" ? ["1", "≤ " + Number((1 - layer.end).toPrecision(4))] : ["0", "≥ " + layer.end];
+  return [layer.title + (logarithmic ? ", luminance (logarithmic)" : "") + ": ", ends[0], " ", bar, " ", ends[1]];
+}

@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/run_comparison.h"
+#include "io/schema.h"
+
+namespace sturm {
+namespace {
+
+using Kind = RunChange::Kind;
+using Direction = RunChange::Direction;
+
+/// One image with an SSIM of `value` ± `uncertainty` from `replicates`.
+Json report_with(double value, double uncertainty, int replicates) {
+  return {{"spec", {{"images", {{{"id", "box"}, {"replicates", replicates}}}}}},
+          {"images",
+           {{{"id", "box"},
+             {"ray_model", "power_matrix"},
+             {"metrics", {{"ssim_display", {{"value", value}, {"uncertainty", uncertainty}}}}}}}}};
+}
+
+TEST(RunComparison, HoldsADifferenceAgainstBothErrors) {
+  // 0.05 apart, errors 0.006 and 0.008: 5 standard errors of the difference. So many replicates are as good as a known error.
+  const RunComparison c = compare_runs(report_with(0.95, 0.006, 1000000), report_with(0.90, 0.008, 1000000), 0.01);
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_NEAR(*c.changes[0].z, -5.0, 1e-3);  // t of 1e6 degrees is a normal deviate up to t³/(4·1e6) = 3e-5
+  EXPECT_NEAR(*c.changes[0].standard_error, 0.01, 1e-12);
+  EXPECT_EQ(c.changes[0].direction, Direction::Worse);
+  EXPECT_EQ(c.tests, 1u);
+  EXPECT_NEAR(c.threshold_z, 2.575829, 1e-6);  // two-sided 1 %, from tables
+}
+
+TEST(RunComparison, FewReplicatesHaveStudentsTails) {
+  // Equal errors of two replicates each: Welch's test has 2 degrees of freedom, where |t| = 5 has p = 1 − 5/√(2 + 25) = 0.0377.
+  const RunComparison c = compare_runs(report_with(0.95, 0.01, 2), report_with(0.95 - 5 * 0.01 * std::sqrt(2.0), 0.01, 2), 0.04);
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_NEAR(*c.changes[0].z, -2.0777, 2e-3);  // two-sided 0.0377 of the normal distribution
+  EXPECT_TRUE(compare_runs(report_with(0.95, 0.01, 2), report_with(0.95 - 5 * 0.01 * std::sqrt(2.0), 0.01, 2), 0.03).changes.empty());
+}
+
+TEST(RunComparison, ANumberWithoutErrorsIsNoRegression) {
+  Json before = report_with(0.95, 0.0, 2), after = report_with(0.90, 0.0, 2);
+  const RunComparison c = compare_runs(before, after, 0.01);
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_EQ(c.changes[0].kind, Kind::WithoutUncertainty);
+  EXPECT_EQ(c.changes[0].direction, Direction::Worse);
+  EXPECT_EQ(c.regressions(), 0u);
+}
+
+TEST(RunComparison, ALostNumberIsARegression) {
+  Json after = report_with(0.95, 0.01, 2);
+  after["images"][0]["metrics"]["ssim_display"]["value"] = nullptr;
+  EXPECT_EQ(compare_runs(report_with(0.95, 0.01, 2), after, 0.01).regressions(), 1u);
+  EXPECT_EQ(compare_runs(after, report_with(0.95, 0.01, 2), 0.01).changes.at(0).kind, Kind::New);
+}
+
+TEST(RunComparison, NearerToItsPredictionIsBetter) {
+  const auto report = [](double xx) -> Json {
+    return {{"ellipses",
+             {{"conditions", {{"replicates", 64}}},
+              {"cases",
+               {{{"id", "A"},
+                 {"conoid", {{"covariance_rad2", {1.0, 0.0, 1.0}}}},
+                 {"rays",
+                  {{{"ray_model", "power_matrix"},
+                    {"covariance_rad2", {xx, 0.0, 1.0}},
+                    {"covariance_standard_error_rad2", {0.01, 0.01, 0.01}}}}}}}}}}};
+  };
+  EXPECT_EQ(compare_runs(report(1.0), report(0.5), 0.01).changes.at(0).direction, Direction::Worse);
+  EXPECT_EQ(compare_runs(report(1.5), report(1.0), 0.01).changes.at(0).direction, Direction::Better);
+}
+
+TEST(RunComparison, FollowsItsSchema) {
+  const Json before = report_with(0.95, 0.006, 9), after = report_with(0.5, 0.008, 9);
+  const RunComparison c = compare_runs(before, after, 0.01);
+  EXPECT_NO_THROW(validate(run_comparison_json(c, before, "a.json", after, "b.json"), "run_comparison", "made"));
+}
+
+TEST(RunComparison, ForeignReportsAreEmpty) {
+  for (const Json& foreign : {Json(nullptr), Json(3), Json{{"images", "text"}}, Json{{"ellipses", {{"cases", {1, nullptr}}}}}}) {
+    const RunComparison c = compare_runs(foreign, foreign, 0.01);
+    EXPECT_EQ(c.numbers, 0u);
+    EXPECT_TRUE(c.changes.empty());
+  }
+}
+
+}  // namespace
+}  // namespace sturm

@@ -1,0 +1,81 @@
+"""A browser by the W3C WebDriver protocol (https://www.w3.org/TR/webdriver2/), through Debian's chromedriver and Chromium."""
+import http.client
+import json
+import shutil
+import subprocess
+
+ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the protocol's name for a reference to an element
+KEYS = {"left": "\ue012", "up": "\ue013", "right": "\ue014", "down": "\ue015", "shift": "\ue008"}
+
+
+class Browser:
+    """A headless window of a given size; close() ends it."""
+
+    def __init__(self, profile, width=1280, height=1000):
+        driver = shutil.which("chromedriver")
+        if not driver or not shutil.which("chromium"):
+            raise RuntimeError("Debian's packages chromium and chromium-driver are not installed (scripts/dependencies.txt)")
+        self._process = subprocess.Popen([driver, "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self._port = None
+        for line in self._process.stdout:  # "ChromeDriver was started successfully on port N."
+            if "successfully on port" in line:
+                self._port = int(line.rstrip(". \n").rsplit(" ", 1)[1])
+                break
+        self._session = ""
+        options = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--force-prefers-reduced-motion", "--no-first-run",
+                            f"--user-data-dir={profile}", f"--window-size={width},{height}"]}
+        try:
+            capabilities = {"browserName": "chrome", "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}
+            session = self._call("POST", "", {"capabilities": {"alwaysMatch": capabilities}})
+        except Exception:
+            self._process.terminate()
+            raise
+        self._session = "/" + session["sessionId"]
+
+    def _call(self, method, path, body=None):
+        connection = http.client.HTTPConnection("127.0.0.1", self._port, timeout=120)
+        text = None if method == "GET" else json.dumps(body or {})
+        connection.request(method, "/session" + self._session + path, text, {"Content-Type": "application/json"})
+        value = json.loads(connection.getresponse().read())["value"]
+        connection.close()
+        if isinstance(value, dict) and "error" in value:
+            raise RuntimeError(f"{value['error']}: {value['message']}")
+        return value
+
+    def open(self, path):
+        self._call("POST", "/url", {"url": path.as_uri()})
+
+    def run(self, script, *arguments):
+        """Runs the body of a JavaScript function in the page; returns its result."""
+        return self._call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
+
+    def find(self, selector):
+        return self._call("POST", "/element", {"using": "css selector", "value": selector})[ELEMENT]
+
+    def click(self, selector):
+        self._call("POST", f"/element/{self.find(selector)}/click")
+
+    def text(self, selector):
+        return self._call("GET", f"/element/{self.find(selector)}/text")
+
+    def type(self, selector, text):
+        self._call("POST", f"/element/{self.find(selector)}/value", {"text": text})
+
+    def pointer(self, selector, *moves):
+        """Moves of the mouse relative to an element's centre [px]; "down" and "up" press and release its button."""
+        origin = {ELEMENT: self.find(selector)}
+        actions = [{"type": "pointerDown" if move == "down" else "pointerUp", "button": 0} if isinstance(move, str) else
+                   {"type": "pointerMove", "duration": 0, "origin": origin, "x": move[0], "y": move[1]} for move in moves]
+        self._call("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": actions}]})
+
+    def console(self):
+        """Messages of the page's console and errors of its scripts since the last call."""
+        return self._call("POST", "/se/log", {"type": "browser"})
+
+    def close(self):
+        try:
+            self._call("DELETE", "")
+        finally:
+            self._process.terminate()
+            self._process.wait(timeout=20)
+            self._process.stdout.close()
