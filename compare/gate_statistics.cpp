@@ -9,6 +9,7 @@
 #include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
 #include "compare/sampling_statistics.h"
+#include "compare/sin2_study/statistics.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -194,6 +195,7 @@ std::map<std::string, Statistic> statistics_of(const Json& report) {
   add_mutants(report, out);
   add_lens_study(report, out);
   add_sampling_study(report, out);
+  add_sin2_study(report, out);
   return out;
 }
 

@@ -29,6 +29,7 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
   const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
                                    {"cases", "Cases", case_section(report)},
                                    {"sin2", "sin²", sin2_section(report)},
+                                   {"sin2_study", "sin² study", sin2_study_section(report, run_folder)},
                                    {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
                                    {"sampling_study", "Pupil samplings", sampling_section(report, run_folder)},
                                    {"figures", "Figures", figure_section(report, run_folder)},

@@ -71,6 +71,8 @@ std::string verdict_section(const Json& report) {
     html +=
         element("div", "class=\"finding\"", element("h2", "", "What was measured of conoid tracing") + element("p", "", escaped(sentence)));
   }
+  if (const std::string sentence = text_at(report, "verdict/sin2_study_sentence"); !sentence.empty())
+    html += element("div", "class=\"finding\"", element("h2", "", "The verdict on sin²") + element("p", "", escaped(sentence)));
   return element("header", "id=\"verdict\"", html + conditions(report));
 }
 

@@ -141,6 +141,11 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.lens_study = read_lens_study(document["lens_study"], root / "lens_study");
     add_files(spec.input_files, spec.lens_study->input_files);
   }
+  if (document.contains("sin2_study")) {
+    require_unique_ids(document["sin2_study"].value("gallery", Json::array()), root / "sin2_study" / "gallery");
+    spec.sin2_study = read_sin2_study(document["sin2_study"], root / "sin2_study");
+    add_files(spec.input_files, spec.sin2_study->input_files);
+  }
   if (document.contains("sampling_study")) {
     spec.sampling_study = read_sampling_study(document["sampling_study"], root / "sampling_study");
     add_files(spec.input_files, spec.sampling_study->scene.input_files);

@@ -14,6 +14,7 @@
 #include "io/ray_bundle_spec.h"
 #include "io/sampling_study_spec.h"
 #include "io/scene_spec.h"
+#include "io/sin2_study_spec.h"
 
 namespace sturm {
 
@@ -70,6 +71,7 @@ struct ExperimentSpec {
   bool share_views = true;              ///< pictures that are the same are rendered once
   std::vector<AgreementCase> agreement;  ///< ids are unique
   std::optional<LensStudySpec> lens_study;
+  std::optional<Sin2StudySpec> sin2_study;
   std::optional<SamplingStudySpec> sampling_study;
   std::vector<FigureSpec> figures;                ///< ids are unique
   std::filesystem::path gates;                    ///< absolute

@@ -8,6 +8,7 @@
 #include "app/experiment/sampling_study.h"
 #include "app/experiment/scene_fingerprint.h"
 #include "app/experiment/sections.h"
+#include "app/experiment/sin2_study/sin2_study.h"
 #include "app/progress.h"
 #include "app/stopwatch.h"
 #include "compare/figure.h"
@@ -18,6 +19,8 @@
 #include "compare/report_html.h"
 #include "compare/report_markdown.h"
 #include "compare/sampling_sheet.h"
+#include "compare/sin2_study/figures.h"
+#include "compare/sin2_study/summary.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/gate_spec.h"
@@ -40,6 +43,8 @@ std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescripti
     for (const std::string& file : c.input_files) facts += sha256_of_file(file);
   if (spec.lens_study)
     for (const std::string& lens_file : spec.lens_study->input_files) facts += sha256_of_file(lens_file);
+  if (spec.sin2_study)
+    for (const std::string& table : spec.sin2_study->input_files) facts += sha256_of_file(table);
   return sha256(facts);
 }
 
@@ -82,6 +87,25 @@ Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
     seconds += parts.seconds();
   }
   return assembled_lens_study(spec, lenses, field);
+}
+
+/// The study of sin², one part per group of eyes and one for the gallery.
+Json sin2_study(const Sin2StudySpec& spec, std::uint64_t seed, Parts& parts, const std::filesystem::path& folder, double& seconds) {
+  std::vector<StudyCase> cases;
+  for (const StudyEyeGroup& group : spec.groups) {
+    const Json rows = parts("sin2_" + group.name, "sin² " + group.name,
+                            [&](const ProgressFunction& progress) { return sin2_study_rows(spec, group, progress); });
+    seconds += parts.seconds();
+    for (const Json& row : rows) cases.push_back(case_of(row));
+  }
+  Json gallery = Json::array();
+  for (const Sin2GalleryView& view : spec.gallery) {
+    gallery.push_back(parts("sin2_psf_" + view.id, "PSFs " + view.id,
+                            [&](const ProgressFunction&) { return sin2_gallery_entry(spec, view, seed, folder); }));
+    seconds += parts.seconds();
+  }
+  write_file_atomically(folder / "sin2_study.csv", sin2_study_csv(cases, spec));
+  return summarised_sin2_study(spec, cases, gallery);
 }
 
 /// The study of pupil samplings, one part per configuration.
@@ -137,7 +161,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
   const RunFolder folder(options.folder, run_key(spec, scenes, agreement_scenes), options.resume,
-                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "junit.xml", "summary.md"},
+                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
                           {"psf", "images", "samplings", "figures"}});
   Parts parts(folder, options.quiet);
   std::map<std::string, double> seconds;
@@ -177,6 +201,14 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     append(report["must_fail"], lens_study_mutants(report["lens_study"]));
     for (Figure& figure : lens_study_figures(report["lens_study"])) figures.push_back(std::move(figure));
   }
+  if (spec.sin2_study) {
+    report["sin2_study"] = sin2_study(*spec.sin2_study, spec.seed, parts, folder.path(), seconds["sin2_study"]);
+    append(report["must_fail"], sin2_study_mutants(report["sin2_study"]));
+    for (Figure& figure : sin2_study_figures(report["sin2_study"], folder.path())) {
+      figure.command = "sturm run " + std::filesystem::path(experiment_file).filename().string();
+      figures.push_back(std::move(figure));
+    }
+  }
   if (spec.sampling_study) {
     report["sampling_study"] = sampling_study(*spec.sampling_study, scenes.back(), spec.seed, folder, parts, seconds["sampling_study"]);
     for (Figure& figure : sampling_sheets(report["sampling_study"], folder.path())) figures.push_back(std::move(figure));
@@ -185,6 +217,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
   report["verdict"]["lens_sentence"] = spec.lens_study ? lens_study_sentence(report["lens_study"]) : Json(nullptr);
+  report["verdict"]["sin2_study_sentence"] = spec.sin2_study ? sin2_study_sentence(report["sin2_study"]) : Json(nullptr);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
 
@@ -197,7 +230,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];
   std::vector<std::string> findings;
-  for (const char* sentence : {"sin2_sentence", "lens_sentence"})
+  for (const char* sentence : {"sin2_sentence", "lens_sentence", "sin2_study_sentence"})
     if (verdict.at(sentence).is_string()) findings.push_back(verdict.at(sentence));
   return {verdict.at("passed"), verdict.at("sentence"), std::move(findings), folder.path() / "report.html"};
 }

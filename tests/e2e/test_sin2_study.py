@@ -1,0 +1,149 @@
+"""`sturm run` with a section "sin2_study": a small grid from end to end, resumed and spoilt, and the shipped study's inputs."""
+import csv
+import io
+import math
+import unittest
+
+from documents import changed
+from sturm_process import FAILED, SOURCE, WRONG_INPUT, FolderTest, snapshot, strict_json, sturm
+
+TABLE = "# source: made up\neye,id,sph_D,cyl_D,axis_deg\nOD,A,-2.5,-3.25,35\nOS,A,0.5,-0.5,100\n"
+FOCUS = {"mode": "fixed", "focus_distance_m": 1}
+EXPERIMENT = {
+    "format": "sturm.experiment/1",
+    "title": "A few eyes",
+    "sin2_study": {
+        "grid": {"spheres_D": [-2, -1, 0, 1], "cylinders_D": [0, -2], "axes_deg": [30, 90]},
+        "real_eyes": {"file": "eyes.csv"},
+        "distances_m": ["inf", 1], "pupil_diameters_mm": [2, 4], "accommodations": [{"mode": "relaxed"}, FOCUS],
+        "reference": {"pupil_diameter_mm": 4, "distance_m": 1}, "gallery_rays": 4096,
+        "gallery": [{"id": "circle", "title": "A rose", "prescription": {"sphere_D": 1, "cylinder_D": -2, "axis_deg": 30, "vertex_distance_mm": 0},
+                     "pupil_diameter_mm": 4, "distance_m": 1, "accommodation": FOCUS}],
+    },
+    "gates": "gates.json",
+}
+GATES = {
+    "format": "sturm.gates/1",
+    "gates": [{"id": "closed_form", "title": "sin² has its closed form", "statistic": "sin2_study/sin2_vs_closed_form_max",
+               "comparison": "at_most", "bound": 1e-9, "reason": "as in the shipped gates"},
+              {"id": "mutant", "title": "A mutant", "statistic": "must_fail/wrong_coefficient", "comparison": "must_fail", "bound": 1e-9,
+               "reason": "as in the shipped gates"}],
+}
+
+
+class Sin2Study(FolderTest):
+    def setUp(self):
+        super().setUp()
+        self.write("gates.json", GATES)
+        self.write("eyes.csv", TABLE)
+        self.experiment = self.write("experiment.json", EXPERIMENT)
+
+    def run_study(self, folder, *options):
+        return self.succeed("run", self.experiment, "--out", self.folder / folder, *options)
+
+    def study(self, folder):
+        return strict_json((self.folder / folder / "report.json").read_text())["sin2_study"]
+
+    def rows(self, folder):
+        return list(csv.DictReader(io.StringIO((self.folder / folder / "sin2_study.csv").read_text())))
+
+    def test_a_small_grid(self):
+        process = self.run_study("out", "--threads", 2)
+        self.assertIn("2 of 2 gates passed", process.stdout)
+        self.succeed("validate", self.folder / "out/report.json")
+        rows = self.rows("out")
+        eyes = 4 * (1 + 2) + 2  # a sphere needs no second axis
+        self.assertEqual(len(rows), eyes * 2 * 2 * 2 * 3)
+        by_key = {tuple(row[key] for key in ("eye", "distance_m", "pupil_mm", "accommodation", "ray_model")): row for row in rows}
+
+        def case(eye, model, distance="1", state="focus 1 m"):
+            return by_key[eye, distance, "4", state, model]
+
+        # Numbers of the table have nine digits: 1e-7 of at most 14. Half-widths worked by hand: a = 2 mm; 1 mrad is 3.4377 arcmin.
+        mrad = 3.4377467707849
+        line = case("+0.00 -2.00 × 30", "sin2_radial")  # principal values 0 and −2 D at the focus
+        self.assertAlmostEqual(float(line["true_semi_major_arcmin"]), 4 * mrad, delta=1e-7)
+        self.assertAlmostEqual(float(line["semi_major_arcmin"]), 0.7905694150420949 * 4 * mrad, delta=1e-7)
+        self.assertAlmostEqual(float(line["semi_minor_arcmin"]), 0.35355339059327373 * 4 * mrad, delta=1e-7)
+        # The width of the true line is the root of a rounding error of its variance, 1e-8 D.
+        self.assertAlmostEqual(float(line["error_D"]), 0.35355339059327373 * 2, delta=1e-7)
+        circle = case("+1.00 -2.00 × 30", "sin2_radial")
+        self.assertAlmostEqual(float(circle["semi_major_arcmin"]), 0.7071067811865476 * 2 * mrad, delta=1e-6)
+        self.assertEqual(circle["difference_ratio"], "")
+        # As printed: at zero power the eye is focused at infinity; at P = −1/d_f all rays are dropped; relaxed it is undefined.
+        self.assertAlmostEqual(float(case("+0.00", "metalstigmatism")["error_D"]), 1.0, delta=1e-7)
+        pole = case("-1.00", "metalstigmatism")
+        self.assertEqual((pole["status"], pole["rays_dropped"], pole["error_D"]), ("pole", pole["rays"], ""))
+        self.assertEqual(case("+0.00", "metalstigmatism", state="relaxed")["status"], "undefined")
+        # +1.00 at its focus: slope −1/(1 + 1) D in place of +1 D, seen from 1 m.
+        self.assertAlmostEqual(float(case("+1.00", "metalstigmatism")["semi_major_arcmin"]), 0.5 * 2 * mrad, delta=1e-7)
+        for row in rows:
+            if row["ray_model"] == "power_matrix":
+                self.assertLess(float(row["error_D"]), 1e-6)
+            if row["ray_model"] == "sin2_radial":
+                self.assertLess(float(row["repaired_deviation"]), 1e-12)
+
+        study = self.study("out")
+        self.assertEqual({row["ray_model"]: row["cases"] for row in study["models"]},
+                         {model: eyes * 8 for model in ("metalstigmatism", "sin2_radial", "power_matrix")})
+        worst = [row for row in study["population"] if row["ray_model"] == "sin2_radial" and row["accommodation"] is None]
+        self.assertEqual([row["eyes"] for row in worst], [2])
+        self.assertGreater(worst[0]["error_D"]["max"], 0.25)
+        psfs = {psf["model"]: psf for psf in study["gallery"][0]["models"]}
+        self.assertGreater(psfs["sin2_radial"]["total_variation_over_noise"], 3)
+        self.assertLess(psfs["repaired"]["total_variation_over_noise"], 1.5)
+        # Half of a disc's light lies within √½ of its radius; a is 2 mm, V is ±1 D.
+        self.assertAlmostEqual(psfs["wavefront"]["radius_50_arcmin"], math.sqrt(0.5) * 2 * mrad, delta=0.02)
+        self.assertEqual({path.name for path in (self.folder / "out/figures").iterdir()},
+                         {"sin2_study_map.svg", "sin2_study_gallery.svg", "sin2_study_population.svg", "sin2_study_sphere.svg"})
+        html = (self.folder / "out/report.html").read_text()
+        self.assertIn("sturm run experiment.json", html)
+        self.assertNotRegex(html, r'(src|href)\s*=\s*["\']?https?:')
+
+    def test_the_same_numbers_for_any_number_of_threads_and_after_a_resume(self):
+        self.run_study("one", "--threads", 1, "--quiet")
+        self.run_study("two", "--threads", 2, "--quiet")
+        self.assertEqual(self.study("one"), self.study("two"))
+        csv_of = {folder: (self.folder / folder / "sin2_study.csv").read_bytes() for folder in ("one", "two")}
+        self.assertEqual(csv_of["one"], csv_of["two"])
+        reused = "taken from the interrupted run"
+        next((self.folder / "two/parts").glob("*/sin2_real_eyes.json")).unlink()  # as if it had died there
+        self.assertEqual(self.run_study("two", "--resume").stderr.count(reused), 4 + 1)  # spheres and the gallery
+        self.assertEqual(self.study("two"), self.study("one"))
+        self.assertEqual((self.folder / "two/sin2_study.csv").read_bytes(), csv_of["one"])
+        self.write("eyes.csv", TABLE.replace("-3.25", "-3.00"))
+        self.assertNotIn(reused, self.run_study("two", "--resume").stderr)
+
+    def test_a_wrong_bound_fails(self):
+        self.write("gates.json", changed(GATES, "/gates/0/bound", 1e-30))
+        self.assertEqual(sturm("run", self.experiment, "--out", self.folder / "out", "--quiet").returncode, FAILED)
+
+    def test_wrong_input_is_named_and_nothing_is_written(self):
+        before = snapshot(self.folder)
+        section = "/sin2_study"
+        cases = [(section + "/reference/pupil_diameter_mm", 3, section + "/reference/pupil_diameter_mm"),
+                 (section + "/reference/distance_m", 2, section + "/reference/distance_m"),
+                 (section + "/accommodations", [{"mode": "relaxed"}], section + "/reference/distance_m"),
+                 (section + "/real_eyes/file", "none.csv", section + "/real_eyes/file"),
+                 (section + "/real_eyes/file", "gates.json", "gates.json"),
+                 (section + "/grid/spheres_D", [99], section + "/grid/spheres_D/0"),
+                 (section + "/gallery/0/prescription/axis_deg", 200, section + "/gallery/0/prescription/axis_deg")]
+        for pointer, value, named in cases:
+            with self.subTest(pointer=pointer, value=value):
+                self.write("experiment.json", changed(EXPERIMENT, pointer, value))
+                process = sturm("run", self.experiment, "--out", self.folder / "out")
+                self.assertEqual(process.returncode, WRONG_INPUT, process.stderr)
+                self.assertIn(named, process.stderr)
+                self.write("experiment.json", EXPERIMENT)
+                self.assertEqual(snapshot(self.folder), before)
+        for table, named in [(TABLE.replace("-3.25", "minus"), "cyl_D"), (TABLE.replace("sph_D", "sphere"), "sph_D"),
+                             (TABLE.replace("-2.5,", ","), "line 3"), ("eye,id,sph_D,cyl_D,axis_deg\n", "at least one")]:
+            with self.subTest(table=table):
+                self.write("eyes.csv", table)
+                process = sturm("run", self.experiment, "--out", self.folder / "out")
+                self.assertEqual(process.returncode, WRONG_INPUT, process.stderr)
+                self.assertIn(named, process.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
