@@ -195,6 +195,16 @@ TEST(AreaLight, ALampBesideAHiddenBrightOne) {
   expect_radiance(scene, p, lamp_irradiance(p, seen) * radiance.cast<double>(), "beside a hidden lamp", 1, {0.05, 0.05, 0.5});
 }
 
+TEST(AreaLight, ALampBehindAnotherIsCountedOnce) {
+  // Every direction in the cone of the round lamp meets a luminous panel first, which has its own samples.
+  SceneDescription description = floor_scene();
+  description.meshes.push_back(testing::round_lamp({0.0f, 0.2f, 0.0f}, 0.05f, 3, 1));
+  description.meshes.push_back(testing::parallelogram({-0.1f, 0.1f, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}, 1));  // x × z = −y: shines down
+  const Vector3d p(0.05, 0, 0.02);
+  const double e = polygon_irradiance(p, {0, 1, 0}, {{-0.1, 0.1, -0.1}, {0.1, 0.1, -0.1}, {0.1, 0.1, 0.1}, {-0.1, 0.1, 0.1}});
+  expect_radiance(Scene(description), p, e * radiance.cast<double>(), "lamp behind a panel", 1, {0.05, 0.05, 0.5});
+}
+
 TEST(SphereLight, FortyOfThemAddUp) {
   SceneDescription description = floor_scene();
   double e = 0.0;
