@@ -1,21 +1,11 @@
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 
 #include "app/comparison.h"
+#include "app/formatted_text.h"
 
 namespace sturm {
 
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
-  char buffer[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(buffer, sizeof buffer, format, arguments);
-  va_end(arguments);
-  return buffer;
-}
 
 /// Padded to `width` characters on a screen; printf counts the bytes of UTF-8.
 std::string padded(const std::string& text, std::size_t width) {

@@ -25,7 +25,7 @@ struct Arrivals {
   std::optional<Eigen::Vector2d> angle(const PupilRay<double>& ray) {
     count(counters, ray.status);
     if (ray.status == LaunchStatus::dropped) return std::nullopt;
-    if (!lens) return Eigen::Vector2d(vergence * ray.px + ray.sx, vergence * ray.py + ray.sy);
+    if (!lens) return naked_angle(ray, vergence);
     const LensPath path = lens->worn.path_of(ray);
     losses.count(path.status);
     if (path.status != LensStatus::ok) return std::nullopt;

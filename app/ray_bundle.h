@@ -24,6 +24,11 @@ struct MeasuredBundle {
   LensLosses losses;
 };
 
+/// Where a ray that leaves the naked eye goes, at vergence 1/d of the target (0 at infinity): p/d + s(p) [rad].
+inline Eigen::Vector2d naked_angle(const PupilRay<double>& ray, double target_vergence_D) {
+  return {target_vergence_D * ray.px + ray.sx, target_vergence_D * ray.py + ray.sy};
+}
+
 /// The lens that the rays go through, and the chief ray that leaves it: origin of distances, and axis of the plane where they are measured.
 struct LensView {
   WornLens worn;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compare/report_json.h"
+#include "io/json_numbers.h"
 
 namespace sturm {
 
@@ -105,10 +106,6 @@ std::string kind_of(Comparison comparison) {
   return "";
 }
 
-Json or_null(const std::optional<double>& number) {
-  return number && std::isfinite(*number) ? Json(*number) : Json(nullptr);
-}
-
 }  // namespace
 
 Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline) {
@@ -123,8 +120,8 @@ Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const J
                        {"kind", kind_of(gate.comparison)},
                        {"passed", s.value && passes(gate, *s.value)},
                        {"statistic", gate.statistic},
-                       {"value", or_null(s.value)},
-                       {"uncertainty", or_null(s.uncertainty)},
+                       {"value", number_or_null(s.value)},
+                       {"uncertainty", number_or_null(s.uncertainty)},
                        {"bound", gate.bound},
                        {"unit", gate.unit},
                        {"cases", s.cases},

@@ -9,6 +9,7 @@
 #include "compare/report_quantities.h"
 #include "compare/statistics.h"
 #include "compare/test_family.h"
+#include "io/json_numbers.h"
 
 namespace sturm {
 
@@ -111,10 +112,6 @@ void compare_gates(const Json& before, const Json& after, RunComparison& result)
                               passes ? Direction::Neither : Direction::Worse, std::nullopt, number_at(gate, "value"), std::nullopt,
                               std::nullopt});
   }
-}
-
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
 }
 
 const char* name_of(Kind kind) {

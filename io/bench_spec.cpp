@@ -10,6 +10,7 @@
 #include "io/named_file.h"
 #include "io/schema.h"
 #include "io/suggest.h"
+#include "io/unique_ids.h"
 
 namespace sturm {
 
@@ -23,12 +24,9 @@ constexpr std::array<std::pair<BenchStatistic, const char*>, 5> statistic_names 
 constexpr int smallest_side = 11;  // the window of SSIM
 
 std::vector<std::string> ids_of(const Json& list, const Source& where) {
+  require_unique_ids(list, where);
   std::vector<std::string> ids;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (std::find(ids.begin(), ids.end(), list[i]["id"]) != ids.end())
-      (where / i / "id").fail(list[i]["id"], "an id that no other entry of this list has");
-    ids.push_back(list[i]["id"].get<std::string>());
-  }
+  for (const Json& entry : list) ids.push_back(entry["id"].get<std::string>());
   return ids;
 }
 
@@ -201,7 +199,7 @@ BenchSpec read_bench(const Json& document, const std::string& file) {
   for (const Json& level : document.value("levels", Json::array()))
     spec.levels.push_back({level["error"].get<std::string>(), level["level"].get<double>()});
   const Json require = document.value("require", Json::array());
-  ids_of(require, root / "require");
+  require_unique_ids(require, root / "require");
   for (std::size_t i = 0; i < require.size(); ++i) {
     spec.requirements.push_back(read_requirement(require[i], root / "require" / i, view_ids, method_ids));
     require_measured(spec, spec.requirements.back(), root / "require" / i);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "io/error.h"
 #include "io/named_file.h"
 #include "io/schema.h"
 #include "io/suggest.h"
+#include "io/unique_ids.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -16,14 +16,6 @@ namespace {
 
 Accommodation accommodation_of(const Json& value, const Source& where) {
   return value.contains("accommodation") ? read_accommodation(value["accommodation"], where / "accommodation") : Accommodation{};
-}
-
-/// Throws unless the "id" of each element of a list is its own.
-void require_unique_ids(const Json& list, const Source& where) {
-  std::set<std::string> ids;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (!ids.insert(list[i]["id"].get<std::string>()).second)
-      (where / i / "id").fail(list[i]["id"], "an id that no other entry of this list has");
 }
 
 EllipseExperiment read_ellipses(const Json& value, const Source& where) {

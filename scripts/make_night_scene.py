@@ -7,19 +7,10 @@ import json
 import pathlib
 import random
 
+from scene_parts import box, quad
+
 random.seed(20)
 WARM, WHITE, RED, GREEN = "warm", "white", "red", "green"
-
-
-def wall(name, material, a, b, c, d):
-    return {"name": name, "material": material, "positions_m": [a, b, c, d], "faces": [[0, 1, 2, 3]]}
-
-
-def box(name, material, low, high):
-    (x0, y0, z0), (x1, y1, z1) = low, high
-    corners = [[x, y, z] for z in (z0, z1) for y in (y0, y1) for x in (x0, x1)]
-    faces = [[4, 5, 7, 6], [1, 0, 2, 3], [5, 1, 3, 7], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]]
-    return {"name": name, "material": material, "positions_m": corners, "faces": faces}
 
 
 def light(x, y, z, radius, material):
@@ -52,8 +43,8 @@ scene = {
         GREEN: {"emission": [400, 6000, 1500]},
     },
     "meshes": [
-        wall("street", "asphalt", [-30, 0, 1], [30, 0, 1], [30, 0, -60], [-30, 0, -60]),
-        wall("end", "plaster", [-30, 0, -53], [30, 0, -53], [30, 14, -53], [-30, 14, -53]),
+        quad("street", "asphalt", [-30, 0, 1], [30, 0, 1], [30, 0, -60], [-30, 0, -60]),
+        quad("end", "plaster", [-30, 0, -53], [30, 0, -53], [30, 14, -53], [-30, 14, -53]),
         box("left", "plaster", [-12, 0, -50], [-5, 8, -4]),
         box("right", "plaster", [5, 0, -50], [12, 9, -4]),
         box("post", "post", [-0.47, 0, -0.92], [-0.42, 3, -0.87]),

@@ -1,9 +1,8 @@
 #include "app/stress/report.h"
 
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/formatted_text.h"
 #include "app/json_values.h"
 #include "app/lens_status_word.h"
 #include "lensmodel/units.h"
@@ -11,17 +10,6 @@
 namespace sturm::stress {
 
 namespace {
-
-std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
-
-std::string line(const char* format, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
 
 std::string skipped_text(const CheckSummary& c) {
   std::string text;
@@ -38,7 +26,7 @@ using ExtendedMatrix = std::array<std::array<Extended, 2>, 2>;
 
 /// 21 digits as text: a JSON number is read as a double.
 std::string digits(Extended x) {
-  return line("%.21Lg", x);
+  return formatted("%.21Lg", x);
 }
 Json digits(const ExtendedMatrix& m) {
   return Json::array({Json::array({digits(m[0][0]), digits(m[0][1])}), Json::array({digits(m[1][0]), digits(m[1][1])})});
@@ -87,28 +75,29 @@ const char* family_name(Family family) {
 }  // namespace
 
 std::string table_of(const SuiteSummary& s) {
-  std::string text =
-      line("%-15s %10s %8s %12s %10s %12s %10s  %s\n", "check", "cases", "over", "worst/bound", "case", "worst rel.", "case", "skipped");
+  std::string text = formatted("%-15s %10s %8s %12s %10s %12s %10s  %s\n", "check", "cases", "over", "worst/bound", "case", "worst rel.",
+                               "case", "skipped");
   for (std::size_t i = 0; i < check_count; ++i) {
     const CheckSummary& c = s.checks[i];
-    text += line("%-15s %10llu %8llu %12.3g %10llu %12.3g %10llu  ", checks[i].name, static_cast<unsigned long long>(c.run),
-                 static_cast<unsigned long long>(c.over), c.worst_ratio, static_cast<unsigned long long>(c.worst_case), c.worst_relative,
-                 static_cast<unsigned long long>(c.worst_relative_case)) +
+    text += formatted("%-15s %10llu %8llu %12.3g %10llu %12.3g %10llu  ", checks[i].name, static_cast<unsigned long long>(c.run),
+                      static_cast<unsigned long long>(c.over), c.worst_ratio, static_cast<unsigned long long>(c.worst_case),
+                      c.worst_relative, static_cast<unsigned long long>(c.worst_relative_case)) +
             skipped_text(c) + "\n";
   }
-  text +=
-      line("\n%-20s %10s %8s %10s %10s %10s %10s %8s\n", "family", "cases", "refused", "ok", "missed", "reflected", "no conv.", "failed");
+  text += formatted("\n%-20s %10s %8s %10s %10s %10s %10s %8s\n", "family", "cases", "refused", "ok", "missed", "reflected", "no conv.",
+                    "failed");
   for (std::size_t i = 0; i < families.size(); ++i) {
     const FamilySummary& f = s.families[i];
-    text += line("%-20s %10llu %8llu %10llu %10llu %10llu %10llu %8llu\n", families[i].name, static_cast<unsigned long long>(f.cases),
-                 static_cast<unsigned long long>(f.refused), static_cast<unsigned long long>(f.statuses[0]),
-                 static_cast<unsigned long long>(f.statuses[1]), static_cast<unsigned long long>(f.statuses[2]),
-                 static_cast<unsigned long long>(f.statuses[3]), static_cast<unsigned long long>(f.failed));
+    text += formatted("%-20s %10llu %8llu %10llu %10llu %10llu %10llu %8llu\n", families[i].name, static_cast<unsigned long long>(f.cases),
+                      static_cast<unsigned long long>(f.refused), static_cast<unsigned long long>(f.statuses[0]),
+                      static_cast<unsigned long long>(f.statuses[1]), static_cast<unsigned long long>(f.statuses[2]),
+                      static_cast<unsigned long long>(f.statuses[3]), static_cast<unsigned long long>(f.failed));
   }
-  text += line("\neq. 11 of the published form has no solution in %llu of %llu cases\n",
-               static_cast<unsigned long long>(s.published_failed), static_cast<unsigned long long>(s.published_tried));
-  text += line("%s: %llu of %llu cases failed (seed %llu)\n", s.passed() ? "PASSED" : "FAILED", static_cast<unsigned long long>(s.failed),
-               static_cast<unsigned long long>(s.options.cases), static_cast<unsigned long long>(s.options.seed));
+  text += formatted("\neq. 11 of the published form has no solution in %llu of %llu cases\n",
+                    static_cast<unsigned long long>(s.published_failed), static_cast<unsigned long long>(s.published_tried));
+  text +=
+      formatted("%s: %llu of %llu cases failed (seed %llu)\n", s.passed() ? "PASSED" : "FAILED", static_cast<unsigned long long>(s.failed),
+                static_cast<unsigned long long>(s.options.cases), static_cast<unsigned long long>(s.options.seed));
   return text;
 }
 

@@ -4,14 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/bench/requirements.h"
+#include "io/json_numbers.h"
 
 namespace sturm {
 
 namespace {
-
-Json number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 const char* word(FloorStatus status) {
   return status == FloorStatus::Clear ? "ok" : status == FloorStatus::Near ? "near_noise_floor" : "below_noise_floor";
@@ -29,8 +26,8 @@ Json point_json(const MeasuredSetting& setting, const PictureErrors& noise_floor
   for (const ErrorKind& kind : error_kinds) {
     const ErrorEstimate e = estimate(setting, noise_floor, kind);
     const Json cost = e.value ? Json(error_seconds({samples, seconds, *e.value, e.standard_error}, kind)) : Json(nullptr);
-    errors[std::string(kind.name)] = {{"value", number(e.value)},
-                                      {"standard_error", number(e.standard_error)},
+    errors[std::string(kind.name)] = {{"value", number_or_null(e.value)},
+                                      {"standard_error", number_or_null(e.standard_error)},
                                       {"raw", e.raw},
                                       {"status", word(e.status)},
                                       {"error_seconds", cost}};
@@ -57,12 +54,12 @@ Json method_json(const MeasuredView& view, const BenchMethod& method, const std:
   for (const ErrorKind& kind : error_kinds) {
     const auto law = fit_power_law(curve_of(view, method.id, kind).points);
     entry["slopes"][std::string(kind.name)] =
-        law ? Json{{"slope", law->slope}, {"standard_error", number(law->standard_error)}} : Json(nullptr);
+        law ? Json{{"slope", law->slope}, {"standard_error", number_or_null(law->standard_error)}} : Json(nullptr);
   }
   for (const ErrorLevel& level : levels) {
     const TimeToReach time = time_to_reach(curve_of(view, method.id, error_kind(level.error)).points, level.level);
     entry["times"].push_back(
-        {{"error", level.error}, {"level", level.level}, {"seconds", number(time.seconds)}, {"status", word(time.reach)}});
+        {{"error", level.error}, {"level", level.level}, {"seconds", number_or_null(time.seconds)}, {"status", word(time.reach)}});
   }
   return entry;
 }
@@ -86,7 +83,7 @@ Json pareto_json(const MeasuredView& view, const std::vector<std::string>& metho
 }
 
 Json statistic_json(const StatisticValue& s) {
-  return {{"value", number(s.value)}, {"standard_error", number(s.standard_error)}, {"note", s.note}};
+  return {{"value", number_or_null(s.value)}, {"standard_error", number_or_null(s.standard_error)}, {"note", s.note}};
 }
 
 }  // namespace
@@ -136,8 +133,8 @@ Json evaluated(const std::vector<BenchRequirement>& requirements, const std::vec
                     {"method", r.method},
                     {"baseline", r.baseline.empty() ? Json(nullptr) : Json(r.baseline)},
                     {"view", view.id},
-                    {"at_least", number(r.at_least)},
-                    {"at_most", number(r.at_most)},
+                    {"at_least", number_or_null(r.at_least)},
+                    {"at_most", number_or_null(r.at_most)},
                     {"passed", keeps_bounds(r, value)}});
       results.push_back(std::move(entry));
     }

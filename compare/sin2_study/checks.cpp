@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/sin2_study/summary.h"
+#include "io/json_numbers.h"
 
 namespace sturm {
 
@@ -27,9 +28,7 @@ class Worst {
   }
 
   Json json(const Sin2StudySpec& spec) const {
-    return {{"value", value_ ? Json(*value_) : Json(nullptr)},
-            {"cases", cases_},
-            {"worst_case", where_ ? Json(label_of(*where_, spec)) : Json(nullptr)}};
+    return {{"value", number_or_null(value_)}, {"cases", cases_}, {"worst_case", where_ ? Json(label_of(*where_, spec)) : Json(nullptr)}};
   }
 
  private:

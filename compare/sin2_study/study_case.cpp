@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report_numbers.h"
+#include "io/json_numbers.h"
 
 namespace sturm {
 
@@ -95,7 +96,7 @@ double relative_deviation(const Eigen::Matrix2d& is, const Eigen::Matrix2d& shou
 
 Json row_of(const StudyCase& c) {
   Json row = {c.eye, c.distance, c.pupil, c.accommodation, static_cast<int>(c.model), static_cast<int>(c.status)};
-  for (const auto& value : c.values) row.push_back(value && std::isfinite(*value) ? Json(*value) : Json(nullptr));
+  for (const auto& value : c.values) row.push_back(number_or_null(value));
   return row;
 }
 

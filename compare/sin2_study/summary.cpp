@@ -5,17 +5,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "io/json_numbers.h"
+
 namespace sturm {
 
 namespace {
-
-Json distance_of(double metres) {
-  return std::isinf(metres) ? Json("inf") : Json(metres);
-}
-
-Json number_of(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 /// Rank statistics of a list: the smallest value that at least this share of the list does not exceed.
 Json quantile(const std::vector<double>& sorted, double share) {
@@ -67,7 +61,7 @@ Json map_of(const Sin2StudySpec& spec, const std::map<std::pair<double, double>,
     Json row = Json::array();
     for (const double sphere : spec.spheres_D) {
       const auto at = grid.find({sphere, cylinder});
-      row.push_back(at == grid.end() ? Json(nullptr) : number_of((*at->second)[Quantity::error_D]));
+      row.push_back(at == grid.end() ? Json(nullptr) : number_or_null((*at->second)[Quantity::error_D]));
     }
     rows.push_back(std::move(row));
   }
@@ -100,7 +94,7 @@ Json model_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases)
                      {"rays", rays},
                      {"rays_dropped", dropped},
                      {"rays_negative_focus", negative},
-                     {"largest_error_D", worst ? number_of((*worst)[Quantity::error_D]) : Json(nullptr)},
+                     {"largest_error_D", worst ? number_or_null((*worst)[Quantity::error_D]) : Json(nullptr)},
                      {"largest_error_case", worst ? Json(label_of(*worst, spec)) : Json(nullptr)}});
   }
   return table;
@@ -123,7 +117,7 @@ Json population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& c
     Json entry = row.json();
     entry["ray_model"] = name_of(std::get<0>(key));
     entry["accommodation"] = label_of(spec.accommodations[std::get<1>(key)]);
-    entry["distance_m"] = distance_of(spec.distances_m[std::get<2>(key)]);
+    entry["distance_m"] = distance_json(spec.distances_m[std::get<2>(key)]);
     table.push_back(std::move(entry));
   }
   std::map<StudyModel, PopulationRow> anywhere;
@@ -153,7 +147,7 @@ Json reference_views(const Sin2StudySpec& spec, const std::vector<StudyCase>& ca
       const Prescription& rx = spec.eyes[c.eye].prescription;
       grid.insert({{rx.sphere_D, rx.cylinder_D}, &c});  // the first axis stays
       if (rx.cylinder_D == 0.0)
-        points.push_back({rx.sphere_D, number_of(c[Quantity::true_major_arcmin]), number_of(c[Quantity::major_arcmin])});
+        points.push_back({rx.sphere_D, number_or_null(c[Quantity::true_major_arcmin]), number_or_null(c[Quantity::major_arcmin])});
     }
     std::sort(errors.begin(), errors.end());
     maps.push_back({{"ray_model", name_of(model)}, {"error_D", map_of(spec, grid)}});
@@ -169,7 +163,7 @@ Json reference_views(const Sin2StudySpec& spec, const std::vector<StudyCase>& ca
 
 Json summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases, const Json& gallery) {
   Json distances = Json::array(), pupils = Json::array(), accommodations = Json::array();
-  for (const double d : spec.distances_m) distances.push_back(distance_of(d));
+  for (const double d : spec.distances_m) distances.push_back(distance_json(d));
   for (const double p : spec.pupil_diameters_m) pupils.push_back(1e3 * p);
   for (const Accommodation& a : spec.accommodations) accommodations.push_back(label_of(a));
   Json conditions = {{"eyes", spec.eyes.size()},
@@ -182,7 +176,7 @@ Json summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCas
                      {"azimuthal", spec.quadrature.azimuthal},
                      {"rings", spec.rings.rings},
                      {"angle_factor", spec.rings.angle_factor},
-                     {"reference_distance_m", distance_of(spec.distances_m[spec.reference_distance])},
+                     {"reference_distance_m", distance_json(spec.distances_m[spec.reference_distance])},
                      {"reference_pupil_mm", 1e3 * spec.pupil_diameters_m[spec.reference_pupil]},
                      {"gallery_rays", spec.gallery_rays}};
   return {{"conditions", std::move(conditions)},

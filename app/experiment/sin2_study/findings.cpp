@@ -3,6 +3,7 @@
 
 #include "app/experiment/sin2_study/sin2_study.h"
 #include "compare/report_json.h"
+#include "io/json_numbers.h"
 
 namespace sturm {
 
@@ -16,7 +17,7 @@ Json mutant(const Json& section, const char* id, const char* what) {
   return {{"id", id},
           {"what", what},
           {"failed_as_it_must", value && *value > rounding_bound},
-          {"value", value ? Json(*value) : Json(nullptr)},
+          {"value", number_or_null(value)},
           {"bound", rounding_bound}};
 }
 

@@ -50,7 +50,7 @@ struct GalleryScene {
       PupilRay<double> ray = eye_rays->through(p.x(), p.y());
       if (!goes_on(ray.status)) continue;
       if (m.tangential) tangential.add_to(ray);
-      result.emplace_back(target_vergence_D * ray.px + ray.sx, target_vergence_D * ray.py + ray.sy);
+      result.push_back(naked_angle(ray, target_vergence_D));
     }
     if (result.empty()) return std::nullopt;
     return result;

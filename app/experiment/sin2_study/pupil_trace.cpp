@@ -1,5 +1,6 @@
 #include "app/experiment/sin2_study/pupil_trace.h"
 
+#include "app/ray_bundle.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -66,7 +67,7 @@ TracedPupil traced(const EyeRays<double>& rays, std::span<const WeightedPoint> p
       count(result.counters, ray.status);
       if (!goes_on(ray.status)) continue;
       if (added) added->add_to(ray);
-      const Eigen::Vector2d angle(target_vergence_D * ray.px + ray.sx, target_vergence_D * ray.py + ray.sy);
+      const Eigen::Vector2d angle = naked_angle(ray, target_vergence_D);
       weight += node.weight;
       first += node.weight * angle;
       second += node.weight * angle * angle.transpose();

@@ -1,0 +1,17 @@
+#include "app/formatted_text.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace sturm {
+
+std::string formatted(const char* format, ...) {
+  char text[256];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+}  // namespace sturm
