@@ -51,9 +51,9 @@ class DocumentRenderer {
       : spec_(spec), scene_(scene), plan_(plan), output_(output) {}
 
   void render_one(const ProgressFunction& progress, const Preview& preview) {
-    const auto [layers, counters] = render_eye({spec_.eye, 0.0, "", settings(progress), preview});
-    output_.image.layers = layers;
-    output_.counters = counters;
+    EyePicture picture = render_eye({spec_.eye, 0.0, "", settings(progress), preview});
+    output_.image.layers = std::move(picture.layers);
+    output_.counters = std::move(picture.counters);
   }
 
   /// A stereo pair, left beside right. Eyes that see the same are rendered once.

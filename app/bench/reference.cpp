@@ -66,8 +66,9 @@ std::string reference_key(const BenchView& view, std::uint64_t seed) {
   return sha256(facts);
 }
 
-BenchReference bench_reference(const BenchView& view, std::uint64_t seed, const std::filesystem::path& folder, bool quiet) {
-  const std::string key = reference_key(view, seed), name = "references/" + view.id + "_" + key.substr(0, 16);
+BenchReference bench_reference(const BenchView& view, const std::string& key, std::uint64_t seed, const std::filesystem::path& folder,
+                               bool quiet) {
+  const std::string name = "references/" + view.id + "_" + key.substr(0, 16);
   const std::filesystem::path stem = folder / name;
   const auto file = [&](const char* suffix) { return stem.string() + suffix; };
   if (std::filesystem::exists(file(".json")) && std::filesystem::exists(file(".exr"))) {

@@ -18,7 +18,9 @@ struct BenchReference {
 std::string reference_key(const BenchView& view, std::uint64_t seed);
 
 /// Renders the two halves of a view's reference, or takes them from folder/references, where they lie under the name of their key: a
-/// reference outlives the program that made it, so that an error of a later one shows; the facts say which one that was.
-BenchReference bench_reference(const BenchView& view, std::uint64_t seed, const std::filesystem::path& folder, bool quiet);
+/// reference outlives the program that made it, so that an error of a later one shows; the facts say which one that was. `key`: the
+/// view's `reference_key`.
+BenchReference bench_reference(const BenchView& view, const std::string& key, std::uint64_t seed, const std::filesystem::path& folder,
+                               bool quiet);
 
 }  // namespace sturm

@@ -22,11 +22,11 @@ namespace sturm {
 namespace {
 
 /// What a round's numbers depend on: everything, the program and the number of threads included.
-std::string run_key(const BenchSpec& spec, const RunOptions& options) {
+std::string run_key(const BenchSpec& spec, const std::vector<std::string>& reference_keys, const RunOptions& options) {
   std::string facts = spec_hash(*spec.resolved) + std::to_string(options.threads) + sha256_of_file("/proc/self/exe");
-  for (const BenchView& view : spec.views) {
-    facts += reference_key(view, spec.seed);
-    for (const BenchSetting& setting : view.settings) facts += spec_hash(*setting.render.resolved);
+  for (std::size_t v = 0; v < spec.views.size(); ++v) {
+    facts += reference_keys[v];
+    for (const BenchSetting& setting : spec.views[v].settings) facts += spec_hash(*setting.render.resolved);
   }
   for (const std::string& file : spec.input_files) facts += sha256_of_file(file);
   return sha256(facts);
@@ -135,11 +135,15 @@ BenchOutcome run_bench(const BenchSpec& spec, const std::string& bench_file, con
   const Machine machine = this_machine();
   RunFacts facts{options.threads, spec.seed, utc_now(), {}, spec.input_files};
   if (bench_file != "-") facts.input_files.insert(facts.input_files.begin(), bench_file);
-  const std::string key = run_key(spec, options);  // loads every scene: what is wrong with one shows before the folder is touched
-  const RunFolder folder(options.folder, key, options.resume, {{"bench.json", "bench.html"}, {"references", "figures"}});
+  // Loads every scene: what is wrong with one shows before the folder is touched.
+  std::vector<std::string> reference_keys;
+  for (const BenchView& view : spec.views) reference_keys.push_back(reference_key(view, spec.seed));
+  const RunFolder folder(options.folder, run_key(spec, reference_keys, options), options.resume,
+                         {{"bench.json", "bench.html"}, {"references", "figures"}});
 
   std::vector<BenchReference> references;
-  for (const BenchView& view : spec.views) references.push_back(bench_reference(view, spec.seed, folder.path(), options.quiet));
+  for (std::size_t v = 0; v < spec.views.size(); ++v)
+    references.push_back(bench_reference(spec.views[v], reference_keys[v], spec.seed, folder.path(), options.quiet));
   const std::vector<MeasuredView> views = measured(spec, references, folder, options.quiet);
 
   const std::string command = "sturm bench " + bench_file;

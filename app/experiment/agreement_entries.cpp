@@ -10,6 +10,7 @@
 #include "app/stopwatch.h"
 #include "app/view_layers.h"
 #include "compare/image_comparison.h"
+#include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
 #include "compare/regions.h"
 #include "io/tone_map.h"
@@ -132,13 +133,14 @@ class Case {
     RegionLayers told_by{layers_.depth, layers_.blur_px};
     std::vector<Region> regions = regions_of(predicted.linear.front(), mean_, exposure, told_by);
     regions.push_back({"specular", layers_.specular});
-    Json parts = Json::array({part_json("whole", predicted, nullptr)});
+    const Judged judged = judge(predicted);
+    Json parts = Json::array({part_json("whole", predicted, judged, nullptr)});
     for (const Region& region : regions)
-      if (region.pixels() > 0) parts.push_back(part_json(region.name, predicted, &region.mask));
+      if (region.pixels() > 0) parts.push_back(part_json(region.name, predicted, judged, &region.mask));
     const double n = static_cast<double>(spec_.samples_per_pixel), r = spec_.replicates;
     const double one = single_variance(traced_, mean_display_, nullptr);
     double error = -one / r;  // the reference's own noise is no error of the prediction
-    for (const Image& image : predicted.display) error += mean_square(image, mean_display_, nullptr) / r;
+    for (const double square : judged.mean_squares) error += square / r;
     const bool known = error > 0.0;
     const double samples = known ? n * one / error : 0.0, seconds = traced_.seconds.at("total") * samples / n;
     return {{"seconds", predicted.seconds},
@@ -154,20 +156,36 @@ class Case {
   Json noise_floor() const {
     const Replicates all{traced_.linear};
     const Image a = to_display(all.first_half(), exposure), b = to_display(all.second_half(), exposure);
-    return {{"ssim_display", ssim(a, b).mean}, {"rmse_display", std::sqrt(mean_square(a, b, nullptr))}};
+    return {{"ssim_display", ssim(a, b).mean}, {"rmse_display", rmse(a, b)}};
   }
 
  private:
-  Json part_json(const std::string& name, const Pictures& predicted, const Image* mask) const {
+  /// Of each predicted picture against the mean of the path-traced ones: what all regions share.
+  struct Judged {
+    std::vector<Ssim> similarities;
+    std::vector<double> mean_squares;
+  };
+
+  Judged judge(const Pictures& predicted) const {
+    Judged judged;
+    for (const Image& image : predicted.display) {
+      judged.similarities.push_back(ssim(image, mean_display_));
+      judged.mean_squares.push_back(mean_square(image, mean_display_, nullptr));
+    }
+    return judged;
+  }
+
+  Json part_json(const std::string& name, const Pictures& predicted, const Judged& judged, const Image* mask) const {
     std::vector<double> similarities, errors;
     const double noise = single_variance(traced_, mean_display_, mask) / spec_.replicates;
     double whole = 0.0, inside = 0.0;
-    for (const Image& image : predicted.display) {
-      const Ssim s = ssim(image, mean_display_);
-      if (const auto mean = mean_within(s.map, (image.width - s.map.width) / 2, mask)) similarities.push_back(*mean);
-      errors.push_back(std::sqrt(std::max(0.0, mean_square(image, mean_display_, mask) - noise)));
-      whole += mean_square(image, mean_display_, nullptr) * static_cast<double>(image.width) * image.height;
-      inside += mean_square(image, mean_display_, mask) * static_cast<double>(count(mask));
+    for (std::size_t i = 0; i < predicted.display.size(); ++i) {
+      const Image &image = predicted.display[i], &map = judged.similarities[i].map;
+      if (const auto mean = mean_within(map, (image.width - map.width) / 2, mask)) similarities.push_back(*mean);
+      const double square = mask ? mean_square(image, mean_display_, mask) : judged.mean_squares[i];
+      errors.push_back(std::sqrt(std::max(0.0, square - noise)));
+      whole += judged.mean_squares[i] * static_cast<double>(image.width) * image.height;
+      inside += square * static_cast<double>(count(mask));
     }
     return {{"name", name},
             {"pixels", count(mask)},

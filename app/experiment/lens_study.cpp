@@ -168,7 +168,7 @@ Json mutant_orders(const Sight& sight, const Eigen::Matrix2d& mirrored, double v
   return {{"published_as_exact", order(sight.as_published(vergence_D))}, {"mirrored_gaze", order(mirrored)}};
 }
 
-Json view_json(const LensStudySpec& spec, const StudyLens& lens, const Sight& sight, const SpectacleConoid& mirrored, double distance_m) {
+Json view_json(const LensStudySpec& spec, const Sight& sight, const SpectacleConoid& mirrored, double distance_m) {
   const double vergence = vergence_of(distance_m);
   const Eigen::Matrix2d exact = sight.exact(vergence);
   const std::optional<Eigen::Matrix2d> published = sight.as_published(vergence);
@@ -229,7 +229,7 @@ GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const S
   result.gaze["eq11"] = ok ? Json{{"principal", word_for(sight.published[0])}, {"incidence", word_for(sight.published[1])}} : Json(nullptr);
   if (!ok) return result;
   for (const double distance : spec.distances_m) {
-    Json view = view_json(spec, lens, sight, mirrored, distance);
+    Json view = view_json(spec, sight, mirrored, distance);
     view["lens"] = lens.id;
     view["eccentricity_deg"] = gaze.eccentricity_deg;
     view["direction_deg"] = number_or_null(gaze.direction_deg);

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/experiment/figures.h"
 #include "app/experiment/run_folder.h"
@@ -33,12 +34,24 @@ namespace sturm {
 
 namespace {
 
+/// The scenes of an experiment, in the order of its entries.
+struct LoadedScenes {
+  std::vector<SceneDescription> images, agreement;
+  std::optional<SceneDescription> sampling_study;
+
+  explicit LoadedScenes(const ExperimentSpec& spec) {
+    for (const ImageExperiment& image : spec.images) images.push_back(build_scene(image.scene));
+    for (const AgreementCase& c : spec.agreement) agreement.push_back(build_scene(c.scene));
+    if (spec.sampling_study) sampling_study = build_scene(spec.sampling_study->scene);
+  }
+};
+
 /// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, and the lens files.
-std::string run_key(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes,
-                    const std::vector<SceneDescription>& agreement_scenes) {
+std::string run_key(const ExperimentSpec& spec, const LoadedScenes& scenes) {
   std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
-  for (const auto* list : {&scenes, &agreement_scenes})
+  for (const auto* list : {&scenes.images, &scenes.agreement})
     for (const SceneDescription& scene : *list) facts += scene_fingerprint(scene);
+  if (scenes.sampling_study) facts += scene_fingerprint(*scenes.sampling_study);
   for (const AgreementCase& c : spec.agreement)
     for (const std::string& file : c.input_files) facts += sha256_of_file(file);
   if (spec.lens_study)
@@ -151,16 +164,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   // Everything that can be wrong with the input shows before the output folder is touched.
   const Json reference = spec.reference ? reference_agreement(*spec.reference) : Json(nullptr);
   for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
-  std::vector<SceneDescription> scenes;
-  for (const ImageExperiment& image : spec.images) scenes.push_back(build_scene(image.scene));
-  if (spec.sampling_study) scenes.push_back(build_scene(spec.sampling_study->scene));
-
-  std::vector<SceneDescription> agreement_scenes;
-  for (const AgreementCase& c : spec.agreement) agreement_scenes.push_back(build_scene(c.scene));
-
+  const LoadedScenes scenes(spec);
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(options.folder, run_key(spec, scenes, agreement_scenes), options.resume,
+  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume,
                          {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
                           {"psf", "images", "samplings", "figures"}});
   Parts parts(folder, options.quiet);
@@ -181,18 +188,18 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
                                  [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
     seconds["psfs"] += parts.seconds();
   }
-  SharedViews views(spec, scenes);
+  SharedViews views(spec, scenes.images);
   for (std::size_t i = 0; i < spec.images.size(); ++i) {
     const ImageExperiment& image = spec.images[i];
     append(report["images"], parts("image_" + image.id, "image " + image.id, [&](const ProgressFunction& progress) {
-             return image_entries(spec, i, scenes[i], views, folder.path(), progress);
+             return image_entries(spec, i, scenes.images[i], views, folder.path(), progress);
            }));
     seconds["images"] += parts.seconds();
   }
   for (std::size_t i = 0; i < spec.agreement.size(); ++i) {
     const AgreementCase& c = spec.agreement[i];
     report["agreement"].push_back(parts("agreement_" + c.id, "agreement " + c.id, [&](const ProgressFunction& progress) {
-      return agreement_entry(c, agreement_scenes[i], spec.seed, folder.path(), progress);
+      return agreement_entry(c, scenes.agreement[i], spec.seed, folder.path(), progress);
     }));
     seconds["agreement"] += parts.seconds();
   }
@@ -210,7 +217,8 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     }
   }
   if (spec.sampling_study) {
-    report["sampling_study"] = sampling_study(*spec.sampling_study, scenes.back(), spec.seed, folder, parts, seconds["sampling_study"]);
+    report["sampling_study"] =
+        sampling_study(*spec.sampling_study, *scenes.sampling_study, spec.seed, folder, parts, seconds["sampling_study"]);
     for (Figure& figure : sampling_sheets(report["sampling_study"], folder.path())) figures.push_back(std::move(figure));
   }
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
