@@ -4,10 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/experiment_spec.h"
+#include "experiment_testing.h"
 #include "io/gate_spec.h"
-#include "io/json_pointer_set.h"
-#include "io_testing.h"
 
 namespace sturm {
 namespace {
@@ -16,9 +14,9 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class ExperimentSpecTest : public testing::Test {
+class ExperimentSpecTest : public ExperimentDocumentTest {
  protected:
-  ExperimentSpecTest() : file_((folder_ / "experiments/e.json").string()) {
+  ExperimentSpecTest() : ExperimentDocumentTest("experiments/e.json") {
     write_text(folder_ / "gates/g.json", "{}");
     write_text(folder_ / "scenes/s.json", R"({"format": "sturm.scene/1"})");
     document_ = parse_json(R"({
@@ -38,15 +36,6 @@ class ExperimentSpecTest : public testing::Test {
     })",
                            "e.json");
   }
-  std::string error_with(const std::string& assignment) const {
-    Json document = document_;
-    apply_set(document, assignment);
-    return input_error([&] { read_experiment(document, file_); });
-  }
-
-  TemporaryFolder folder_;
-  std::string file_;
-  Json document_;
 };
 
 TEST_F(ExperimentSpecTest, ReadsAllSections) {

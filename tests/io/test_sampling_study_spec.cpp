@@ -3,9 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/experiment_spec.h"
-#include "io/json_pointer_set.h"
-#include "io_testing.h"
+#include "experiment_testing.h"
 
 namespace sturm {
 namespace {
@@ -13,9 +11,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class SamplingStudySpecTest : public testing::Test {
+class SamplingStudySpecTest : public ExperimentDocumentTest {
  protected:
-  SamplingStudySpecTest() : file_((folder_ / "e.json").string()) {
+  SamplingStudySpecTest() : ExperimentDocumentTest("e.json") {
     write_text(folder_ / "g.json", "{}");
     write_text(folder_ / "s.json", R"({"format": "sturm.scene/1"})");
     document_ = parse_json(R"({
@@ -29,15 +27,6 @@ class SamplingStudySpecTest : public testing::Test {
       }})",
                            "e.json");
   }
-  std::string error_with(const std::string& assignment) const {
-    Json document = document_;
-    apply_set(document, assignment);
-    return input_error([&] { read_experiment(document, file_); });
-  }
-
-  TemporaryFolder folder_;
-  std::string file_;
-  Json document_;
 };
 
 TEST_F(SamplingStudySpecTest, ReadsEverything) {

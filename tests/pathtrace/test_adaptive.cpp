@@ -3,17 +3,19 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "pathtrace/adaptive_render.h"
 #include "support/function_source.h"
 #include "support/replicates.h"
+#include "support/same_bytes.h"
 #include "support/scene_plain.h"
 #include "support/scenes.h"
 #include "support/student.h"
 
 namespace sturm {
 namespace {
+
+using testing::same_bytes;
 
 using testing::FunctionSource;
 
@@ -181,10 +183,6 @@ TEST(AdaptiveRender, MayBeInterrupted) {
   EXPECT_TRUE(result.passes.interrupted);
   EXPECT_EQ(result.passes.samples_kept, 128u * 256u);  // streams of 8, 16, 32
   EXPECT_EQ(last.pixels, result.radiance.pixels);
-}
-
-bool same_bytes(const Image& a, const Image& b) {
-  return a.pixels.size() == b.pixels.size() && std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
 }
 
 TEST(AdaptiveRender, TheSameBitsForAnyNumberOfThreads) {

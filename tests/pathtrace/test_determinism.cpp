@@ -2,13 +2,15 @@
 #include <tbb/global_control.h>
 
 #include <atomic>
-#include <cstring>
 
 #include "pathtrace/render.h"
+#include "support/same_bytes.h"
 #include "support/scene_plain.h"
 
 namespace sturm {
 namespace {
+
+using testing::same_bytes;
 
 RenderResult picture(const Scene& scene, std::uint64_t seed, int threads, Sequence sequence = Sequence::Sobol) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
@@ -20,10 +22,6 @@ RenderResult picture(const Scene& scene, std::uint64_t seed, int threads, Sequen
   settings.seed = seed;
   settings.sequence = sequence;
   return render(scene, EyeCamera(pose, testing::focused_lens(0.02, 1.05)), settings);
-}
-
-bool same_bytes(const Image& a, const Image& b) {
-  return a.pixels.size() == b.pixels.size() && std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
 }
 
 bool same_bytes(const RenderResult& a, const RenderResult& b) {

@@ -2,14 +2,16 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cstring>
 #include <vector>
 
 #include "pathtrace/progressive_render.h"
+#include "support/same_bytes.h"
 #include "support/scene_plain.h"
 
 namespace sturm {
 namespace {
+
+using testing::same_bytes;
 
 RenderSettings settings_of(int samples, Sequence sequence = Sequence::Sobol) {
   RenderSettings settings;
@@ -24,10 +26,6 @@ EyeCamera camera() {
   pose.width = 50;  // not a multiple of the tile
   pose.height = 37;
   return {pose, testing::focused_lens(0.02, 1.05)};
-}
-
-bool same_bytes(const Image& a, const Image& b) {
-  return a.pixels.size() == b.pixels.size() && std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
 }
 
 void expect_same(const RenderResult& a, const RenderResult& b) {
