@@ -51,6 +51,7 @@ struct Statistic {
 /// | sin2_study/NAME | the entry NAME of `sin2_study.checks` in the report: its value, cases and worst case |
 /// | sin2_study/gallery_sin2_over_noise_min | gallery views with a cylinder: smallest total variation of sin² ÷ that of two runs of theory |
 /// | sin2_study/gallery_repaired_over_noise_max | all gallery views: the largest of sin² with the tangential term |
+/// | bench/VIEW/METHOD/…, bench/broken_requirements | run time against error (compare/bench/statistics.h) |
 /// | must_fail/ID | the statistic that mutant ID was to spoil |
 /// | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one says that it did not fail |
 // clang-format on
