@@ -70,7 +70,7 @@ class PixelRenderer final : public PixelSource {
     for (std::uint32_t first = range.first; first < end; first += CameraRayBlock::size) {
       const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, end - first));
       trace_camera_rays(scene_, camera_, x, y, first, count, sequence, hits);
-      numbers.begin_block(first);
+      numbers.begin_block(first, count);
       for (int i = 0; i < count; ++i)
         if (hits.hit(i)) vertices.at[i] = scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
       tracer_.light(vertices, hits, first, count, numbers, counters);

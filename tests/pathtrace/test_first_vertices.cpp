@@ -25,7 +25,7 @@ Compared compared(const Scene& scene, int count) {
     const int y = 7 * camera.height() / 10;
     const PixelSequence sequence(Sequence::Sobol, 5, static_cast<std::uint32_t>(x));
     VertexNumbers numbers(sequence);
-    numbers.begin_block(32);
+    numbers.begin_block(32, count);
     trace_camera_rays(scene, camera, x, y, 32, count, sequence, hits);
     for (int i = 0; i < count; ++i)
       if (hits.hit(i)) vertices.at[i] = scene.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
