@@ -1,5 +1,6 @@
 #include "compare/bench/report_html.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compare/bench/figures.h"
@@ -136,7 +137,7 @@ std::string slope_table(const Json& view) {
 std::string level_html(const Json& time) {
   const std::string error = text_at(time, "error");
   const auto level = number_at(time, "level");
-  if (error == "one_minus_ssim" && level) return "SSIM " + number_html(1.0 - *level);
+  if (error == "one_minus_ssim" && level) return "SSIM " + exact_html(std::round(1e6 * (1.0 - *level)) / 1e6);
   for (const ErrorKind& kind : error_kinds)
     if (kind.name == error) return escaped(kind.title) + " " + exact_html(level);
   return text_html(error) + " " + exact_html(level);
@@ -261,6 +262,7 @@ std::string bench_section(const Json& report, const std::filesystem::path& run_f
   const Json& section = value_at(report, "bench");
   if (!section.is_object()) return "";
   std::string html = element("h2", "", "Run time against error") + element("p", "", text_html(text_at(section, "title"))) +
+                     element("p", "", text_html(text_at(report, "verdict/bench_sentence"))) +
                      element("dl", "class=\"facts\"", machine_facts(value_at(section, "machine"))) + requirement_table(section);
   for (const Json& view : array_at(section, "views"))
     html += view_section(report, view, bench_figure_section(text_at(view, "id")), "h3", run_folder);
