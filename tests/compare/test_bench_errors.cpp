@@ -119,7 +119,8 @@ BenchRequirement requirement(BenchStatistic statistic, const char* error = "rmse
 }
 
 TEST(BenchEvaluation, EstimatesByHand) {
-  const MeasuredSetting setting{"m", 4, {sample(1.0, 8.0, 0.03), sample(9.0, 8.0, 0.05), sample(2.0, 8.0, 0.04), sample(3.0, 8.0, 0.04)}};
+  const MeasuredSetting setting{
+      "m", 4, {sample(1.0, 8.0, 0.03), sample(9.0, 8.0, 0.05), sample(2.0, 8.0, 0.04), sample(3.0, 8.0, 0.04)}, ""};
   EXPECT_NEAR(median_seconds(setting), 2.5, rounding);
   PictureErrors floor;
   floor.mse = floor.relative_mse = floor.relative_mse_trimmed = floor.one_minus_ssim = 0.015;
