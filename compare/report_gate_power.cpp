@@ -31,6 +31,13 @@ std::string mutation_list(const Json& mutations) {
   return table.html();
 }
 
+/// A name that may be broken behind its underscores: as many columns as errors have to fit into the page.
+std::string breakable_html(const std::string& name) {
+  std::string html;
+  for (const char c : name) html += c == '_' ? std::string("_<wbr>") : escaped(std::string(1, c));
+  return html;
+}
+
 /// Value of `gate` under a mutation, where it noticed.
 std::string cell_html(const Json& mutation, const std::string& gate) {
   for (const Json& caught : array_at(mutation, "caught_by"))
@@ -42,7 +49,7 @@ std::string cell_html(const Json& mutation, const std::string& gate) {
 
 std::string matrix(const Json& mutations) {
   std::vector<Column> columns = {{"Gate", false}, {"Bound"}, {"Nothing wrong"}};
-  for (const Json& mutation : mutations) columns.push_back({"<code>" + text_html(text_at(mutation, "id")) + "</code>"});
+  for (const Json& mutation : mutations) columns.push_back({"<code>" + breakable_html(text_at(mutation, "id")) + "</code>"});
   HtmlTable table("Values beyond the bound, by gate and error", "", columns);
   for (const std::string& gate : gates_that_noticed(mutations)) {
     std::vector<Cell> cells;

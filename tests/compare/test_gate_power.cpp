@@ -18,6 +18,7 @@ GateSpec at_most(const char* id, const char* statistic, double bound, std::optio
           .statistic = statistic,
           .comparison = Comparison::AtMost,
           .bound = bound,
+          .unit = "",
           .reason = "r",
           .calibration = GateCalibration{level, {0.0, "r"}, {1.0, "s"}}};
 }

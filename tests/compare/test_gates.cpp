@@ -160,7 +160,7 @@ const std::vector<Spoilt> spoilt_reports = {
     Spoilt{"/must_fail/1/value", "mutants_are_caught", 0.004}};
 
 INSTANTIATE_TEST_SUITE_P(Validation, EachGate, ::testing::ValuesIn(spoilt_reports),
-                         [](const auto& info) { return std::string(info.param.gate) + "_" + std::to_string(info.index); });
+                         [](const auto& tested) { return std::string(tested.param.gate) + "_" + std::to_string(tested.index); });
 
 TEST(Gates, EveryValidationGateHasAReportThatItRejects) {
   std::set<std::string> rejecting = {"psf_equals_conoid_relative", "mirrored_axis_is_caught"};  // together with others: the next test
