@@ -6,10 +6,12 @@
 #include "compare/gate_power.h"
 #include "compare/gate_statistics.h"
 #include "compare/healthy_report.h"
+#include "compare/report_sections.h"
 
 namespace sturm {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::healthy_report;
 
 GateSpec at_most(const char* id, const char* statistic, double bound, std::optional<double> level) {
@@ -68,6 +70,21 @@ TEST(GatePower, NamesTheGatesThatNotice) {
   EXPECT_TRUE(power["mutations"][2]["caught_by"].empty());
   EXPECT_EQ(statistics_of({{"gate_power", power}}).at("mutation_min_gates").value, 0.0);
   EXPECT_EQ(statistics_of({{"gate_power", power}}).at("mutation_min_gates").worst_case, "nothing");
+}
+
+TEST(GatePower, PageShowsWhoNoticedWhat) {
+  const std::vector<GateSpec> gates = {at_most("z", "matrix_vs_conoid_max_z", 5.0, 1e-3)};
+  const std::vector<MutationName> mutations = {{"long_axis", "an axis < another"}, {"nothing", "no patch at all"}};
+  Json patched = with_patches();
+  patched["ellipses"]["cases"][1]["mutated"]["long_axis"] = patched["ellipses"]["cases"][1]["mutated"]["long"];
+  const std::string html = gate_power_section({{"gate_power", gate_power(gates, patched, mutations, Json(nullptr))}});
+  EXPECT_THAT(html, HasSubstr("<code>long_axis</code>"));
+  EXPECT_THAT(html, HasSubstr("an axis &lt; another"));
+  EXPECT_THAT(html, HasSubstr("<strong class=\"mark fail\">none</strong>"));  // nobody noticed "nothing"
+  EXPECT_THAT(html, HasSubstr("<span class=\"mark pass\">30.0</span>"));
+  EXPECT_THAT(html, HasSubstr("false alarms in a run"));
+  EXPECT_EQ(gate_power_section(healthy_report()).find("false alarms"), std::string::npos);  // no levels
+  EXPECT_EQ(gate_power_section(Json::object()), "");
 }
 
 TEST(GatePower, ASumWithoutALevelIsNone) {

@@ -197,7 +197,10 @@ TEST(Gates, ResultsCarryWhatTheReportShows) {
   EXPECT_EQ(matrix["id"], "matrix_equals_conoid");
   EXPECT_EQ(matrix["kind"], "upper_bound");
   EXPECT_EQ(matrix["value"], 1.5);
-  EXPECT_EQ(matrix["bound"], 4.0);
+  EXPECT_EQ(matrix["bound"], 5.0);
+  EXPECT_EQ(matrix["level"], 0.00014);
+  EXPECT_EQ(matrix["tolerance"]["value"], 0.0);
+  EXPECT_GT(matrix["noise"]["standard_deviation"], 0.0);
   EXPECT_EQ(matrix["unit"], "σ");
   EXPECT_EQ(matrix["cases"], 3);
   EXPECT_EQ(matrix["uncertainty"], nullptr);

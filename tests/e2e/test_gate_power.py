@@ -1,7 +1,8 @@
 """What the gates of the default run can see, and what they leave alone: mutations of one predictor, other seeds, a regression.
 
-One image instead of two, with half of the samples, and a part of the ellipses: the noise of pictures is √2 of that of the default run, so that a false alarm
-is likelier here than there, while the largest |z| of ellipses is a function of the same few numbers however many cases there are (theory.md, section 10).
+One image instead of two, with a quarter of the pixels and half of the samples, two spots, and a part of the ellipses: light and place of the picture have
+more than twice the noise of the default run, so that a false alarm is likelier here than there, while the largest |z| of ellipses is a function of the same
+few numbers however many cases there are (configs/gates/validation.json says why).
 """
 import hashlib
 import json
@@ -35,8 +36,10 @@ def small_validation():
     document["baseline"] = "baseline.json"
     ellipses = document["ellipses"]
     ellipses.update(distances_m=[1, "inf"], pupil_diameters_mm=[4], ray_models=["thin_lens", "sin2_radial", "power_matrix"])
-    document["images"] = [image for image in document["images"] if image["id"] == "cornell_oblique"]
+    document["psfs"] = [psf for psf in document["psfs"] if psf["id"] in ("oblique_compound", "least_confusion")]
+    document["images"] = [image for image in document["images"] if image["id"] == "cornell_myope"]
     document["images"][0].update(scene=str(configs / "scenes/cornell_box.json"), samples_per_pixel=48, sharp_samples_per_pixel=32)
+    document["images"][0]["camera"]["resolution"] = [128, 128]
     return document
 
 
