@@ -1,7 +1,7 @@
 """What the gates of the default run can see, and what they leave alone: mutations of one predictor, other seeds, a regression.
 
-One image instead of two, with a quarter of the pixels and half of the samples, two spots, and a part of the ellipses: light and place of the picture have
-more than twice the noise of the default run, so that a false alarm is likelier here than there, while the largest |z| of ellipses is a function of the same
+One image instead of two, with a quarter of the pixels, two spots, and a part of the ellipses: light and place of the picture have twice the noise of the
+default run, so that a false alarm is likelier here than there, while the largest |z| of ellipses is a function of the same
 few numbers however many cases there are (configs/gates/validation.json says why).
 """
 import hashlib
@@ -38,7 +38,7 @@ def small_validation():
     ellipses.update(distances_m=[1, "inf"], pupil_diameters_mm=[4], ray_models=["thin_lens", "sin2_radial", "power_matrix"])
     document["psfs"] = [psf for psf in document["psfs"] if psf["id"] in ("oblique_compound", "least_confusion")]
     document["images"] = [image for image in document["images"] if image["id"] == "cornell_myope"]
-    document["images"][0].update(scene=str(configs / "scenes/cornell_box.json"), samples_per_pixel=48, sharp_samples_per_pixel=32)
+    document["images"][0].update(scene=str(configs / "scenes/cornell_box.json"))
     document["images"][0]["camera"]["resolution"] = [128, 128]
     return document
 
@@ -109,7 +109,7 @@ class GatePower(FolderTest):
         self.assertEqual(self.hash_of_baseline(), self.baseline_hash, "a run has touched the baseline")
 
     def test_a_regression_is_told_from_noise(self):
-        # 4 paths per pixel of the sharp view in place of 32: noise that the ellipses spread, and that only the baseline knows not to have been there.
+        # 4 paths per pixel of the sharp view in place of 64: noise that the ellipses spread, and that only the baseline knows not to have been there.
         worse = {**self.document, "mutations": ["semi_axis"], "images": [{**self.document["images"][0], "sharp_samples_per_pixel": 4}]}
         status, report = self.run_experiment("worse", worse)
         self.assertEqual(status, FAILED)
