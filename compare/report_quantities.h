@@ -23,4 +23,8 @@ struct Quantity {
 /// and the values of gates, which are made of these numbers, are left out.
 std::map<std::string, Quantity> quantities_of(const Json& report);
 
+/// Degrees of freedom of the standard errors of image `id`: its replicates, as the report's experiment states them, less one. None where
+/// the report does not say.
+std::optional<double> degrees_of_image(const Json& report, const std::string& id);
+
 }  // namespace sturm
