@@ -1,8 +1,9 @@
+#include "compare/report_cases.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "compare/report_cases.h"
 #include "compare/report_json.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
@@ -85,7 +86,12 @@ std::vector<Case> cases_of(const Json& report) {
 
 std::string table_of(const std::vector<Case>& cases) {
   HtmlTable table("All cases, failures first", "cases sortable filterable",
-                  {{"Case", false}, {"Status", false}, {"Ray model or prediction", false}, {"What is compared", false}, {"Value"}, {"Largest |z| [σ]"}});
+                  {{"Case", false},
+                   {"Status", false},
+                   {"Ray model or prediction", false},
+                   {"What is compared", false},
+                   {"Value"},
+                   {"Largest |z| [σ]"}});
   for (const Case& c : cases) {
     const std::string status = name_of(c.status);
     const std::string css_class = c.status == Status::Failed ? "fail" : "";

@@ -21,8 +21,9 @@ struct Quantity {
 };
 
 /// The numbers of a report that sums up a run ("sturm.report/1"), by name, e.g. "ellipse P172-OS|1 m|6 mm, power_matrix: covariance xx
-/// [rad²]": ellipses of rays, PSFs, images, the conoid's own semi-axes, agreement with the reference and orders of the lens study; agreement of predictions,
-/// the study of pupil samplings and that of sin². Times and the values of gates, which are made of these numbers, are left out.
+/// [rad²]": ellipses of rays, PSFs, images, the conoid's own semi-axes, agreement with the reference and orders of the lens study;
+/// agreement of predictions, the study of pupil samplings and that of sin². Times and the values of gates, which are made of these numbers,
+/// are left out.
 std::map<std::string, Quantity> quantities_of(const Json& report);
 
 /// Its parts in compare/report_study_quantities.cpp: the sections "agreement", "sampling_study" and "sin2_study".

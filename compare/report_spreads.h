@@ -18,7 +18,7 @@ struct SpreadGroup {
   std::string title;
   std::optional<Spread> truth;  ///< what the others are held against: their differences from it become layers, too
   std::vector<Spread> spreads;
-  std::string quantity;  ///< what the numbers are, in plain text
+  std::string quantity;               ///< what the numbers are, in plain text
   std::optional<double> side_arcmin;  ///< of the whole picture, from its left to its right rim
 };
 

@@ -13,8 +13,8 @@ namespace {
 using Quantities = std::map<std::string, Quantity>;
 using Better = Quantity::Better;
 
-/// Of numbers by quadrature, which have no noise, relative or of numbers below 1: the loosest bound that configs/gates/sin2_study.json has on
-/// what is nothing but rounding, where a pole or a small difference of large numbers costs digits.
+/// Of numbers by quadrature, which have no noise, relative or of numbers below 1: the loosest bound that configs/gates/sin2_study.json has
+/// on what is nothing but rounding, where a pole or a small difference of large numbers costs digits.
 constexpr double rounding = 1e-6;
 
 std::optional<double> degrees_of(std::optional<double> replicates) {
@@ -76,9 +76,10 @@ void add_sin2_study(const Json& report, Quantities& out) {
       out["sin² study, " + text_at(model, "ray_model") + ": " + key] = exact(number_at(model, key), Better::Unknown);
   for (const Json& row : array_at(report, "sin2_study/population")) {
     const auto metres = number_at(row, "distance_m");
-    const std::string view = value_at(row, "accommodation").is_null()
-                                 ? "worst view"
-                                 : text_at(row, "accommodation") + ", " + (metres ? plain_number(*metres) + " m" : text_at(row, "distance_m"));
+    const std::string view =
+        value_at(row, "accommodation").is_null()
+            ? "worst view"
+            : text_at(row, "accommodation") + ", " + (metres ? plain_number(*metres) + " m" : text_at(row, "distance_m"));
     const std::string name = "sin² study, real eyes, " + text_at(row, "ray_model") + ", " + view + ": ";
     for (const char* key : {"eyes", "pole", "noticeable", "error_D/median", "error_D/p90", "error_D/max"})
       out[name + key] = exact(number_at(row, key), Better::Unknown);

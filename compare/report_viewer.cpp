@@ -142,8 +142,8 @@ std::size_t ViewerPayload::add_case(const ViewerCase& shown) {
     json.update({{"key", map.key}, {"title", map.title}, {"end", map.end}, {"scale", name_of(map.scale)}});
     maps.push_back(std::move(json));
   }
-  Json item = {{"title", shown.title},     {"kind", density ? "density" : "radiance"}, {"quantity", shown.quantity}, {"factor", shown.factor},
-               {"pictures", std::move(pictures)}, {"maps", std::move(maps)}};
+  Json item = {{"title", shown.title},   {"kind", density ? "density" : "radiance"}, {"quantity", shown.quantity},
+               {"factor", shown.factor}, {"pictures", std::move(pictures)},          {"maps", std::move(maps)}};
   if (density) item["peak"] = shown.peak;
   if (shown.pixel_arcmin) item["pixelArcmin"] = *shown.pixel_arcmin;
   cases_.push_back(text_of(item));

@@ -62,8 +62,8 @@ class ViewerPayload {
 /// Keys of the metrics whose maps the viewer shows, in its order.
 const std::vector<std::string>& viewer_maps();
 
-/// A path-traced and a predicted picture, the signed difference of their luma in display space (its colours end at ±`difference_limit`), and
-/// the maps of `metrics` that the viewer shows.
+/// A path-traced and a predicted picture, the signed difference of their luma in display space (its colours end at ±`difference_limit`),
+/// and the maps of `metrics` that the viewer shows.
 ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file, const std::string& predicted_file,
                           const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics, int factor);
 

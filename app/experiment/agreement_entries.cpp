@@ -176,7 +176,7 @@ class Case {
   struct Sample {
     std::vector<const Image*> predicted;
     const Image* reference;
-    double reference_variance;      ///< over that of a single path-traced picture
+    double reference_variance;       ///< over that of a single path-traced picture
     std::vector<Ssim> similarities;  ///< of each predicted picture
   };
 

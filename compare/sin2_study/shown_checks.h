@@ -23,7 +23,8 @@ inline constexpr ShownCheck shown_checks[] = {
     {"line_focus_width_max_deviation", "line focus: false width over the true length, largest distance from 0.3536", true},
     {"circle_radius_max_deviation", "circle of least confusion: radius over the true one, largest distance from 0.7071", true},
     {"repaired_vs_theory_max", "sin² with the tangential term, against theory", true},
-    {"emmetrope_focused_at_infinity_max_deviation", "focal distances added, no prescription: error at the focus times its distance, largest distance from 1", true},
+    {"emmetrope_focused_at_infinity_max_deviation",
+     "focal distances added, no prescription: error at the focus times its distance, largest distance from 1", true},
     {"polar_rms_max_deviation", "uniform_polar: rms blur over the uniform pupil's, largest distance from √(2/3)", true},
     {"polar_weighted_rms_max_deviation", "uniform_polar_weighted: the same, largest distance from 1", true},
     {"rings_rms_max_deviation", "rings: the same, largest distance from √((n + 1)/n)", true}};

@@ -1,4 +1,5 @@
-// The picture of a small light that the report's viewer shows as the prediction: against what is known of an ellipse that a disc has spread.
+// The picture of a small light that the report's viewer shows as the prediction: against what is known of an ellipse that a disc has
+// spread.
 #include <gtest/gtest.h>
 
 #include <cmath>

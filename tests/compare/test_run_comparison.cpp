@@ -77,7 +77,7 @@ TEST(RunComparison, APredictionsErrorIsHeldAgainstItsUncertainty) {
   using testing::agreement_report;
   // Standard errors of 3e-5 on both sides: 4.2e-5 of the difference. Two numbers at 1 % together: |z| > 2.806.
   EXPECT_TRUE(compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.97, 5e-4), 0.01).changes.empty());  // 2.4
-  const RunComparison c = compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.97, 6e-4), 0.01);         // 4.7
+  const RunComparison c = compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.97, 6e-4), 0.01);       // 4.7
   ASSERT_EQ(c.changes.size(), 1u);
   EXPECT_EQ(c.tests, 2u);
   EXPECT_EQ(c.changes[0].name, "prediction box, layered, whole: mean square error");
