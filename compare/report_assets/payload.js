@@ -28,10 +28,10 @@ function floatsOf(address, exponent) {
 }
 
 // What can be shown of a case: a picture (scale "radiance" or "density", `end` of a density: its peak) or a map ("signed", "error",
-// "similarity"), with values() and at(x, y).
+// "similarity"), with values() and at(x, y). Exposure acts on pictures, and on the maps of densities, which are their differences.
 class Layer {
-  constructor(key, title, scale, end, pixels) {
-    Object.assign(this, { key, title, scale, end, pixels, width: pixels.width, height: pixels.height, channels: pixels.channels });
+  constructor(key, title, scale, end, pixels, exposed) {
+    Object.assign(this, { key, title, scale, end, pixels, exposed, width: pixels.width, height: pixels.height, channels: pixels.channels });
     this.decoded = null;
   }
   values() {
@@ -53,8 +53,8 @@ function readPayload() {
   const cases = payload.cases.map((item) => ({
     ...item,
     layers: [
-      ...item.pictures.map((picture) => new Layer(picture.key, picture.title, item.kind, item.peak, payload.pictures[picture.file])),
-      ...item.maps.map((map) => new Layer(map.key, map.title, map.scale, map.end, map)),
+      ...item.pictures.map((picture) => new Layer(picture.key, picture.title, item.kind, item.peak, payload.pictures[picture.file], true)),
+      ...item.maps.map((map) => new Layer(map.key, map.title, map.scale, map.end, map, item.kind === "density")),
     ],
   }));
   return { cases, colours: { sequential: table(payload.colours.sequential), diverging: table(payload.colours.diverging) } };

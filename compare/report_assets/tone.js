@@ -54,29 +54,33 @@ function paintDensity(layer, display, colours, bytes) {
   }
 }
 
-function mapPosition(layer, value) {
-  if (layer.scale === "signed") return 0.5 + 0.5 * value / layer.end;
-  return (layer.scale === "similarity" ? 1 - value : value) / layer.end;
+// Where a map's colours end.
+function mapEnd(layer, display) {
+  return layer.exposed ? layer.end * 2 ** -display.stops : layer.end;
 }
 
-function paintMap(layer, colours, bytes) {
-  const values = layer.values(), table = layer.scale === "signed" ? colours.diverging : colours.sequential;
+function mapPosition(layer, value, end) {
+  if (layer.scale === "signed") return 0.5 + 0.5 * value / end;
+  return (layer.scale === "similarity" ? 1 - value : value) / end;
+}
+
+function paintMap(layer, display, colours, bytes) {
+  const values = layer.values(), end = mapEnd(layer, display), table = layer.scale === "signed" ? colours.diverging : colours.sequential;
   for (let i = 0, to = 0; to < bytes.length; ++i, to += 4) {
     bytes[to + 3] = 255;
     if (Number.isNaN(values[i])) putNoValue(bytes, to, true);
-    else putColour(bytes, to, table, mapPosition(layer, values[i]));
+    else putColour(bytes, to, table, mapPosition(layer, values[i], end));
   }
 }
 
 // The layer as a canvas of its own size; painted anew only where the display has changed.
 function bitmapOf(layer, display, colours) {
-  const paint = { radiance: paintRadiance, density: paintDensity }[layer.scale];
-  const state = paint ? display.tone + " " + display.stops : "map";
+  const paint = { radiance: paintRadiance, density: paintDensity }[layer.scale] || paintMap;
+  const state = layer.exposed ? display.tone + " " + display.stops : "map";
   if (layer.paintedAs === state) return layer.bitmap;
   if (!layer.bitmap) layer.bitmap = make("canvas", { width: layer.width, height: layer.height });
   const context = layer.bitmap.getContext("2d"), image = context.createImageData(layer.width, layer.height);
-  if (paint) paint(layer, display, colours, image.data);
-  else paintMap(layer, colours, image.data);
+  paint(layer, display, colours, image.data);
   context.putImageData(image, 0, 0);
   layer.paintedAs = state;
   return layer.bitmap;

@@ -100,10 +100,11 @@ function legendOf(layer, display, colours) {
   for (let i = 0; i < 256; i += 17) stops.push("rgb(" + table.slice(3 * i, 3 * i + 3).join(",") + ")");
   const bar = make("span", { class: "bar", style: "background: linear-gradient(to right, " + stops.join(", ") + ")" });
   const brightest = (layer.scale === "density" ? layer.end : 1) * 2 ** -display.stops;  // what has the lightest colour
+  const end = Number(mapEnd(layer, display).toPrecision(4));
   const ends = logarithmic ? ["≤ " + (brightest * 10 ** -LOG_DECADES[layer.scale]).toPrecision(3), brightest.toPrecision(3)] :
     picture ? ["0", brightest.toPrecision(3)] :
-    layer.scale === "signed" ? ["−" + layer.end, "+" + layer.end] :
-    layer.scale === "similarity" ? ["1", "≤ " + Number((1 - layer.end).toPrecision(4))] : ["0", "≥ " + layer.end];
+    layer.scale === "signed" ? ["−" + end, "+" + end] :
+    layer.scale === "similarity" ? ["1", "≤ " + Number((1 - end).toPrecision(4))] : ["0", "≥ " + end];
   const scale = logarithmic ? (layer.scale === "radiance" ? ", luminance (logarithmic)" : ", logarithmic") : picture ? ", linear" : "";
   return [layer.title + scale + ": ", ends[0], " ", bar, " ", ends[1]];
 }

@@ -276,9 +276,9 @@ class ReportPage:
         caption = self.browser.text(SPREADS + " .readout caption")
         self.assertIn(f"at (+{(x - 11.5) * pixel:.2f}, +{(11.5 - y) * pixel:.2f}) arcmin", caption)
 
-    def table(self):
-        """The 256 colours of densities."""
-        address = self.browser.run("return JSON.parse(document.getElementById('viewer-payload').textContent).colours.sequential")
+    def table(self, name="sequential"):
+        """The 256 colours of densities, or of signed maps."""
+        address = self.browser.run("return JSON.parse(document.getElementById('viewer-payload').textContent).colours[arguments[0]]", name)
         colours = base64.b64decode(address.split(",")[1])
         return [list(colours[3 * i:3 * i + 3]) for i in range(256)]
 
@@ -311,6 +311,22 @@ class ReportPage:
         self.assert_spread_shown("sin2_radial", lambda share: 2 * share)
         self.choose(SPREADS, "tone", "log")
         self.assert_spread_shown("sin2_radial", lambda share: logarithmic(2 * share))
+
+    def test_differences_of_point_spreads_are_red_where_there_is_more(self):
+        spreads, table = self.spreads(), self.table("diverging")
+        self.press("5", SPREADS)
+        ends = []
+        for stops in range(2):
+            end = float(self.browser.text(SPREADS + " .legend").rsplit("+", 1)[1])
+            ends.append(end)
+            pixels = [(x, y) for y in range(24) for x in range(24)]
+            for (x, y), colour in zip(pixels, self.colours(pixels, SPREADS, (24, 24))):
+                share = (spreads["sin2_radial"][y][x] - spreads["predicted"][y][x]) / end
+                entry = min(255.0, max(0.0, 127.5 + 127.5 * share))
+                near = [table[i] for i in range(max(0, math.ceil(entry - 0.7)), min(255, math.floor(entry + 0.7)) + 1)]
+                self.assertIn(colour, near, (x, y, share))
+            self.press("ee", SPREADS)
+        self.assertAlmostEqual(ends[1], 0.5 * ends[0])
 
     def test_point_spreads_and_images_have_views_of_their_own(self):
         images = self.picture()
