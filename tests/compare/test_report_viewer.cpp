@@ -43,7 +43,9 @@ TEST(ViewerPayload, HoldsPicturesAndMapsOfTheMetricsOwnValues) {
   ASSERT_EQ(maps.size(), 1 + viewer_maps().size());  // the difference, and one for each metric
   for (const ImageMetric& metric : measure_images(b, a, {})) {
     for (const Json& map : maps)
-      if (map["key"] == metric.key && metric.margin == 0) EXPECT_EQ(map["halves"], address(metric.map)) << metric.key;
+      if (map["key"] == metric.key && metric.margin == 0) {
+        EXPECT_EQ(map["halves"], address(metric.map)) << metric.key;
+      }
   }
   for (const Json& map : maps) {
     EXPECT_EQ(map["width"], 24) << map["key"];
@@ -84,9 +86,13 @@ TEST(ViewerPayload, DensitiesKeepTheirPrecisionHoweverSmall) {
 }
 
 TEST(ViewerPayload, ADensityOfZerosStaysOne) {
+  ViewerCase shown;
+  shown.kind = ViewerCase::Kind::Density;
+  shown.pictures = {{"a", "A", "a.exr"}};
+  shown.peak = 1.0;
   ViewerPayload payload;
   payload.add_picture("a.exr", Image(2, 2, 1), 1);
-  payload.add_case({.title = "dark", .kind = ViewerCase::Kind::Density, .pictures = {{"a", "A", "a.exr"}}, .peak = 1.0});
+  payload.add_case(shown);
   EXPECT_EQ(document_of(payload)["pictures"]["a.exr"]["exponent"], 0);
 }
 
