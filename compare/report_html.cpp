@@ -29,6 +29,7 @@ std::string navigation(const std::vector<Part>& parts) {
 std::string render_report_html(const Json& report, const std::filesystem::path& run_folder) {
   ViewerPayload payload;
   const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
+                                   {"gate_power", "What the gates can see", gate_power_section(report)},
                                    {"cases", "Cases", case_section(report)},
                                    {"sin2", "sin²", sin2_section(report)},
                                    {"sin2_study", "sin² study", sin2_study_section(report, run_folder, payload)},

@@ -12,6 +12,7 @@ class ViewerPayload;
 /// or "" when the report has nothing for it. Those with pictures to explore put their numbers into the page's one payload.
 std::string verdict_section(const Json& report);
 std::string gates_section(const Json& report);
+std::string gate_power_section(const Json& report);
 std::string case_section(const Json& report);
 std::string sin2_section(const Json& report);
 std::string lens_study_section(const Json& report, const std::filesystem::path& run_folder);

@@ -9,6 +9,7 @@
 #include "compare/report_quantities.h"
 #include "compare/statistics.h"
 #include "compare/test_family.h"
+#include "compare/welch.h"
 #include "io/json_numbers.h"
 
 namespace sturm {
@@ -36,11 +37,6 @@ Direction direction_of(const Quantity& before, const Quantity& after) {
   return Direction::Neither;
 }
 
-/// Variance² ÷ degrees of freedom, Satterthwaite's share of one side; 0 for a standard error that is as good as known.
-double satterthwaite_share(double variance, std::optional<double> degrees) {
-  return degrees ? variance * variance / *degrees : 0.0;
-}
-
 /// Whether a difference of the two can be held against standard errors.
 bool testable(const Quantity& a, const Quantity& b) {
   return a.value && b.value && a.standard_error && b.standard_error && std::hypot(*a.standard_error, *b.standard_error) > 0.0;
@@ -49,10 +45,8 @@ bool testable(const Quantity& a, const Quantity& b) {
 /// The change with its z, whether or not it means anything.
 RunChange tested(const std::string& name, const Quantity& a, const Quantity& b) {
   const double va = *a.standard_error * *a.standard_error, vb = *b.standard_error * *b.standard_error;
-  const double error = std::sqrt(va + vb), t = (*b.value - *a.value) / error;
-  const double shares = satterthwaite_share(va, a.degrees) + satterthwaite_share(vb, b.degrees);
-  const double z = shares > 0.0 ? normal_equivalent_of_t(t, (va + vb) * (va + vb) / shares) : t;
-  return {name, Kind::BeyondUncertainty, direction_of(a, b), a.value, b.value, error, z};
+  const double z = welch_z(*b.value - *a.value, {va, a.degrees}, {vb, b.degrees});
+  return {name, Kind::BeyondUncertainty, direction_of(a, b), a.value, b.value, std::sqrt(va + vb), z};
 }
 
 void compare_numbers(const Json& before, const Json& after, RunComparison& result) {

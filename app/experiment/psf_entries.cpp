@@ -62,6 +62,8 @@ Json ellipse_json(const Ellipse& e) {
 Json measured_json(const ImageEllipse& e, double hits) {
   Json entry = ellipse_json(e.ellipse);
   entry["hits"] = hits;
+  entry["centroid_arcmin"] = arcminutes(e.centroid);
+  entry["centroid_standard_error_arcmin"] = e.centroid_standard_error ? arcminutes(*e.centroid_standard_error) : Json(nullptr);
   entry["standard_error_arcmin"] = e.semi_axis_standard_errors ? arcminutes(*e.semi_axis_standard_errors) : Json(nullptr);
   return entry;
 }
@@ -78,6 +80,28 @@ std::vector<Spot> bundles_of(const PsfExperiment& spec, const Footprint& footpri
   return spots;
 }
 
+/// What mutations make of the finished entries of one PSF, as patches (RFC 7396) of the `power_matrix` entry.
+void add_mutated(Json& entries, const PsfExperiment& spec, const Footprint& footprint, std::span<const Mutation> mutations) {
+  const auto entry_of = [&](RayModel model) {
+    return std::find_if(entries.begin(), entries.end(), [&](const Json& entry) { return entry.at("ray_model") == name_of(model); });
+  };
+  const auto matrix = entry_of(RayModel::power_matrix), sin2 = entry_of(RayModel::sin2_radial);
+  if (matrix == entries.end()) return;
+  for (const Mutation& mutation : mutations) {
+    Json patch;
+    if (const auto wrong = mutated_footprint(mutation, spec.eye, footprint))
+      patch["predicted"] = ellipse_json(Ellipse::image_of_disc(wrong->angular, spec.eye.pupil_radius_m));
+    else if (std::holds_alternative<mutation::DroppedTangentialTerm>(mutation.kind) && sin2 != entries.end())
+      patch["measured"] = sin2->at("measured");
+    else if (std::holds_alternative<mutation::HalfPixelShift>(mutation.kind)) {
+      const Json& pixel = matrix->at("pixel_arcmin");
+      patch["measured"]["centroid_arcmin"] = matrix->at("measured").at("centroid_arcmin");
+      patch["measured"]["centroid_arcmin"][0] = patch["measured"]["centroid_arcmin"][0].get<double>() + 0.5 * pixel.get<double>();
+    }
+    if (!patch.is_null()) (*matrix)["mutated"][mutation.id] = std::move(patch);
+  }
+}
+
 }  // namespace
 
 void require_defined_models(const PsfExperiment& spec) {
@@ -87,7 +111,8 @@ void require_defined_models(const PsfExperiment& spec) {
                        "{\"mode\": \"fixed\", \"focus_distance_m\": …} as accommodation");
 }
 
-Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress) {
+Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations, const std::filesystem::path& folder,
+                 const ProgressFunction& progress) {
   const Footprint footprint = naked_eye_footprint(spec.eye, spec.distance_m);
   // One target, one accommodation: the picture is taken with the one that the eye chose for it.
   Eye eye = spec.eye;
@@ -140,6 +165,7 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
                        {"measured", measured_json(measured, hits)},
                        {"bundle", ellipse_json(spots[k].bundle.ellipse)}});
   }
+  add_mutated(entries, spec, footprint, mutations);
   return entries;
 }
 

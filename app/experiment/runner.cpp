@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "app/stopwatch.h"
 #include "compare/figure.h"
+#include "compare/gate_power.h"
 #include "compare/gates.h"
 #include "compare/junit.h"
 #include "compare/lens_study_figures.h"
@@ -171,21 +172,24 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
                          {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
                           {"psf", "images", "samplings", "figures"}});
   Parts parts(folder, options.quiet);
+  const std::vector<Mutation> mutations = mutations_named(spec.mutations);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
                  {"psfs", Json::array()},      {"images", Json::array()}, {"must_fail", Json::array()}};
   Json sin2 = nullptr;
   if (spec.reference) report["reference"] = reference;
   if (spec.ellipses) {
-    report["ellipses"] = parts("ellipses", "ellipses",
-                               [&](const ProgressFunction& progress) { return ellipse_results(*spec.ellipses, spec.seed, progress); });
+    report["ellipses"] = parts("ellipses", "ellipses", [&](const ProgressFunction& progress) {
+      return ellipse_results(*spec.ellipses, spec.seed, mutations, progress);
+    });
     seconds["ellipses"] = parts.seconds();
     report["sin2"] = sin2 = sin2_findings(report["ellipses"]);
     report["must_fail"] = must_fail_checks(*spec.ellipses, report["ellipses"]);
   }
   for (const PsfExperiment& psf : spec.psfs) {
-    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id,
-                                 [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
+    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) {
+             return psf_entries(psf, spec.seed, mutations, folder.path(), progress);
+           }));
     seconds["psfs"] += parts.seconds();
   }
   SharedViews views(spec, scenes.images);
@@ -221,6 +225,12 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
         sampling_study(*spec.sampling_study, *scenes.sampling_study, spec.seed, folder, parts, seconds["sampling_study"]);
     for (Figure& figure : sampling_sheets(report["sampling_study"], folder.path())) figures.push_back(std::move(figure));
   }
+  if (!mutations.empty()) {
+    std::vector<MutationName> names;
+    for (const Mutation& mutation : mutations) names.push_back({mutation.id, mutation.what});
+    report["gate_power"] = gate_power(gates, report, names, baseline);
+  }
+  drop_mutated(report);
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
