@@ -131,6 +131,7 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.baseline = path_beside(document["baseline"].get<std::string>(), file);
     if (std::filesystem::is_regular_file(*spec.baseline)) add_files(spec.input_files, {spec.baseline->string()});
   }
+  spec.mutations = document.value("mutations", spec.mutations);
   if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
   if (document.contains("agreement")) {
     require_unique_ids(document["agreement"], root / "agreement");

@@ -16,6 +16,7 @@
 #include "compare/bench/figures.h"
 #include "compare/bench/report_html.h"
 #include "compare/figure.h"
+#include "compare/gate_power.h"
 #include "compare/gates.h"
 #include "compare/junit.h"
 #include "compare/lens_study_figures.h"
@@ -193,6 +194,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
                          {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
                           output_folders(spec)});
   Parts parts(folder, options.quiet);
+  const std::vector<Mutation> mutations = mutations_named(spec.mutations);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
                  {"psfs", Json::array()},      {"images", Json::array()}, {"must_fail", Json::array()}};
@@ -200,15 +202,17 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   Json sin2 = nullptr;
   if (spec.reference) report["reference"] = reference;
   if (spec.ellipses) {
-    report["ellipses"] = parts("ellipses", "ellipses",
-                               [&](const ProgressFunction& progress) { return ellipse_results(*spec.ellipses, spec.seed, progress); });
+    report["ellipses"] = parts("ellipses", "ellipses", [&](const ProgressFunction& progress) {
+      return ellipse_results(*spec.ellipses, spec.seed, mutations, progress);
+    });
     seconds["ellipses"] = parts.seconds();
     report["sin2"] = sin2 = sin2_findings(report["ellipses"]);
     report["must_fail"] = must_fail_checks(*spec.ellipses, report["ellipses"]);
   }
   for (const PsfExperiment& psf : spec.psfs) {
-    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id,
-                                 [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
+    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) {
+             return psf_entries(psf, spec.seed, mutations, folder.path(), progress);
+           }));
     seconds["psfs"] += parts.seconds();
   }
   SharedViews views(spec, scenes.images);
@@ -251,6 +255,12 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     for (const Json& view : report["bench"]["views"])
       for (Figure& figure : bench_figures_of_experiment(view, command)) figures.push_back(std::move(figure));
   }
+  if (!mutations.empty()) {
+    std::vector<MutationName> names;
+    for (const Mutation& mutation : mutations) names.push_back({mutation.id, mutation.what});
+    report["gate_power"] = gate_power(gates, report, names, baseline);
+  }
+  drop_mutated(report);
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
