@@ -84,7 +84,8 @@ TEST(BenchSection, AtItsBestByHand) {
   EXPECT_EQ(at_its_best(poor, b)->baseline.reach, Reach::AtOnce);
   EXPECT_FALSE(at_its_best(poor, b)->times_faster);
 
-  const Json& in_report = rmse_ratio(report_with_bench()["bench"]["views"][0], "b")["at_its_best"];
+  const Json report = report_with_bench();
+  const Json& in_report = rmse_ratio(report["bench"]["views"][0], "b")["at_its_best"];
   EXPECT_EQ(in_report["setting"], "passes 64");
   EXPECT_EQ(in_report["baseline_status"], "never");
   EXPECT_TRUE(in_report["times_faster"].is_null());
