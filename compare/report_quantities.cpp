@@ -109,6 +109,7 @@ std::map<std::string, Quantity> quantities_of(const Json& report) {
   add_images(report, out);
   add_reference(report, out);
   add_lens_study(report, out);
+  add_study_quantities(report, out);
   return out;
 }
 

@@ -65,6 +65,10 @@ void compare_numbers(const Json& before, const Json& after, RunComparison& resul
     if (testable(old, now)) {
       candidates.push_back(tested(name, old, now));
       family.add(name, *candidates.back().z);
+    } else if (old.bound && now.bound) {
+      ++result.bounded;
+      if (std::abs(*now.value - *old.value) > *old.bound + *now.bound)
+        result.changes.push_back({name, Kind::BeyondUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
     } else if (*old.value != *now.value) {
       result.changes.push_back({name, Kind::WithoutUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
     }
@@ -160,10 +164,10 @@ std::string sentence_of(const RunComparison& comparison) {
     return std::to_string(
         std::count_if(comparison.changes.begin(), comparison.changes.end(), [&](const RunChange& c) { return c.kind == kind; }));
   };
-  return std::to_string(comparison.numbers) + " numbers compared, " + std::to_string(comparison.tests) +
-         " with standard errors: " + count(Kind::BeyondUncertainty) + " changed beyond uncertainty; " + count(Kind::WithoutUncertainty) +
-         " of unknown uncertainty differ; " + count(Kind::Verdict) + " gates judge otherwise; " + count(Kind::New) + " new, " +
-         count(Kind::Missing) + " missing; " + std::to_string(comparison.regressions()) + " worse.";
+  return std::to_string(comparison.numbers) + " numbers compared, " + std::to_string(comparison.tests) + " with standard errors, " +
+         std::to_string(comparison.bounded) + " with bounds: " + count(Kind::BeyondUncertainty) + " changed beyond uncertainty; " +
+         count(Kind::WithoutUncertainty) + " of unknown uncertainty differ; " + count(Kind::Verdict) + " gates judge otherwise; " +
+         count(Kind::New) + " new, " + count(Kind::Missing) + " missing; " + std::to_string(comparison.regressions()) + " worse.";
 }
 
 Json run_comparison_json(const RunComparison& comparison, const Json& before, const std::string& file_before, const Json& after,
@@ -178,9 +182,16 @@ Json run_comparison_json(const RunComparison& comparison, const Json& before, co
                        {"after", number_or_null(c.after)},
                        {"standard_error", number_or_null(c.standard_error)},
                        {"z", number_or_null(c.z)}});
-  return {{"format", "sturm.run_comparison/1"}, {"before", run_json(before, file_before)}, {"after", run_json(after, file_after)},
-          {"level", comparison.level},          {"threshold_z", comparison.threshold_z},   {"numbers", comparison.numbers},
-          {"tests", comparison.tests},          {"regressions", comparison.regressions()}, {"sentence", sentence_of(comparison)},
+  return {{"format", "sturm.run_comparison/1"},
+          {"before", run_json(before, file_before)},
+          {"after", run_json(after, file_after)},
+          {"level", comparison.level},
+          {"threshold_z", comparison.threshold_z},
+          {"numbers", comparison.numbers},
+          {"tests", comparison.tests},
+          {"bounded", comparison.bounded},
+          {"regressions", comparison.regressions()},
+          {"sentence", sentence_of(comparison)},
           {"changes", std::move(changes)}};
 }
 

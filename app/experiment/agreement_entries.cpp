@@ -10,6 +10,7 @@
 #include "app/stopwatch.h"
 #include "app/view_layers.h"
 #include "compare/image_comparison.h"
+#include "compare/jackknife.h"
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
 #include "compare/regions.h"
@@ -57,12 +58,23 @@ double single_variance(const Pictures& traced, const Image& mean, const Image* m
   return sum / (static_cast<double>(traced.display.size()) - 1.0);
 }
 
-Json measured(const std::vector<double>& values) {
-  double mean = 0.0, squares = 0.0;
-  for (const double v : values) mean += v / static_cast<double>(values.size());
-  for (const double v : values) squares += (v - mean) * (v - mean);
-  const double n = static_cast<double>(values.size());
-  return {{"value", mean}, {"uncertainty", n > 1.0 ? Json(std::sqrt(squares / (n * (n - 1.0)))) : Json(nullptr)}};
+/// What a part of the picture says of a prediction, in display space.
+struct Scores {
+  std::optional<double> ssim;
+  double rmse = 0.0;         ///< mean over the predicted pictures; the reference's noise is taken off each squared error, down to zero
+  double mean_square = 0.0;  ///< the same before the root, unbiased: may be negative
+};
+
+/// A score with its jackknife error; null where one of the samples has none.
+template <class Of>
+Json measured(const std::vector<Scores>& samples, const Of& of) {
+  std::vector<double> left_out;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const std::optional<double> value = of(samples[k]);
+    if (!value) return nullptr;
+    if (k > 0) left_out.push_back(*value);
+  }
+  return {{"value", *of(samples[0])}, {"uncertainty", jackknife_standard_error(left_out)}};
 }
 
 std::optional<double> mean_within(const Image& map, int margin, const Image* mask) {
@@ -101,6 +113,8 @@ class Case {
     }
     mean_ = mean_of(traced_.linear);
     mean_display_ = mean_of(traced_.display);
+    const Replicates display{traced_.display};
+    for (int k = 0; k < spec_.replicates; ++k) means_without_.push_back(display.mean(k));
     layers_ = view_layers(scene_, sight_field(spec_.camera, spec_.worn, 0.0));
   }
 
@@ -133,18 +147,16 @@ class Case {
     RegionLayers told_by{layers_.depth, layers_.blur_px};
     std::vector<Region> regions = regions_of(predicted.linear.front(), mean_, exposure, told_by);
     regions.push_back({"specular", layers_.specular});
-    const Judged judged = judge(predicted);
-    Json parts = Json::array({part_json("whole", predicted, judged, nullptr)});
+    const std::vector<Sample> samples = samples_of(predicted);
+    Json parts = Json::array({part_json("whole", samples, nullptr)});
     for (const Region& region : regions)
-      if (region.pixels() > 0) parts.push_back(part_json(region.name, predicted, judged, &region.mask));
-    const double n = static_cast<double>(spec_.samples_per_pixel), r = spec_.replicates;
-    const double one = single_variance(traced_, mean_display_, nullptr);
-    double error = -one / r;  // the reference's own noise is no error of the prediction
-    for (const double square : judged.mean_squares) error += square / r;
+      if (region.pixels() > 0) parts.push_back(part_json(region.name, samples, &region.mask));
+    const double n = static_cast<double>(spec_.samples_per_pixel), one = single_variance(traced_, mean_display_, nullptr);
+    const double error = scores_of(samples[0], one, nullptr).mean_square;
     const bool known = error > 0.0;
-    const double samples = known ? n * one / error : 0.0, seconds = traced_.seconds.at("total") * samples / n;
+    const double samples_per_pixel = known ? n * one / error : 0.0, seconds = traced_.seconds.at("total") * samples_per_pixel / n;
     return {{"seconds", predicted.seconds},
-            {"samples_of_equal_error", known ? Json(samples) : Json(nullptr)},
+            {"samples_of_equal_error", known ? Json(samples_per_pixel) : Json(nullptr)},
             {"times_faster", known ? Json(seconds / predicted.seconds.at("total")) : Json(nullptr)},
             {"parts", parts}};
   }
@@ -160,38 +172,68 @@ class Case {
   }
 
  private:
-  /// Of each predicted picture against the mean of the path-traced ones: what all regions share.
-  struct Judged {
-    std::vector<Ssim> similarities;
-    std::vector<double> mean_squares;
+  /// Predicted pictures against the mean of path-traced ones.
+  struct Sample {
+    std::vector<const Image*> predicted;
+    const Image* reference;
+    double reference_variance;       ///< over that of a single path-traced picture
+    std::vector<Ssim> similarities;  ///< of each predicted picture
   };
 
-  Judged judge(const Pictures& predicted) const {
-    Judged judged;
-    for (const Image& image : predicted.display) {
-      judged.similarities.push_back(ssim(image, mean_display_));
-      judged.mean_squares.push_back(mean_square(image, mean_display_, nullptr));
-    }
-    return judged;
+  Sample sample(std::vector<const Image*> predicted, const Image& reference, double reference_variance) const {
+    Sample s{std::move(predicted), &reference, reference_variance, {}};
+    for (const Image* image : s.predicted) s.similarities.push_back(ssim(*image, reference));
+    return s;
   }
 
-  Json part_json(const std::string& name, const Pictures& predicted, const Judged& judged, const Image* mask) const {
-    std::vector<double> similarities, errors;
-    const double noise = single_variance(traced_, mean_display_, mask) / spec_.replicates;
+  /// All replicates of both, then with number 0, 1, … of both left out: what an uncertainty needs that counts the noise of both.
+  std::vector<Sample> samples_of(const Pictures& predicted) const {
+    std::vector<const Image*> all;
+    for (const Image& image : predicted.display) all.push_back(&image);
+    const double r = spec_.replicates;
+    std::vector<Sample> samples{sample(all, mean_display_, 1.0 / r)};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      std::vector<const Image*> others = all;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      samples.push_back(sample(std::move(others), means_without_[k], 1.0 / (r - 1.0)));
+    }
+    return samples;
+  }
+
+  /// `one`: variance of a single path-traced picture within the mask.
+  static Scores scores_of(const Sample& s, double one, const Image* mask) {
+    Scores scores;
+    const double n = static_cast<double>(s.predicted.size()), noise = one * s.reference_variance;
+    double similarity = 0.0;
+    bool similarity_known = true;
+    for (std::size_t i = 0; i < s.predicted.size(); ++i) {
+      const Image &image = *s.predicted[i], &map = s.similarities[i].map;
+      const std::optional<double> mean = mean_within(map, (image.width - map.width) / 2, mask);
+      similarity_known = similarity_known && mean.has_value();
+      similarity += mean.value_or(0.0) / n;
+      const double square = mean_square(image, *s.reference, mask) - noise;
+      scores.mean_square += square / n;
+      scores.rmse += std::sqrt(std::max(0.0, square)) / n;
+    }
+    if (similarity_known) scores.ssim = similarity;
+    return scores;
+  }
+
+  Json part_json(const std::string& name, const std::vector<Sample>& samples, const Image* mask) const {
+    const double one = single_variance(traced_, mean_display_, mask), r = spec_.replicates;
+    std::vector<Scores> scores;
+    for (const Sample& s : samples) scores.push_back(scores_of(s, one, mask));
     double whole = 0.0, inside = 0.0;
-    for (std::size_t i = 0; i < predicted.display.size(); ++i) {
-      const Image &image = predicted.display[i], &map = judged.similarities[i].map;
-      if (const auto mean = mean_within(map, (image.width - map.width) / 2, mask)) similarities.push_back(*mean);
-      const double square = mask ? mean_square(image, mean_display_, mask) : judged.mean_squares[i];
-      errors.push_back(std::sqrt(std::max(0.0, square - noise)));
-      whole += judged.mean_squares[i] * static_cast<double>(image.width) * image.height;
-      inside += square * static_cast<double>(count(mask));
+    for (const Image* image : samples[0].predicted) {
+      whole += mean_square(*image, mean_display_, nullptr) * static_cast<double>(count(nullptr));
+      inside += mean_square(*image, mean_display_, mask) * static_cast<double>(count(mask));
     }
     return {{"name", name},
             {"pixels", count(mask)},
-            {"ssim_display", similarities.empty() ? Json(nullptr) : measured(similarities)},
-            {"rmse_display", measured(errors)},
-            {"noise_display", std::sqrt(noise)},
+            {"ssim_display", measured(scores, [](const Scores& s) { return s.ssim; })},
+            {"rmse_display", measured(scores, [](const Scores& s) { return std::optional(s.rmse); })},
+            {"mean_square_display", measured(scores, [](const Scores& s) { return std::optional(s.mean_square); })},
+            {"noise_display", std::sqrt(one / r)},
             {"share_of_squared_error", whole > 0.0 ? Json(inside / whole) : Json(nullptr)}};
   }
 
@@ -205,6 +247,7 @@ class Case {
   std::uint64_t seed_;
   Pictures traced_;
   Image mean_, mean_display_;
+  std::vector<Image> means_without_;  ///< in display space: the mean of all path-traced pictures but number k
   ViewLayers layers_;
 };
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/experiment/predicted_spot.h"
 #include "app/experiment/replicates.h"
 #include "app/experiment/sections.h"
 #include "app/json_values.h"
@@ -131,6 +132,10 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const 
   imaging.axis_px = {0.5 * spec.resolution, 0.5 * spec.resolution};
   imaging.emitter_covariance = 0.25 * emitter * emitter * Eigen::Matrix2d::Identity();
 
+  const std::string predicted_file = "psf/" + spec.id + "_predicted.exr";
+  const Image prediction = predicted_spot(spec.eye.pupil_radius_m / pixel * footprint.angular, emitter_radius_px, spec.resolution);
+  write_exr(folder / predicted_file, LayeredImage{{{"", prediction}}, {}});
+
   Json entries = Json::array();
   for (std::size_t k = 0; k < spots.size(); ++k) {
     RenderSettings settings;
@@ -153,6 +158,7 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const 
                        {"pupil_mm", 2e3 * spec.eye.pupil_radius_m},
                        {"ray_model", name_of(spots[k].model)},
                        {"file", file},
+                       {"files", {{"predicted", predicted_file}}},
                        {"pixel_arcmin", pixel * arcminutes_per_radian},
                        {"resolution", spec.resolution},
                        {"predicted", ellipse_json(predicted)},
