@@ -208,7 +208,14 @@ TEST(Gates, ResultsCarryWhatTheReportShows) {
 }
 
 GateSpec gate(const std::string& statistic, Comparison comparison, double bound, const std::string& unit = "") {
-  return {.id = "id", .title = "title", .statistic = statistic, .comparison = comparison, .bound = bound, .unit = unit, .reason = "reason"};
+  return {.id = "id",
+          .title = "title",
+          .statistic = statistic,
+          .comparison = comparison,
+          .bound = bound,
+          .unit = unit,
+          .reason = "reason",
+          .calibration = {}};
 }
 
 Json evaluated(const GateSpec& spec, const Json& report, const Json* baseline = nullptr) {

@@ -1,4 +1,4 @@
-"""What the gates of the default run can see, and what they leave alone: mutations of one predictor, other seeds, a regression.
+"""What the gates of the default run can see, and what they leave alone: mutations of one predictor, and other seeds.
 
 One image instead of two, with a quarter of the pixels, two spots, and a part of the ellipses: light and place of the picture have twice the noise of the
 default run, so that a false alarm is likelier here than there, while the largest |z| of ellipses is a function of the same
@@ -107,20 +107,6 @@ class GatePower(FolderTest):
         for gate in ("matrix_equals_conoid", "psf_equals_conoid", "image_keeps_its_light", "image_is_in_its_place", "image_as_in_baseline"):
             self.assertEqual(len(set(summary["gates"][gate]["values"])), SEEDS, gate)
         self.assertEqual(self.hash_of_baseline(), self.baseline_hash, "a run has touched the baseline")
-
-    def test_a_regression_is_told_from_noise(self):
-        # 4 paths per pixel of the sharp view in place of 64: noise that the ellipses spread, and that only the baseline knows not to have been there.
-        worse = {**self.document, "mutations": ["semi_axis"], "images": [{**self.document["images"][0], "sharp_samples_per_pixel": 4}]}
-        status, report = self.run_experiment("worse", worse)
-        self.assertEqual(status, FAILED)
-        failed = [gate["id"] for gate in report["gates"] if not gate["passed"]]
-        self.assertIn("image_as_in_baseline", failed)
-        # The other way round, a run that is better than its baseline is none.
-        sturm("gate", self.folder / "worse/report.json", "--write-baseline", self.folder / "baseline.json")
-        self.assertNotEqual(self.hash_of_baseline(), self.baseline_hash)
-        status, report = self.run_experiment("better", {**self.document, "mutations": ["semi_axis"]})
-        self.assertEqual(status, PASSED, report["verdict"]["sentence"])
-        self.assertLess(next(gate["value"] for gate in report["gates"] if gate["id"] == "image_as_in_baseline"), -4.0)
 
 
 if __name__ == "__main__":
