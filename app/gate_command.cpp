@@ -58,7 +58,7 @@ void print_results(const Json& results) {
 /// What later runs are held against: the numbers with their uncertainty, not every case.
 Json baseline_of(const Json& report) {
   Json baseline = report;
-  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study", "gate_power"}) baseline.erase(bulky);
+  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study", "gate_power", "bench"}) baseline.erase(bulky);
   return baseline;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/agreement_statistics.h"
+#include "compare/bench/statistics.h"
 #include "compare/extreme_statistic.h"
 #include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
@@ -227,6 +228,7 @@ std::map<std::string, Statistic> statistics_of(const Json& report) {
   add_lens_study(report, out);
   add_sampling_study(report, out);
   add_sin2_study(report, out);
+  add_bench_statistics(report, out);
   return out;
 }
 

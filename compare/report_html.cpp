@@ -35,6 +35,7 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
                                    {"sin2_study", "sin² study", sin2_study_section(report, run_folder, payload)},
                                    {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
                                    {"sampling_study", "Pupil samplings", sampling_section(report, run_folder)},
+                                   {"bench", "Run time against error", bench_section(report, run_folder)},
                                    {"figures", "Figures", figure_section(report, run_folder)},
                                    {"psfs", "Point-spread functions", psf_section(report, run_folder, payload)},
                                    {"images", "Images", image_section(report, run_folder, payload)},

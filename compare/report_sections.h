@@ -17,6 +17,7 @@ std::string case_section(const Json& report);
 std::string sin2_section(const Json& report);
 std::string lens_study_section(const Json& report, const std::filesystem::path& run_folder);
 std::string sin2_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
+std::string bench_section(const Json& report, const std::filesystem::path& run_folder);
 std::string sampling_section(const Json& report, const std::filesystem::path& run_folder);
 std::string figure_section(const Json& report, const std::filesystem::path& run_folder);
 std::string psf_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);

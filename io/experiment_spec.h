@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/agreement_spec.h"
+#include "io/bench_spec.h"
 #include "io/camera_spec.h"
 #include "io/eye_spec.h"
 #include "io/figure_spec.h"
@@ -73,6 +74,7 @@ struct ExperimentSpec {
   std::optional<LensStudySpec> lens_study;
   std::optional<Sin2StudySpec> sin2_study;
   std::optional<SamplingStudySpec> sampling_study;
+  std::optional<BenchSpec> bench;                 ///< its seed is that of the experiment
   std::vector<FigureSpec> figures;                ///< ids are unique
   std::vector<std::string> mutations;             ///< errors that the gates are shown, by name
   std::filesystem::path gates;                    ///< absolute
