@@ -265,4 +265,10 @@ SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& orig
   return point;
 }
 
+bool Scene::shines(const RTCHit& hit, const Eigen::Vector3f& direction) const {
+  if (hit.instID[0] != RTC_INVALID_GEOMETRY_ID) return false;  // prototypes do not
+  const int emitter = hit.geomID == triangle_geometry ? triangle_emitter_[hit.primID] : sphere_emitter_[hit.primID];
+  return emitter >= 0 && Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z).dot(direction) < 0.0f;
+}
+
 }  // namespace sturm
