@@ -16,7 +16,8 @@ double mean_samples(const PassSummary& passes, const RenderSpec& spec) {
 }  // namespace
 
 const char* const denoised_note =
-    "the layer \"denoised\" and the PNG are filtered for looking at; the main layer is raw, and no measurement reads the filtered one";
+    "the layer \"denoised\" and the PNG are filtered for looking at; the main layer is raw, and no measure of agreement reads the filtered "
+    "one";
 
 bool may_stop_early(const RenderSpec& spec) {
   return spec.stop.seconds || spec.stop.relative_error;

@@ -99,6 +99,7 @@ class DocumentRenderer {
     settings.progress = progress;
     settings.relative_error = spec_.stop.relative_error;
     settings.adaptive = spec_.adaptive;
+    settings.end_converged_tiles = spec_.skip.converged_tiles;
     settings.guide_layers = spec_.denoise.has_value();
     return settings;
   }
@@ -113,6 +114,7 @@ class DocumentRenderer {
     picture.counters["guide"] = name_of(result.guide_use);
     if (may_stop_early(spec_)) picture.counters["sampling"] = sampling_json(result.passes, spec_);
     count_saved(plan_.items, task.view, result.counters);
+    count_converged(plan_.items, result.passes);
     if (result.passes.interrupted) output_.notes.push_back(interruption_note(result.passes, spec_));
     picture.layers = path_traced_layers(std::move(result), spec_);
     if (spec_.denoise) output_.seconds["denoising"] += watch.lap();

@@ -73,8 +73,8 @@ PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& ey
   RenderResult view = path_trace(scene, wide, eye, RayModel::pinhole, sharp);
   result.times.sharp_view_seconds = watch.lap();
   result.sharp_counters = view.counters;
-  const SharpView source{std::move(view.radiance), std::move(view.depth), result.margin_px * oversampling, pixel_slope(wide), oversampling};
-  result.prediction = predict_image(source, eye, accommodation, spreading);
+  result.source = {std::move(view.radiance), std::move(view.depth), result.margin_px * oversampling, pixel_slope(wide), oversampling};
+  result.prediction = predict_image(result.source, eye, accommodation, spreading);
   result.times.spreading_seconds = watch.lap();
   return result;
 }

@@ -33,6 +33,7 @@ struct PredictionTimes {
 
 struct PredictedImage {
   Prediction prediction;
+  SharpView source;  ///< that it was spread from
   PredictionTimes times;
   RenderCounters sharp_counters;
   int margin_px = 0;

@@ -29,7 +29,7 @@ int validate_command(const std::string& file) {
   else if (name == "bench")
     read_bench(document, file);
   else if (name == "gates")
-    read_gates(document, file);
+    require_calibrated(read_gates(document, file), file);
   else if (name == "scene")
     read_scene(document, {file, ""});
   else if (name == "eye")

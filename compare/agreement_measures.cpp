@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "compare/image_comparison.h"
+#include "compare/jackknife.h"
 
 namespace sturm {
 
@@ -33,29 +35,27 @@ double mean(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
+/// The first value is of all replicates, the others with one left out.
+ReplicateMean jackknifed(const std::vector<double>& values) {
+  return {values.front(), jackknife_standard_error(std::span(values).subspan(1))};
+}
+
 int margin_of(const Image& picture, const Ssim& similarity) {
   return (picture.width - similarity.map.width) / 2;
 }
 
 }  // namespace
 
-ReplicateMean replicate_mean(const std::vector<double>& values) {
-  ReplicateMean result{mean(values), std::nullopt};
-  const double n = static_cast<double>(values.size());
-  double squares = 0.0;
-  for (const double v : values) squares += (v - result.value) * (v - result.value);
-  if (n > 1.0) result.uncertainty = std::sqrt(squares / (n * (n - 1.0)));
-  return result;
-}
-
 ReplicatePictures::ReplicatePictures(std::vector<Image> images) : images_(std::move(images)), mean_(mean_of(0, images_.size())) {}
 
-Image ReplicatePictures::mean_of(std::size_t first, std::size_t last) const {
+Image ReplicatePictures::mean_of(std::size_t first, std::size_t last, std::optional<std::size_t> left_out) const {
   Image result(images_.front().width, images_.front().height, images_.front().channels);
+  const double n = static_cast<double>(last - first) - (left_out ? 1.0 : 0.0);
   for (std::size_t i = 0; i < result.pixels.size(); ++i) {
     double sum = 0.0;
-    for (std::size_t r = first; r < last; ++r) sum += static_cast<double>(images_[r].pixels[i]);
-    result.pixels[i] = static_cast<float>(sum / static_cast<double>(last - first));
+    for (std::size_t r = first; r < last; ++r)
+      if (r != left_out) sum += static_cast<double>(images_[r].pixels[i]);
+    result.pixels[i] = static_cast<float>(sum / n);
   }
   return result;
 }
@@ -68,7 +68,18 @@ double ReplicatePictures::variance(const Image* mask) const {
 
 PredictionErrors::PredictionErrors(const ReplicatePictures& reference, const ReplicatePictures& predicted)
     : reference_(reference), predicted_(predicted) {
-  for (const Image& image : predicted.images()) similarities_.push_back(ssim(image, reference.mean()));
+  samples_.push_back(sample(std::nullopt));
+  for (std::size_t k = 0; k < predicted.images().size(); ++k) samples_.push_back(sample(k));
+}
+
+PredictionErrors::Sample PredictionErrors::sample(std::optional<std::size_t> left_out) const {
+  Sample result{reference_.mean_of(0, reference_.images().size(), left_out), {}, {}};
+  for (std::size_t i = 0; i < predicted_.images().size(); ++i) {
+    if (i == left_out) continue;
+    result.predicted.push_back(&predicted_.images()[i]);
+    result.similarities.push_back(ssim(predicted_.images()[i], result.reference));
+  }
+  return result;
 }
 
 ErrorParts PredictionErrors::within(const Image* mask) const {
@@ -76,38 +87,53 @@ ErrorParts PredictionErrors::within(const Image* mask) const {
   const Image& mean_picture = reference_.mean();
   const std::size_t all = static_cast<std::size_t>(mean_picture.width) * static_cast<std::size_t>(mean_picture.height);
   for (std::size_t i = 0; i < all; ++i) parts.pixels += inside(mask, i) ? 1 : 0;
-  parts.reference_noise = reference_.variance(mask) / reference_.count();
+  const double one = reference_.variance(mask);
+  parts.reference_noise = one / reference_.count();
   parts.prediction_noise = predicted_.variance(mask);
-  std::vector<double> squares, errors;
-  for (const Image& image : predicted_.images()) {
-    squares.push_back(mean_square(image, mean_picture, mask));
-    errors.push_back(std::sqrt(std::max(0.0, squares.back() - parts.reference_noise)));
+  std::vector<double> squares, roots;
+  for (const Sample& s : samples_) {
+    std::vector<double> errors, roots_of_errors;
+    for (const Image* image : s.predicted) {
+      errors.push_back(mean_square(*image, s.reference, mask) - one / static_cast<double>(s.predicted.size()));
+      roots_of_errors.push_back(std::sqrt(std::max(0.0, errors.back())));
+    }
+    squares.push_back(mean(errors));
+    roots.push_back(mean(roots_of_errors));
   }
-  parts.raw = mean(squares);
-  parts.error = parts.raw - parts.reference_noise;
-  parts.rmse = replicate_mean(errors);
+  parts.mean_square = jackknifed(squares);
+  parts.rmse = jackknifed(roots);
+  parts.error = parts.mean_square.value;
+  parts.raw = parts.error + parts.reference_noise;
   return parts;
 }
 
 ReplicateMean PredictionErrors::similarity() const {
   std::vector<double> values;
-  for (const Ssim& s : similarities_) values.push_back(s.mean);
-  return replicate_mean(values);
+  for (const Sample& s : samples_) {
+    std::vector<double> means;
+    for (const Ssim& one : s.similarities) means.push_back(one.mean);
+    values.push_back(mean(means));
+  }
+  return jackknifed(values);
 }
 
 std::optional<ReplicateMean> PredictionErrors::similarity(const Image& mask) const {
   std::vector<double> values;
-  for (const Ssim& s : similarities_) {
-    const std::vector<double> local = values_within(s.map, margin_of(mask, s), mask);
-    if (local.empty()) return std::nullopt;
-    values.push_back(mean(local));
+  for (const Sample& s : samples_) {
+    std::vector<double> means;
+    for (const Ssim& one : s.similarities) {
+      const std::vector<double> local = values_within(one.map, margin_of(mask, one), mask);
+      if (local.empty()) return std::nullopt;
+      means.push_back(mean(local));
+    }
+    values.push_back(mean(means));
   }
-  return replicate_mean(values);
+  return jackknifed(values);
 }
 
 double PredictionErrors::share_of_similarity_loss(const Image& mask) const {
   double lost = 0.0, of_all = 0.0;
-  for (const Ssim& s : similarities_) {
+  for (const Ssim& s : samples_.front().similarities) {
     for (const double v : values_within(s.map, margin_of(mask, s), mask)) lost += 1.0 - v;
     of_all += (1.0 - s.mean) * static_cast<double>(s.map.pixels.size());
   }

@@ -7,12 +7,11 @@
 
 namespace sturm {
 
-/// A mean over replicates with its standard error; none of a single one.
+/// A mean over replicates with its jackknife error, replicate k of the reference and of the prediction left out together: it counts the
+/// noise of both.
 struct ReplicateMean {
-  double value = 0.0;
-  std::optional<double> uncertainty;
+  double value = 0.0, uncertainty = 0.0;
 };
-ReplicateMean replicate_mean(const std::vector<double>& values);
 
 /// At least two independently seeded pictures of one view, all of one size, in display space.
 class ReplicatePictures {
@@ -21,7 +20,7 @@ class ReplicatePictures {
 
   const std::vector<Image>& images() const { return images_; }
   const Image& mean() const { return mean_; }
-  Image mean_of(std::size_t first, std::size_t last) const;  ///< of the images first … last − 1
+  Image mean_of(std::size_t first, std::size_t last, std::optional<std::size_t> left_out = {}) const;  ///< of first … last − 1, but one
   double count() const { return static_cast<double>(images_.size()); }
 
   /// Variance of a single picture about its expectation, from the scatter, mean over the channels of the pixels of a mask (null: all).
@@ -40,6 +39,7 @@ struct ErrorParts {
   double error = 0.0;                                         ///< of a single prediction against the reference's expectation
   double method() const { return error - prediction_noise; }  ///< what no sample takes away; noise may make it negative
   ReplicateMean rmse;                                         ///< √error of each prediction (0 where noise makes it negative)
+  ReplicateMean mean_square;                                  ///< `error` with its uncertainty
   double raw = 0.0;                                           ///< squared differences from the reference's mean, noise and all
 };
 
@@ -55,7 +55,7 @@ struct SimilarityLoss {
 /// the predictions gains what their own variance costs; both are extrapolated to none.
 class PredictionErrors {
  public:
-  /// `reference` and `predicted` outlive it.
+  /// `reference` and `predicted` outlive it and are as many.
   PredictionErrors(const ReplicatePictures& reference, const ReplicatePictures& predicted);
 
   ErrorParts within(const Image* mask) const;                        ///< null: the whole picture
@@ -65,9 +65,17 @@ class PredictionErrors {
   SimilarityLoss similarity_loss() const;
 
  private:
+  /// Some of the predictions against the mean of as many path-traced pictures.
+  struct Sample {
+    Image reference;
+    std::vector<const Image*> predicted;
+    std::vector<Ssim> similarities;
+  };
+  Sample sample(std::optional<std::size_t> left_out) const;
+
   const ReplicatePictures& reference_;
   const ReplicatePictures& predicted_;
-  std::vector<Ssim> similarities_;
+  std::vector<Sample> samples_;  ///< all, then all but number 0, 1, …
 };
 
 }  // namespace sturm

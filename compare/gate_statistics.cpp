@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/agreement_statistics.h"
+#include "compare/bench/statistics.h"
 #include "compare/extreme_statistic.h"
 #include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
+#include "compare/report_quantities.h"
 #include "compare/sampling_statistics.h"
 #include "compare/sin2_study/statistics.h"
 #include "lensmodel/units.h"
@@ -129,11 +131,25 @@ std::array<AxisDeviation, 2> psf_deviations(const Json& psf) {
   return result;
 }
 
+/// Where the measured centroid is from the predicted one, which is the chief ray's: the first-order footprint of a pupil is centred on it.
+/// The spot lies in the middle of an even number of pixels, and both are symmetric about it: the grid has no share in the centroid.
+std::array<Number, 2> psf_centroid_z(const Json& psf) {
+  std::array<Number, 2> z;
+  for (int i = 0; i < 2; ++i) {
+    const std::string axis = std::to_string(i);
+    const Number is = number_at(psf, "measured/centroid_arcmin/" + axis),
+                 error = number_at(psf, "measured/centroid_standard_error_arcmin/" + axis);
+    if (is && error && *error > 0.0) z[static_cast<std::size_t>(i)] = std::abs(*is) / *error;
+  }
+  return z;
+}
+
 void add_psfs(const Json& report, Statistics& out) {
-  Extreme z, relative;
+  Extreme z, relative, centroid_z;
   for (const Json& psf : array_at(report, "psfs")) {
     if (text_at(psf, "ray_model") != "power_matrix") continue;
     const auto deviations = psf_deviations(psf);
+    for (const Number& of_axis : psf_centroid_z(psf)) centroid_z.add(of_axis, text_at(psf, "id"));
     for (int i = 0; i < 2; ++i) {
       const std::string name = text_at(psf, "id") + (i == 0 ? ", major axis" : ", minor axis");
       z.add(deviations[i].z, name);
@@ -143,10 +159,12 @@ void add_psfs(const Json& report, Statistics& out) {
   }
   out["psf_matrix_axis_max_z"] = z.result();
   out["psf_matrix_axis_max_relative"] = relative.result();
+  out["psf_matrix_centroid_max_z"] = centroid_z.result();
 }
 
 void add_images(const Json& report, Statistics& out) {
   Extreme lowest(Extreme::Of::Smallest), gain(Extreme::Of::Smallest), sin2_over_floor(Extreme::Of::Smallest), below_floor, over_floor;
+  Extreme light, shift;
   for (const Json& image : array_at(report, "images")) {
     const std::string id = text_at(image, "id"), model = text_at(image, "ray_model");
     const Number rmse_over_floor = quotient(number_at(image, "metrics/rmse_linear"), number_at(image, "noise_floor/rmse_linear"));
@@ -154,9 +172,13 @@ void add_images(const Json& report, Statistics& out) {
     if (model != "power_matrix") continue;
     const Number ssim = number_at(image, "metrics/ssim_display/value"), uncertainty = number_at(image, "metrics/ssim_display/uncertainty");
     const Number floor = number_at(image, "noise_floor/ssim_display");
-    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id};
+    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id, degrees_of_image(report, id)};
     lowest.add(ssim, id, uncertainty);
     over_floor.add(rmse_over_floor, id);
+    const Number ratio = number_at(image, "metrics/light_ratio/value");
+    light.add(ratio ? Number(std::abs(*ratio - 1.0)) : std::nullopt, id, number_at(image, "metrics/light_ratio/uncertainty"));
+    const Number x = number_at(image, "metrics/shift_x_px/value"), y = number_at(image, "metrics/shift_y_px/value");
+    shift.add(x && y ? Number(std::hypot(*x, *y)) : std::nullopt, id);
     below_floor.add(ssim && floor ? Number(*floor - *ssim) : std::nullopt, id, uncertainty);
     for (const Json& other : array_at(report, "images")) {
       if (text_at(other, "id") != id || text_at(other, "ray_model") != "sin2_radial") continue;
@@ -165,6 +187,8 @@ void add_images(const Json& report, Statistics& out) {
     }
   }
   out["image_ssim_display_min"] = lowest.result();
+  out["image_light_max_deviation"] = light.result();
+  out["image_shift_max_px"] = shift.result();
   out["image_ssim_below_noise_floor_max"] = below_floor.result();
   out["image_ssim_gain_of_matrix_over_sin2_min"] = gain.result();
   out["image_matrix_rmse_over_noise_floor_max"] = over_floor.result();
@@ -183,6 +207,13 @@ void add_mutants(const Json& report, Statistics& out) {
   out["must_fail_min_value_over_bound"] = least.result();
 }
 
+void add_gate_power(const Json& report, Statistics& out) {
+  Extreme fewest(Extreme::Of::Smallest);
+  for (const Json& mutation : array_at(report, "gate_power/mutations"))
+    fewest.add(static_cast<double>(array_at(mutation, "caught_by").size()), text_at(mutation, "id"));
+  out["mutation_min_gates"] = fewest.result();
+}
+
 }  // namespace
 
 std::map<std::string, Statistic> statistics_of(const Json& report) {
@@ -193,9 +224,11 @@ std::map<std::string, Statistic> statistics_of(const Json& report) {
   add_images(report, out);
   add_agreement_statistics(report, out);
   add_mutants(report, out);
+  add_gate_power(report, out);
   add_lens_study(report, out);
   add_sampling_study(report, out);
   add_sin2_study(report, out);
+  add_bench_statistics(report, out);
   return out;
 }
 

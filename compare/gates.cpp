@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compare/report_json.h"
+#include "compare/welch.h"
 #include "io/json_numbers.h"
 
 namespace sturm {
@@ -51,7 +52,8 @@ Statistic deviation(const std::string& name, const Statistics& now, const Statis
   if (unit != "σ") return {difference, a.uncertainty, a.cases, where};
   const double error = std::hypot(a.uncertainty.value_or(0.0), b.uncertainty.value_or(0.0));
   if (!a.uncertainty || !b.uncertainty || !(error > 0.0)) return {std::nullopt, std::nullopt, a.cases, where + ", no uncertainty"};
-  return {difference / error, std::nullopt, a.cases, where};
+  return {welch_z(difference, {*a.uncertainty * *a.uncertainty, a.degrees}, {*b.uncertainty * *b.uncertainty, b.degrees}), std::nullopt,
+          a.cases, where};
 }
 
 bool larger_is_worse(Comparison c) {
@@ -127,6 +129,7 @@ Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const J
                        {"cases", s.cases},
                        {"worst_case", s.worst_case},
                        {"reason", gate.reason}});
+    results.back().update(calibration_json(gate));
   }
   return results;
 }

@@ -72,10 +72,14 @@ ImageEllipse measure_image_ellipse(const Image& image, const Image* variance_of_
   if (variance_of_mean) {
     // ∂S_ij/∂w_k = (d_i d_j − S_ij)/Σw; the centroid's own shift drops out because Σ w d = 0.
     Eigen::Matrix3d propagated = Eigen::Matrix3d::Zero();
+    Eigen::Vector2d centroid_variance = Eigen::Vector2d::Zero();  // ∂c/∂w_k = d/Σw
     for_each_pixel(image, e.centroid_px, [&](const Eigen::Vector2d& d, int x, int y) {
       const Eigen::Vector3d gradient = (Eigen::Vector3d(d.x() * d.x(), d.x() * d.y(), d.y() * d.y()) - second) / total;
-      propagated += variance_of_channel_mean(variance_of_mean->at(x, y), image.channels) * gradient * gradient.transpose();
+      const double variance = variance_of_channel_mean(variance_of_mean->at(x, y), image.channels);
+      propagated += variance * gradient * gradient.transpose();
+      centroid_variance += variance * (d / total).cwiseAbs2();
     });
+    e.centroid_standard_error = scale * centroid_variance.cwiseSqrt();
     const Eigen::DiagonalMatrix<double, 3> flip_entries(scale2, -scale2, scale2);
     BundleEllipse bundle;  // shares its error formulas
     bundle.covariance = e.covariance;

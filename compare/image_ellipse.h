@@ -18,10 +18,11 @@ struct SpotImaging {
 /// pixel (0, 0) is (0.5, 0.5); slopes are in the wearer frame (x right, y **up**).
 struct ImageEllipse {
   Eigen::Vector2d centroid_px;
-  Eigen::Matrix2d covariance_px;                    ///< [px²], pixel axes; pixel box and emitter taken off
-  Eigen::Vector2d centroid;                         ///< slope
-  Eigen::Matrix2d covariance;                       ///< slope²
-  Ellipse ellipse;                                  ///< of second moments, slope; orientation in the wearer frame
+  Eigen::Matrix2d covariance_px;                           ///< [px²], pixel axes; pixel box and emitter taken off
+  Eigen::Vector2d centroid;                                ///< slope
+  Eigen::Matrix2d covariance;                              ///< slope²
+  Ellipse ellipse;                                         ///< of second moments, slope; orientation in the wearer frame
+  std::optional<Eigen::Vector2d> centroid_standard_error;  ///< slope; with a variance image only
   std::optional<Eigen::Matrix3d> entry_covariance;  ///< of the entries (xx, xy, yy) of `covariance`, slope⁴; with a variance image only
   std::optional<Eigen::Vector2d> semi_axis_standard_errors;  ///< (major, minor), slope
 };

@@ -1,3 +1,5 @@
+#include "compare/report_cases.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -12,31 +14,14 @@ namespace sturm {
 
 namespace {
 
-constexpr double family_level = 0.01;  ///< chance of any false alarm among all ellipses together
-constexpr int components = 3;          ///< of a covariance: z_max is the largest of so many
+constexpr int components = 3;  ///< of a covariance: z_max is the largest of so many
 
-/// In reading order.
-enum class Status { Failed, NoResult, Differs, Agrees, Measured };
-
-struct Case {
-  std::string section, id, ray_model, measure;
-  std::optional<double> value, z;
-  Status status = Status::Measured;
-};
+using Case = ReportCase;
+using Status = CaseStatus;
 
 const char* name_of(Status status) {
   constexpr const char* names[] = {"failed", "no result", "differs", "agrees", "measured"};
   return names[static_cast<int>(status)];
-}
-
-/// Whether the failed gate `gate` names this case as the one that decided. Its statistic says which section and ray model it is about.
-bool decided(const Json& gate, const Case& item) {
-  if (boolean_at(gate, "passed").value_or(false)) return false;
-  const std::string statistic = text_at(gate, "statistic"), worst = text_at(gate, "worst_case");
-  const auto about = [&](const char* word) { return statistic.find(word) != std::string::npos; };
-  const std::string section = statistic.rfind("psf_", 0) == 0 ? "psfs" : statistic.rfind("image_", 0) == 0 ? "images" : "ellipses";
-  const std::string model = about("thin_lens") ? "thin_lens" : about("sin2") && !about("matrix") ? "sin2_radial" : "power_matrix";
-  return item.section == section && item.ray_model == model && (worst == item.id || worst.rfind(item.id + ",", 0) == 0);
 }
 
 void add_ellipses(const Json& report, std::vector<Case>& cases) {
@@ -54,7 +39,7 @@ void add_ellipses(const Json& report, std::vector<Case>& cases) {
       cases.push_back(std::move(c));
     }
   }
-  TestFamily family(family_level);
+  TestFamily family(case_family_level);
   for (const Case& c : cases)
     for (int i = 0; c.z && i < components; ++i) family.add(c.id, *c.z);
   const double threshold = family.two_sided_threshold();
@@ -87,6 +72,9 @@ std::vector<Case> cases_of(const Json& report) {
   add_ellipses(report, cases);
   add_psfs(report, cases);
   add_images(report, cases);
+  add_agreement_cases(report, cases);
+  add_sampling_cases(report, cases);
+  add_sin2_study_cases(report, cases);
   for (Case& c : cases)
     for (const Json& gate : array_at(report, "gates"))
       if (decided(gate, c)) c.status = Status::Failed;
@@ -98,7 +86,12 @@ std::vector<Case> cases_of(const Json& report) {
 
 std::string table_of(const std::vector<Case>& cases) {
   HtmlTable table("All cases, failures first", "cases sortable filterable",
-                  {{"Case", false}, {"Status", false}, {"Ray model", false}, {"What is compared", false}, {"Value"}, {"Largest |z| [σ]"}});
+                  {{"Case", false},
+                   {"Status", false},
+                   {"Ray model or prediction", false},
+                   {"What is compared", false},
+                   {"Value"},
+                   {"Largest |z| [σ]"}});
   for (const Case& c : cases) {
     const std::string status = name_of(c.status);
     const std::string css_class = c.status == Status::Failed ? "fail" : "";
@@ -121,10 +114,11 @@ std::string case_section(const Json& report) {
   return element("section", "id=\"cases\"",
                  element("h2", "", "Cases") +
                      element("p", "",
-                             "<i>Failed</i>: the case that decided a failed gate. <i>Differs</i> and <i>agrees</i>: for ellipses, "
-                             "whether |z| is above what chance alone exceeds in one report of a hundred, counting every ellipse; for "
-                             "images, whether the RMSE is above the path tracer's own noise floor. Some ray models are here because "
-                             "they differ. <i>Measured</i>: no test of the single case.") +
+                             "<i>Failed</i>: the case that decided a failed gate. <i>Differs</i> and <i>agrees</i>: for ellipses and "
+                             "pupil samplings, whether |z| is above what chance alone exceeds in one report of a hundred, counting "
+                             "every one of them; for images and predictions, whether the RMSE is above the path tracer's own noise "
+                             "floor; for point spreads, whether the distance from theory is above 1.5 times that of two runs of "
+                             "theory. Some ray models are here because they differ. <i>Measured</i>: no test of the single case.") +
                      table_of(cases));
 }
 

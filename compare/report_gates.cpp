@@ -47,12 +47,29 @@ std::string result_html(const Json& gate) {
   return proves_that_gates_fail(gate) ? "<span class=\"mark pass\">fails as it must</span>" : "<span class=\"mark pass\">passed</span>";
 }
 
+/// Chance, tolerance and noise of a gate that states them.
+std::string calibration_html(const Json& gate) {
+  std::string html;
+  const std::string unit = text_at(gate, "unit").empty() ? "" : " " + escaped(text_at(gate, "unit"));
+  if (const auto level = number_at(gate, "level"))
+    html += element("small", "",
+                    *level > 0.0 ? "level: fails by chance in at most " + number_html(level, 2) + " of all runs" : "level: 0, no chance");
+  if (const auto tolerance = number_at(gate, "tolerance/value"))
+    html += element("small", "", "tolerance: " + exact_html(tolerance) + unit + "; " + escaped(text_at(gate, "tolerance/reason")));
+  if (const std::string source = text_at(gate, "noise/source"); !source.empty()) {
+    const auto noise = number_at(gate, "noise/standard_deviation");
+    html += element("small", "", "noise: " + (noise ? "σ = " + exact_html(noise) + unit + "; " : "") + escaped(source));
+  }
+  return html;
+}
+
 std::string description(const Json& gate) {
   std::string html =
       element("span", "class=\"title\"", text_html(text_at(gate, "title"))) + element("code", "", text_html(text_at(gate, "id")));
   if (const std::string statistic = text_at(gate, "statistic"); !statistic.empty())
     html += element("small", "", "statistic: " + escaped(statistic));
   if (const std::string reason = text_at(gate, "reason"); !reason.empty()) html += element("small", "", "bound: " + escaped(reason));
+  html += calibration_html(gate);
   return html;
 }
 

@@ -20,14 +20,14 @@ namespace sturm {
 namespace {
 
 /// Bytes that all image pairs together may take as uncompressed 8-bit RGB in base64; PNG only makes them smaller.
-constexpr double byte_budget = 6e6;
+constexpr double byte_budget = 5e6;
 constexpr double bytes_per_pixel = 3.0 * 4.0 / 3.0;
 
 /// Share of the pixels that the ends of the error map's scale leave inside.
 constexpr double shown_share = 0.995;
 
 /// Bytes that the viewer's numbers may take on the page: two pictures of 3 channels and 7 maps per case, 2 bytes each in base64.
-constexpr double viewer_byte_budget = 12e6;
+constexpr double viewer_byte_budget = 10e6;
 constexpr double viewer_bytes_per_pixel = (2 * 3 + 7) * 2.0 * 4.0 / 3.0;
 
 struct Pair {
@@ -90,8 +90,8 @@ std::string viewer_place(const Json& entry, const Pair& pair, double limit, std:
   const int factor = shrink_factor(pair.linear_traced, cases, viewer_bytes_per_pixel, viewer_byte_budget);
   payload.add_picture(traced, pair.linear_traced, factor);
   payload.add_picture(predicted, pair.linear_predicted, factor);
-  const std::size_t number = payload.add_case(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
-                                              pair.difference, limit, maps_of(pair), factor);
+  const std::size_t number = payload.add_case(case_of_images(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
+                                                             pair.difference, limit, maps_of(pair), factor));
   return element("div", "class=\"viewer\" data-case=\"" + std::to_string(number) + "\"", "") +
          element("p", "class=\"made-by\"",
                  "Files: " + file_link(traced) + ", " + file_link(predicted) + ". Maps by <code>sturm compare " + escaped(predicted) + " " +
@@ -181,7 +181,7 @@ std::string article(const Json& entry, const Pair& pair, double limit, std::size
 
 }  // namespace
 
-std::string image_section(const Json& report, const std::filesystem::path& run_folder) {
+std::string image_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   const Json& images = array_at(report, "images");
   if (images.empty()) return "";
   std::vector<Pair> pairs;
@@ -197,9 +197,8 @@ std::string image_section(const Json& report, const std::filesystem::path& run_f
       metrics_table(images) +
       colour_bar_svg(ColourMap::Diverging, {{0.0, "−" + end}, {0.25, "−" + half}, {0.5, "0"}, {0.75, half}, {1.0, end}},
                      "Predicted − path traced, luma in display space (one scale for all)");
-  ViewerPayload payload;
   for (std::size_t i = 0; i < images.size(); ++i) html += article(images[i], pairs[i], limit, images.size(), payload);
-  return element("section", "id=\"images\"", html + made_by(report) + payload.html());
+  return element("section", "id=\"images\"", html + made_by(report));
 }
 
 }  // namespace sturm

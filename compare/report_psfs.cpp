@@ -9,6 +9,7 @@
 #include "compare/report_numbers.h"
 #include "compare/report_pictures.h"
 #include "compare/report_sections.h"
+#include "compare/report_spreads.h"
 #include "io/error.h"
 
 namespace sturm {
@@ -91,9 +92,25 @@ std::string group_heading(const Json& psf) {
          distance_html(value_at(psf, "distance_m")) + " m · pupil " + exact_html(number_at(psf, "pupil_mm")) + " mm</small>";
 }
 
+/// The pictures of one id: what the conoid predicts, and the path-traced ones by ray model.
+SpreadGroup group_of(const Json& psfs, const std::string& id) {
+  SpreadGroup group;
+  group.title = id;
+  group.quantity = "share of the pupil through which a pixel sees the light";
+  for (const Json& psf : psfs) {
+    if (text_at(psf, "id") != id) continue;
+    const std::string model = text_at(psf, "ray_model"), predicted = text_at(psf, "files/predicted");
+    const auto pixel_arcmin = number_at(psf, "pixel_arcmin"), pixels = number_at(psf, "resolution");
+    if (!group.truth && !predicted.empty()) group.truth = {"predicted", "predicted", predicted};
+    if (pixel_arcmin && pixels) group.side_arcmin = *pixel_arcmin * *pixels;
+    group.spreads.push_back({model, model, text_at(psf, "file")});
+  }
+  return group;
+}
+
 }  // namespace
 
-std::string psf_section(const Json& report, const std::filesystem::path& run_folder) {
+std::string psf_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   const Json& psfs = array_at(report, "psfs");
   if (psfs.empty()) return "";
   std::vector<std::string> ids;  // in the order of the report; one group per id, one picture per ray model
@@ -109,7 +126,11 @@ std::string psf_section(const Json& report, const std::filesystem::path& run_fol
               "Orientations are counter-clockwise from the horizontal.") +
       colour_bar_svg(ColourMap::Sequential, {{0.0, "≤ 1/100"}, {0.5, "1/10"}, {1.0, "1"}},
                      "Radiance relative to each picture's peak (logarithmic)");
-  for (const std::string& id : ids) {
+  std::vector<SpreadGroup> groups;
+  for (const std::string& id : ids) groups.push_back(group_of(psfs, id));
+  const std::vector<std::string> viewers = spread_viewers(groups, run_folder, payload);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::string& id = ids[i];
     std::string figures;
     const Json* first = nullptr;
     for (const Json& psf : psfs) {
@@ -117,7 +138,7 @@ std::string psf_section(const Json& report, const std::filesystem::path& run_fol
       if (!first) first = &psf;
       figures += figure(psf, run_folder);
     }
-    html += element("article", "", element("h3", "", group_heading(*first)) + element("div", "class=\"gallery\"", figures));
+    html += element("article", "", element("h3", "", group_heading(*first)) + element("div", "class=\"gallery\"", figures) + viewers[i]);
   }
   return element("section", "id=\"psfs\"", html + made_by(report));
 }

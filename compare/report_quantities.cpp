@@ -51,10 +51,10 @@ void add_psfs(const Json& report, Quantities& out) {
     }
 }
 
-/// Replicates of image `id`, as the report's experiment states them.
-std::optional<double> replicates_of(const Json& report, const std::string& id) {
-  for (const Json& image : array_at(report, "spec/images"))
-    if (text_at(image, "id") == id) return number_at(image, "replicates");
+/// What a metric of two equal pictures is, where neither less nor more is better.
+std::optional<double> target_of(const std::string& metric) {
+  if (metric == "light_ratio") return 1.0;
+  if (metric == "shift_x_px" || metric == "shift_y_px") return 0.0;
   return std::nullopt;
 }
 
@@ -66,9 +66,10 @@ void add_images(const Json& report, Quantities& out) {
     for (const auto& [key, metric] : metrics.items()) {
       const bool similarity = key.find("ssim") != std::string::npos || key.find("psnr") != std::string::npos;
       Quantity q{.value = number_at(metric, metric.is_object() ? "value" : ""), .better = similarity ? Better::More : Better::Less};
+      if (const std::optional<double> target = target_of(key)) q.better = Better::Nearer, q.target = target;
       if (metric.is_object()) {
         q.standard_error = number_at(metric, "uncertainty");
-        q.degrees = degrees_of(replicates_of(report, id));
+        q.degrees = degrees_of_image(report, id);
       }
       out[name + key] = q;
     }
@@ -95,6 +96,12 @@ void add_lens_study(const Json& report, Quantities& out) {
 
 }  // namespace
 
+std::optional<double> degrees_of_image(const Json& report, const std::string& id) {
+  for (const Json& image : array_at(report, "spec/images"))
+    if (text_at(image, "id") == id) return degrees_of(number_at(image, "replicates"));
+  return std::nullopt;
+}
+
 std::map<std::string, Quantity> quantities_of(const Json& report) {
   Quantities out;
   add_ellipses(report, out);
@@ -102,6 +109,7 @@ std::map<std::string, Quantity> quantities_of(const Json& report) {
   add_images(report, out);
   add_reference(report, out);
   add_lens_study(report, out);
+  add_study_quantities(report, out);
   return out;
 }
 

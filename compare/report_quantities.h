@@ -14,13 +14,23 @@ struct Quantity {
   std::optional<double> value{};           ///< none: the report has no number there
   std::optional<double> standard_error{};  ///< none: the report states none
   std::optional<double> degrees{};         ///< of freedom of the standard error; none: as good as known
+  /// How far noise or rounding alone may take the number from what it stands for; a bound where no standard error is known.
+  std::optional<double> bound{};
   Better better = Better::Unknown;
   std::optional<double> target{};  ///< of Better::Nearer: what the number should be
 };
 
 /// The numbers of a report that sums up a run ("sturm.report/1"), by name, e.g. "ellipse P172-OS|1 m|6 mm, power_matrix: covariance xx
-/// [rad²]": ellipses of rays, PSFs, images, the conoid's own semi-axes, agreement with the reference and orders of the lens study. Times
-/// and the values of gates, which are made of these numbers, are left out.
+/// [rad²]": ellipses of rays, PSFs, images, the conoid's own semi-axes, agreement with the reference and orders of the lens study;
+/// agreement of predictions, the study of pupil samplings and that of sin². Times and the values of gates, which are made of these numbers,
+/// are left out.
 std::map<std::string, Quantity> quantities_of(const Json& report);
+
+/// Its parts in compare/report_study_quantities.cpp: the sections "agreement", "sampling_study" and "sin2_study".
+void add_study_quantities(const Json& report, std::map<std::string, Quantity>& out);
+
+/// Degrees of freedom of the standard errors of image `id`: its replicates, as the report's experiment states them, less one. None where
+/// the report does not say.
+std::optional<double> degrees_of_image(const Json& report, const std::string& id);
 
 }  // namespace sturm

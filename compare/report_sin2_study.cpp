@@ -5,6 +5,8 @@
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
 #include "compare/report_sections.h"
+#include "compare/report_spreads.h"
+#include "compare/sin2_study/shown_checks.h"
 
 namespace sturm {
 
@@ -24,33 +26,10 @@ the numbers come from traced rays. With <i>V</i><sub>1</sub>, <i>V</i><sub>2</su
 )";
 }
 
-struct CheckText {
-  const char *key, *what;
-};
-constexpr CheckText checks[] = {
-    {"matrix_vs_theory_max", "power-matrix rays against wavefront theory, largest deviation"},
-    {"sin2_vs_closed_form_max", "sin² rays against their closed form"},
-    {"metalstigmatism_vs_closed_form_max", "focal distances added, against their closed form"},
-    {"sin2_radial_part_max_D", "sin²: power within the ray's own meridian against theory [D]"},
-    {"sin2_without_cylinder_max", "sin² without a cylinder, against theory"},
-    {"sin2_half_difference_max_deviation", "sin²: difference of the principal variances over the true one, largest distance from ½"},
-    {"sin2_lost_variance_max_deviation", "sin²: lost total variance over a²C²/16, largest distance from 1"},
-    {"sin2_error_per_cylinder_min", "sin²: smallest error per dioptre of cylinder"},
-    {"sin2_error_per_cylinder_max", "sin²: largest error per dioptre of cylinder"},
-    {"line_focus_length_max_deviation", "line focus: length over the true one, largest distance from 0.7906"},
-    {"line_focus_width_max_deviation", "line focus: false width over the true length, largest distance from 0.3536"},
-    {"circle_radius_max_deviation", "circle of least confusion: radius over the true one, largest distance from 0.7071"},
-    {"repaired_vs_theory_max", "sin² with the tangential term, against theory"},
-    {"emmetrope_focused_at_infinity_max_deviation",
-     "focal distances added, no prescription: error at the focus times its distance, largest distance from 1"},
-    {"polar_rms_max_deviation", "uniform_polar: rms blur over the uniform pupil's, largest distance from √(2/3)"},
-    {"polar_weighted_rms_max_deviation", "uniform_polar_weighted: the same, largest distance from 1"},
-    {"rings_rms_max_deviation", "rings: the same, largest distance from √((n + 1)/n)"}};
-
 std::string check_table(const Json& section) {
   HtmlTable table("What was measured, against what theory says of it", "compact",
                   {{"Quantity", false}, {"Measured"}, {"Cases"}, {"Where", false}});
-  for (const CheckText& check : checks) {
+  for (const ShownCheck& check : shown_checks) {
     const Json& entry = value_at(section, std::string("checks/") + check.key);
     if (!number_at(entry, "value")) continue;
     table.add_row({check.what, number_html(number_at(entry, "value"), 3), count_html(number_at(entry, "cases")),
@@ -131,9 +110,34 @@ std::string gallery_table(const Json& section) {
   return table.html();
 }
 
+/// The densities of the gallery, view by view; the first model of each is wavefront theory.
+std::string gallery_viewers(const Json& section, const std::filesystem::path& run_folder, ViewerPayload& payload) {
+  std::vector<SpreadGroup> groups;
+  for (const Json& view : array_at(section, "gallery")) {
+    SpreadGroup group;
+    group.title = text_at(view, "title");
+    group.quantity = "share of the light per square arcminute";
+    if (const auto half = number_at(view, "half_side_arcmin")) group.side_arcmin = 2.0 * *half;
+    for (const Json& psf : array_at(view, "models")) {
+      const std::string model = text_at(psf, "model");
+      const SpreadGroup::Spread spread{model, model, text_at(psf, "file")};
+      if (model == "wavefront")
+        group.truth = spread;
+      else
+        group.spreads.push_back(spread);
+    }
+    groups.push_back(std::move(group));
+  }
+  const std::vector<std::string> places = spread_viewers(groups, run_folder, payload);
+  std::string html;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    if (!places[i].empty()) html += element("article", "", element("h4", "", text_html(groups[i].title)) + places[i]);
+  return html.empty() ? "" : folded("The densities, value by value", html);
+}
+
 }  // namespace
 
-std::string sin2_study_section(const Json& report, const std::filesystem::path& run_folder) {
+std::string sin2_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   const Json& section = value_at(report, "sin2_study");
   if (!section.is_object()) return "";
   std::string html = element("h2", "", "What sin² does, and what it means") + explanation(value_at(section, "conditions")) +
@@ -145,7 +149,8 @@ std::string sin2_study_section(const Json& report, const std::filesystem::path& 
                       exact_html(number_at(section, "conditions/reference_pupil_mm")) +
                       " mm. Eyes with the pole of the printed formula within the pupil have no error that could be told; they are "
                       "counted apart. In percent: of the true major semi-axis.") +
-          population_table(section, false) + folded("View by view", population_table(section, true)) + gallery_table(section);
+          population_table(section, false) + folded("View by view", population_table(section, true)) + gallery_table(section) +
+          gallery_viewers(section, run_folder, payload);
   return element("section", "id=\"sin2_study\"", html);
 }
 

@@ -28,6 +28,20 @@ Json pixels_json(const Image& image) {
       {"width", image.width}, {"height", image.height}, {"channels", image.channels}, {"halves", address(half_float_bytes(image.pixels))}};
 }
 
+/// Values that may be tiny, times the power of two with which the largest is between 2¹³ and 2¹⁴: so all down to 4e-9 of it are normal
+/// 16-bit floats, with their full precision.
+Json scaled_pixels_json(Image image) {
+  constexpr int largest_exponent = 13;
+  float largest = 0.0f;
+  for (const float value : image.pixels)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  const int exponent = largest > 0.0f ? largest_exponent - std::ilogb(largest) : 0;
+  for (float& value : image.pixels) value = std::ldexp(value, exponent);
+  Json json = pixels_json(image);
+  json["exponent"] = exponent;
+  return json;
+}
+
 /// A map on the whole picture; NaN, which the viewer shows as "no value", where a window does not fit.
 Image on_the_picture(const ImageMetric& metric) {
   Image whole(metric.map.width + 2 * metric.margin, metric.map.height + 2 * metric.margin, 1);
@@ -70,6 +84,11 @@ std::string markup_free(const std::string& json) {
   return text;
 }
 
+const char* name_of(ViewerCase::Map::Scale scale) {
+  constexpr const char* names[] = {"signed", "error", "similarity"};
+  return names[static_cast<int>(scale)];
+}
+
 template <class ColourAt>
 std::string colour_table(const ColourAt& colour_at) {
   std::vector<unsigned char> bytes;
@@ -87,28 +106,46 @@ const std::vector<std::string>& viewer_maps() {
   return keys;
 }
 
-void ViewerPayload::add_picture(const std::string& file, const Image& linear, int factor) {
-  if (!pictures_.contains(file)) pictures_[file] = text_of(pixels_json(shrunk(linear, factor)));
-}
-
-std::size_t ViewerPayload::add_case(const std::string& title, const std::string& path_traced_file, const std::string& predicted_file,
-                                    const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics, int factor) {
-  Json maps = Json::array({pixels_json(shrunk(difference, factor))});
-  maps[0].update(
-      {{"key", "difference"}, {"title", "Predicted − path traced (luma, display space)"}, {"end", difference_limit}, {"scale", "signed"}});
+ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file, const std::string& predicted_file,
+                          const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics, int factor) {
+  using Scale = ViewerCase::Map::Scale;
+  ViewerCase shown;
+  shown.title = title;
+  shown.pictures = {{"path_traced", "Path traced", path_traced_file}, {"predicted", "Predicted", predicted_file}};
+  shown.maps = {{"difference", "Predicted − path traced (luma, display space)", difference, difference_limit, Scale::Signed}};
+  shown.factor = factor;
+  shown.quantity = "pictures in linear Rec. 709 radiance, maps at exposure 0";
   for (const std::string& key : viewer_maps()) {
     const auto metric = std::find_if(metrics.begin(), metrics.end(), [&](const ImageMetric& m) { return m.key == key; });
     if (metric == metrics.end() || metric->map.pixels.empty()) continue;
-    Json map = pixels_json(shrunk(on_the_picture(*metric), factor));
     const bool squares = key == "rmse_linear";  // whose map holds what is averaged under the root
-    map.update({{"key", key},
-                {"title", squares ? "Squared error, linear" : metric->title},
-                {"end", scale_end(*metric)},
-                {"scale", metric->map_is_similarity ? "similarity" : "error"}});
-    maps.push_back(std::move(map));
+    shown.maps.push_back({key, squares ? "Squared error, linear" : metric->title, on_the_picture(*metric), scale_end(*metric),
+                          metric->map_is_similarity ? Scale::Similarity : Scale::Error});
   }
-  const Json item = {
-      {"title", title}, {"pathTraced", path_traced_file}, {"predicted", predicted_file}, {"factor", factor}, {"maps", std::move(maps)}};
+  return shown;
+}
+
+void ViewerPayload::add_picture(const std::string& file, const Image& linear, int factor) {
+  if (pictures_.contains(file)) return;
+  const Image shown = shrunk(linear, factor);
+  pictures_[file] = text_of(shown.channels == 1 ? scaled_pixels_json(shown) : pixels_json(shown));
+}
+
+std::size_t ViewerPayload::add_case(const ViewerCase& shown) {
+  const bool density = shown.kind == ViewerCase::Kind::Density;
+  Json pictures = Json::array(), maps = Json::array();
+  for (const ViewerCase::Picture& picture : shown.pictures)
+    pictures.push_back({{"key", picture.key}, {"title", picture.title}, {"file", picture.file}});
+  for (const ViewerCase::Map& map : shown.maps) {
+    const Image values = shrunk(map.values, shown.factor);
+    Json json = density ? scaled_pixels_json(values) : pixels_json(values);
+    json.update({{"key", map.key}, {"title", map.title}, {"end", map.end}, {"scale", name_of(map.scale)}});
+    maps.push_back(std::move(json));
+  }
+  Json item = {{"title", shown.title},   {"kind", density ? "density" : "radiance"}, {"quantity", shown.quantity},
+               {"factor", shown.factor}, {"pictures", std::move(pictures)},          {"maps", std::move(maps)}};
+  if (density) item["peak"] = shown.peak;
+  if (shown.pixel_arcmin) item["pixelArcmin"] = *shown.pixel_arcmin;
   cases_.push_back(text_of(item));
   return cases_.size() - 1;
 }

@@ -9,6 +9,7 @@
 #include "compare/report_quantities.h"
 #include "compare/statistics.h"
 #include "compare/test_family.h"
+#include "compare/welch.h"
 #include "io/json_numbers.h"
 
 namespace sturm {
@@ -36,11 +37,6 @@ Direction direction_of(const Quantity& before, const Quantity& after) {
   return Direction::Neither;
 }
 
-/// Variance² ÷ degrees of freedom, Satterthwaite's share of one side; 0 for a standard error that is as good as known.
-double satterthwaite_share(double variance, std::optional<double> degrees) {
-  return degrees ? variance * variance / *degrees : 0.0;
-}
-
 /// Whether a difference of the two can be held against standard errors.
 bool testable(const Quantity& a, const Quantity& b) {
   return a.value && b.value && a.standard_error && b.standard_error && std::hypot(*a.standard_error, *b.standard_error) > 0.0;
@@ -49,10 +45,8 @@ bool testable(const Quantity& a, const Quantity& b) {
 /// The change with its z, whether or not it means anything.
 RunChange tested(const std::string& name, const Quantity& a, const Quantity& b) {
   const double va = *a.standard_error * *a.standard_error, vb = *b.standard_error * *b.standard_error;
-  const double error = std::sqrt(va + vb), t = (*b.value - *a.value) / error;
-  const double shares = satterthwaite_share(va, a.degrees) + satterthwaite_share(vb, b.degrees);
-  const double z = shares > 0.0 ? normal_equivalent_of_t(t, (va + vb) * (va + vb) / shares) : t;
-  return {name, Kind::BeyondUncertainty, direction_of(a, b), a.value, b.value, error, z};
+  const double z = welch_z(*b.value - *a.value, {va, a.degrees}, {vb, b.degrees});
+  return {name, Kind::BeyondUncertainty, direction_of(a, b), a.value, b.value, std::sqrt(va + vb), z};
 }
 
 void compare_numbers(const Json& before, const Json& after, RunComparison& result) {
@@ -71,6 +65,10 @@ void compare_numbers(const Json& before, const Json& after, RunComparison& resul
     if (testable(old, now)) {
       candidates.push_back(tested(name, old, now));
       family.add(name, *candidates.back().z);
+    } else if (old.bound && now.bound) {
+      ++result.bounded;
+      if (std::abs(*now.value - *old.value) > *old.bound + *now.bound)
+        result.changes.push_back({name, Kind::BeyondUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
     } else if (*old.value != *now.value) {
       result.changes.push_back({name, Kind::WithoutUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
     }
@@ -166,10 +164,10 @@ std::string sentence_of(const RunComparison& comparison) {
     return std::to_string(
         std::count_if(comparison.changes.begin(), comparison.changes.end(), [&](const RunChange& c) { return c.kind == kind; }));
   };
-  return std::to_string(comparison.numbers) + " numbers compared, " + std::to_string(comparison.tests) +
-         " with standard errors: " + count(Kind::BeyondUncertainty) + " changed beyond uncertainty; " + count(Kind::WithoutUncertainty) +
-         " of unknown uncertainty differ; " + count(Kind::Verdict) + " gates judge otherwise; " + count(Kind::New) + " new, " +
-         count(Kind::Missing) + " missing; " + std::to_string(comparison.regressions()) + " worse.";
+  return std::to_string(comparison.numbers) + " numbers compared, " + std::to_string(comparison.tests) + " with standard errors, " +
+         std::to_string(comparison.bounded) + " with bounds: " + count(Kind::BeyondUncertainty) + " changed beyond uncertainty; " +
+         count(Kind::WithoutUncertainty) + " of unknown uncertainty differ; " + count(Kind::Verdict) + " gates judge otherwise; " +
+         count(Kind::New) + " new, " + count(Kind::Missing) + " missing; " + std::to_string(comparison.regressions()) + " worse.";
 }
 
 Json run_comparison_json(const RunComparison& comparison, const Json& before, const std::string& file_before, const Json& after,
@@ -184,9 +182,16 @@ Json run_comparison_json(const RunComparison& comparison, const Json& before, co
                        {"after", number_or_null(c.after)},
                        {"standard_error", number_or_null(c.standard_error)},
                        {"z", number_or_null(c.z)}});
-  return {{"format", "sturm.run_comparison/1"}, {"before", run_json(before, file_before)}, {"after", run_json(after, file_after)},
-          {"level", comparison.level},          {"threshold_z", comparison.threshold_z},   {"numbers", comparison.numbers},
-          {"tests", comparison.tests},          {"regressions", comparison.regressions()}, {"sentence", sentence_of(comparison)},
+  return {{"format", "sturm.run_comparison/1"},
+          {"before", run_json(before, file_before)},
+          {"after", run_json(after, file_after)},
+          {"level", comparison.level},
+          {"threshold_z", comparison.threshold_z},
+          {"numbers", comparison.numbers},
+          {"tests", comparison.tests},
+          {"bounded", comparison.bounded},
+          {"regressions", comparison.regressions()},
+          {"sentence", sentence_of(comparison)},
           {"changes", std::move(changes)}};
 }
 

@@ -86,6 +86,22 @@ std::vector<Json> sweep_of(const Json& method, const Source& where) {
   return sweep;
 }
 
+bool is_denoised(const Json& method) {
+  return method.value("picture", "raw") == "denoised";
+}
+
+/// The leaves of a patch as "passes 64, smooth false"; the samples, which are told apart anyway, left out.
+std::string label_of(const Json& patch) {
+  std::string label;
+  for (const auto& [key, value] : patch.items()) {
+    if (key == "samples_per_pixel") continue;
+    const std::string part =
+        value.is_object() ? label_of(value) : key + " " + (value.is_string() ? value.get<std::string>() : value.dump());
+    if (!part.empty()) label += (label.empty() ? "" : ", ") + part;
+  }
+  return label;
+}
+
 void add_settings(BenchView& view, const ViewDocument& document, const Json& view_patch, const Json& method, const Source& where) {
   const Json patch = method.value("patch", Json::object());
   const std::vector<Json> sweep = sweep_of(method, where);
@@ -94,7 +110,9 @@ void add_settings(BenchView& view, const ViewDocument& document, const Json& vie
     if (spec.camera.width != view.reference.camera.width || spec.camera.height != view.reference.camera.height)
       throw InputError(where.file, where.pointer, "a picture of another size than the reference of view \"" + view.id + "\"",
                        "the same resolution");
-    view.settings.push_back({method["id"].get<std::string>(), std::move(spec)});
+    if (is_denoised(method) && !spec.denoise)
+      (where / "picture").fail(method["picture"], "a patch with method.denoise, in every setting of view \"" + view.id + "\"");
+    view.settings.push_back({method["id"].get<std::string>(), label_of(step), std::move(spec)});
   }
 }
 
@@ -111,6 +129,10 @@ RenderSpec read_reference(const ViewDocument& document, const Json& view_patch, 
   if (spec.samples_per_pixel % 2 != 0)
     (where / "samples_per_pixel").fail(reference["samples_per_pixel"], "an even number: the reference is made of two halves");
   return spec;
+}
+
+void require_unbiased(const BenchMethod& method, const std::string& id, const Source& where) {
+  if (method.id == id && method.denoised) where.fail(id, "a method whose picture is raw: a filtered one is biased and proves nothing");
 }
 
 BenchRequirement read_requirement(const Json& value, const Source& where, const std::vector<std::string>& views,
@@ -139,8 +161,12 @@ BenchRequirement read_requirement(const Json& value, const Source& where, const 
   return r;
 }
 
-/// A requirement on a method in a view that it is not rendered with could never pass.
+/// A requirement on a method in a view that it is not rendered with could never pass; one on a filtered picture would prove nothing.
 void require_measured(const BenchSpec& spec, const BenchRequirement& requirement, const Source& where) {
+  for (const BenchMethod& method : spec.methods) {
+    require_unbiased(method, requirement.method, where / "method");
+    require_unbiased(method, requirement.baseline, where / "baseline");
+  }
   for (const BenchView& view : spec.views) {
     if (std::find(requirement.views.begin(), requirement.views.end(), view.id) == requirement.views.end()) continue;
     for (const std::string& id : {requirement.method, requirement.baseline})
@@ -159,8 +185,11 @@ std::string to_string(BenchStatistic statistic) {
 }
 
 BenchSpec read_bench(const Json& document, const std::string& file) {
-  validate(document, "bench", file);
-  const Source root{file, ""};
+  return read_bench(document, Source{file, ""});
+}
+
+BenchSpec read_bench(const Json& document, const Source& root) {
+  validate(document, "bench", root);
   BenchSpec spec;
   spec.resolved = std::make_shared<const Json>([&] {
     Json resolved = with_defaults(document, "bench");
@@ -172,7 +201,8 @@ BenchSpec read_bench(const Json& document, const std::string& file) {
   spec.rounds = document.value("rounds", spec.rounds);
   const Json &views = document["views"], &methods = document["methods"];
   const std::vector<std::string> view_ids = ids_of(views, root / "views"), method_ids = ids_of(methods, root / "methods");
-  for (const Json& method : methods) spec.methods.push_back({method["id"].get<std::string>(), method.value("title", "")});
+  for (const Json& method : methods)
+    spec.methods.push_back({method["id"].get<std::string>(), method.value("title", ""), is_denoised(method)});
   for (std::size_t i = 0; i < views.size(); ++i) {
     const Source where = root / "views" / i;
     const Json& value = views[i];

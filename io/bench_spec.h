@@ -12,6 +12,7 @@ namespace sturm {
 /// One picture to be made again and again: a view with the changes of a method, and one place of the method's sweep.
 struct BenchSetting {
   std::string method;  ///< id
+  std::string label;   ///< what its place in the sweep changes besides the samples, e.g. "passes 64"; may be ""
   RenderSpec render;   ///< its seed is replaced by that of each round
 };
 
@@ -26,6 +27,7 @@ struct BenchView {
 
 struct BenchMethod {
   std::string id, title;
+  bool denoised = false;  ///< its filtered picture is measured: biased, and compared with nothing but the reference
 };
 
 /// What an error is called in files: "rmse", "relative_mse", "relative_mse_trimmed", "one_minus_ssim".
@@ -71,6 +73,9 @@ struct BenchSpec {
 /// Validates and reads a benchmark; `file` names it in errors and is where relative paths start (paths inside a view's file: at that file,
 /// also where a patch brings them). Throws InputError.
 BenchSpec read_bench(const Json& document, const std::string& file);
+
+/// The same for a benchmark that stands inside of another document, at `root`.
+BenchSpec read_bench(const Json& document, const Source& root);
 
 /// The word for a statistic as it stands in a benchmark's "require".
 std::string to_string(BenchStatistic statistic);

@@ -104,6 +104,15 @@ void add_files(std::vector<std::string>& files, const std::vector<std::string>& 
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
 }
 
+/// A benchmark that stands in the experiment or in a file of its own, with the experiment's seed.
+BenchSpec read_bench_section(const Json& value, const Source& where, std::uint64_t seed, std::vector<std::string>& input_files) {
+  const std::string file = value.is_string() ? existing_file(value, where, "the path of a benchmark (sturm.bench/1)").string() : "";
+  if (!file.empty()) add_files(input_files, {file});
+  Json document = file.empty() ? value : load_json(file);
+  if (document.is_object()) document["seed"] = seed;
+  return file.empty() ? read_bench(document, where) : read_bench(document, file);
+}
+
 }  // namespace
 
 ExperimentSpec read_experiment(const Json& document, const std::string& file) {
@@ -122,6 +131,7 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.baseline = path_beside(document["baseline"].get<std::string>(), file);
     if (std::filesystem::is_regular_file(*spec.baseline)) add_files(spec.input_files, {spec.baseline->string()});
   }
+  spec.mutations = document.value("mutations", spec.mutations);
   if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
   if (document.contains("agreement")) {
     require_unique_ids(document["agreement"], root / "agreement");
@@ -142,6 +152,10 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.sampling_study = read_sampling_study(document["sampling_study"], root / "sampling_study");
     add_files(spec.input_files, spec.sampling_study->scene.input_files);
   }
+  if (document.contains("bench")) {
+    spec.bench = read_bench_section(document["bench"], root / "bench", spec.seed, spec.input_files);
+    add_files(spec.input_files, spec.bench->input_files);
+  }
   const Json figures = document.value("figures", Json::array());
   require_unique_ids(figures, root / "figures");
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -156,7 +170,9 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.images.push_back(read_image_experiment(images[i], root / "images" / i, spec.ellipses));
     add_files(spec.input_files, spec.images.back().scene.input_files);
   }
-  spec.resolved = std::make_shared<const Json>(resolved_experiment(document));
+  Json resolved = resolved_experiment(document);
+  if (spec.bench) resolved["bench"] = *spec.bench->resolved;
+  spec.resolved = std::make_shared<const Json>(std::move(resolved));
   spec.share_views = (*spec.resolved)["skip"]["same_views"].get<bool>();
   return spec;
 }

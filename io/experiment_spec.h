@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/agreement_spec.h"
+#include "io/bench_spec.h"
 #include "io/camera_spec.h"
 #include "io/eye_spec.h"
 #include "io/figure_spec.h"
@@ -66,14 +67,16 @@ struct ExperimentSpec {
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> reference;  ///< absolute
   std::optional<EllipseExperiment> ellipses;
-  std::vector<PsfExperiment> psfs;      ///< ids are unique
-  std::vector<ImageExperiment> images;  ///< ids are unique
-  bool share_views = true;              ///< pictures that are the same are rendered once
+  std::vector<PsfExperiment> psfs;       ///< ids are unique
+  std::vector<ImageExperiment> images;   ///< ids are unique
+  bool share_views = true;               ///< pictures that are the same are rendered once
   std::vector<AgreementCase> agreement;  ///< ids are unique
   std::optional<LensStudySpec> lens_study;
   std::optional<Sin2StudySpec> sin2_study;
   std::optional<SamplingStudySpec> sampling_study;
+  std::optional<BenchSpec> bench;                 ///< its seed is that of the experiment
   std::vector<FigureSpec> figures;                ///< ids are unique
+  std::vector<std::string> mutations;             ///< errors that the gates are shown, by name
   std::filesystem::path gates;                    ///< absolute
   std::optional<std::filesystem::path> baseline;  ///< absolute; need not exist yet
   std::vector<std::string> input_files;           ///< absolute paths of all further files that are named and exist

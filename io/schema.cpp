@@ -140,14 +140,18 @@ std::string format_of(const Json& document, const std::string& file) {
 }
 
 void validate(const Json& document, std::string_view schema_name, const std::string& file) {
+  validate(document, schema_name, Source{file, ""});
+}
+
+void validate(const Json& document, std::string_view schema_name, const Source& root) {
   const Json schema = schema_document(schema_name);
-  refuse_unknown_keys(document, schema, schema, {file, ""});
+  refuse_unknown_keys(document, schema, schema, root);
   const auto violation = first_violation(document, schema);
   if (!violation) return;
 
   const Json* value = &document;
   const Json* node = &dereferenced(schema, schema);
-  Source where{file, ""};
+  Source where = root;
   for (const std::string& token : violation->path) {
     const bool object = value->is_object();
     const Json* child = child_schema(*node, token, object);

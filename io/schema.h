@@ -28,6 +28,9 @@ std::string format_of(const Json& document, const std::string& file);
 /// then types, ranges and missing members, with pointer, value and what the schema says about that place.
 void validate(const Json& document, std::string_view schema_name, const std::string& file);
 
+/// The same for a document that stands inside of another one, at `root`.
+void validate(const Json& document, std::string_view schema_name, const Source& root);
+
 /// A valid document with every default that the schema states spelt out.
 Json with_defaults(const Json& document, std::string_view schema_name);
 

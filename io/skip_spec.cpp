@@ -15,6 +15,7 @@ SkipSpec read_skips(const Json& resolved) {
   skip.shading_frames = read("shading_frames");
   skip.environment_light = read("environment_light");
   skip.unseen_emitters = read("unseen_emitters");
+  skip.converged_tiles = read("converged_tiles");
   skip.same_views = read("same_views");
   skip.sharp_spots = read("sharp_spots");
   return skip;

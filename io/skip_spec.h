@@ -14,6 +14,7 @@ struct SkipSpec {
   bool shading_frames = true;     ///< flat Lambert surfaces with nothing around: a loop without shading normals and surroundings
   bool environment_light = true;  ///< surroundings of one colour: not sampled as a light; black ones: none
   bool unseen_emitters = true;    ///< emitters that face no surface: left out of the choice of a light
+  bool converged_tiles = true;    ///< adaptive sampling: no samples for tiles that are good enough
   bool same_views = true;         ///< views that coincide: rendered once
   bool sharp_spots = true;        ///< prediction: pixels whose ellipse is smaller than a part of a pixel are copied
 };

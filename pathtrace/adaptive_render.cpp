@@ -52,7 +52,7 @@ class ErrorRenderer {
     if (settings.guide_layers) guides_.resize(pixels_.size());
     std::vector<int> sizes;
     for (std::size_t t = 0; t < tiles_.count(); ++t) sizes.push_back(tiles_.at(t).pixels());
-    planners_.assign(2, SamplePlanner(sizes, *settings.relative_error, settings.adaptive.has_value()));
+    planners_.assign(2, SamplePlanner(sizes, *settings.relative_error, settings.adaptive.has_value() && settings.end_converged_tiles));
   }
 
   RenderResult run() {
@@ -173,6 +173,7 @@ class ErrorRenderer {
   void store() {
     PassSummary& summary = result_.passes;
     summary.tiles = tiles_.count();
+    summary.samples_of_longest = pixels_.size() * std::uint64_t{streams} * done_;
     double error = 0.0;
     for (std::size_t t = 0; t < tiles_.count(); ++t) {
       const std::uint32_t samples = kept_samples_[t][0] + kept_samples_[t][1];

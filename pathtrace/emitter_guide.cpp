@@ -12,6 +12,9 @@ namespace {
 /// the centre. What lies outside all the same is left to plain sampling.
 constexpr float margin = 1.5f;
 
+/// More than what single precision loses in a distance across the line of sight.
+constexpr float rounding = 1.0f + 1e-4f;
+
 }  // namespace
 
 EmitterGuide::EmitterGuide(const EmitterClusters& clusters, const EyeCamera& camera, float largest_share)
@@ -24,10 +27,18 @@ EmitterGuide::EmitterGuide(const EmitterClusters& clusters, const EyeCamera& cam
     if (!(local.z() > 2.0f * cluster.radius) || !(cluster.luminance > 0.0f)) continue;  // behind the eye, or around it
     const Eigen::Matrix2f x = Eigen::Matrix2f::Identity() + local.z() * camera.rays().slope_matrix();
     const Eigen::JacobiSVD<Eigen::Matrix2f> svd(x, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Lens lens{static_cast<int>(k),     local.head<2>(),      local.z(),
-              margin * cluster.radius, cluster.luminance,    svd.matrixU().col(0),
-              svd.matrixU().col(1),    svd.matrixV().col(0), svd.matrixV().col(1),
+    Lens lens{static_cast<int>(k),
+              local.head<2>(),
+              local.z(),
+              margin * cluster.radius,
+              0.0f,
+              cluster.luminance,
+              svd.matrixU().col(0),
+              svd.matrixU().col(1),
+              svd.matrixV().col(0),
+              svd.matrixV().col(1),
               svd.singularValues()};
+    lens.farthest = rounding * (lens.sigma.norm() * radius_ + std::numbers::sqrt2_v<float> * lens.reach);
     // Seen from straight behind it.
     const PupilRectangle seen = rectangle(lens, lens.lateral.x() / lens.distance, lens.lateral.y() / lens.distance);
     if (!(seen.area() < largest_share * pupil_area)) continue;
@@ -44,10 +55,13 @@ PupilRectangle EmitterGuide::rectangle(const Lens& lens, float qx, float qy, flo
 void EmitterGuide::find_targets(int x, int y, std::vector<GuidedTarget>& targets) const {
   targets.clear();
   const float qx = camera_.slope_x(static_cast<float>(x) + 0.5f), qy = camera_.slope_y(static_cast<float>(y) + 0.5f);
-  const float half_diagonal = 0.5f * std::numbers::sqrt2_v<float> * (camera_.slope_x(1.0f) - camera_.slope_x(0.0f));
+  const float diagonal = std::numbers::sqrt2_v<float> * (camera_.slope_x(1.0f) - camera_.slope_x(0.0f));
   float sum = 0.0f;
   for (const Lens& lens : lenses_) {
-    const PupilRectangle r = rectangle(lens, qx, qy, lens.distance * half_diagonal);
+    const float dx = lens.lateral.x() - lens.distance * qx, dy = lens.lateral.y() - lens.distance * qy;
+    const float farthest = lens.farthest + lens.distance * diagonal;
+    if (dx * dx + dy * dy > farthest * farthest) continue;  // most are not even near
+    const PupilRectangle r = rectangle(lens, qx, qy, 0.5f * lens.distance * diagonal);
     if (!(r.area() > 0.0f) || !r.meets_disc(radius_)) continue;
     const float expected = lens.luminance * r.area();
     targets.push_back({lens.cluster, expected});

@@ -47,6 +47,7 @@ class EmitterGuide {
     Eigen::Vector2f lateral;  ///< of its centre, across the line of sight [m]
     float distance;           ///< planar [m]
     float reach;              ///< half-width of the region across the line of sight that holds it [m]
+    float farthest;  ///< across the line of sight: a chief ray that passes its centre farther off has no pupil point that sees it [m]
     float luminance;
     Eigen::Vector2f u1, u2, v1, v2, sigma;
   };

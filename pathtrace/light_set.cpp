@@ -104,7 +104,7 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
   if (environment_) {
     if (u < environment_share_) {
       const EnvironmentSample s = environment_->sample(u / environment_share_, v);
-      return {reach_ * s.direction, s.radiance, environment_share_ * s.pdf, false};
+      return {reach_ * s.direction, reach_, s.radiance, environment_share_ * s.pdf, false};
     }
     u = (u - environment_share_) / (1.0f - environment_share_);
   }
@@ -113,17 +113,17 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
   const LightGroup& group = groups_.group(choice.group);
   if (group.parallelogram) {
     const Eigen::Vector3f direction = group.corner + choice.rest * group.edge1 + v * group.edge2 - point;
-    const float facing = -group.scaled_normal.dot(direction), square = direction.squaredNorm();
+    const float facing = -group.scaled_normal.dot(direction), square = direction.squaredNorm(), distance = std::sqrt(square);
     const Eigen::Vector3f& emission = lights_[static_cast<std::size_t>(group.lights.front())].emission;
     // pdf = 1/area · distance²/cos, with cos = facing / (area · distance)
-    return {direction, emission, facing > 0.0f ? choice.probability * square * std::sqrt(square) / facing : 0.0f, false};
+    return {direction, distance, emission, facing > 0.0f ? choice.probability * square * distance / facing : 0.0f, false};
   }
   if (group.round) {
     const Eigen::Vector3f to_center = group.center - point;
     const float square = to_center.squaredNorm();
     if (square > group.radius * group.radius) {
       const Cone cone = cone_of(to_center, square, group.radius);
-      return {direction_in(cone, choice.rest, v).unit, Eigen::Vector3f::Zero(), choice.probability * cone.pdf(), false, choice.group};
+      return {direction_in(cone, choice.rest, v).unit, 1.0f, Eigen::Vector3f::Zero(), choice.probability * cone.pdf(), false, choice.group};
     }
   }
   const int member = group.choices.choose(choice.rest);
@@ -136,7 +136,8 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
       return sample_sphere(light, probability, point, choice.rest, v);
     default: {
       const Eigen::Vector3f direction = light.a - point;
-      return {direction, light.emission / direction.squaredNorm(), probability, true};
+      const float square = direction.squaredNorm();
+      return {direction, std::sqrt(square), light.emission / square, probability, true};
     }
   }
 }
@@ -145,20 +146,20 @@ LightSample LightSet::sample_triangle(const Light& light, float probability, con
   const float root = std::sqrt(u);
   const Eigen::Vector3f direction = light.a + (root * (1.0f - v)) * light.edge1 + (root * v) * light.edge2 - point;
   const float facing = -light.scaled_normal.dot(direction);
-  if (!(facing > 0.0f)) return {direction, light.emission, 0.0f, false};
-  const float square = direction.squaredNorm();
+  const float square = direction.squaredNorm(), distance = std::sqrt(square);
+  if (!(facing > 0.0f)) return {direction, distance, light.emission, 0.0f, false};
   // pdf = probability / area · distance² / cos, with cos = facing / (2·area·distance)
-  return {direction, light.emission, probability * 2.0f * square * std::sqrt(square) / facing, false};
+  return {direction, distance, light.emission, probability * 2.0f * square * distance / facing, false};
 }
 
 LightSample LightSet::sample_sphere(const Light& light, float probability, const Eigen::Vector3f& point, float u, float v) {
   const Eigen::Vector3f to_center = light.a - point;
   const float radius = light.edge1.x(), square = to_center.squaredNorm();
-  if (square <= radius * radius) return {to_center, light.emission, 0.0f, false};
+  if (square <= radius * radius) return {to_center, std::sqrt(square), light.emission, 0.0f, false};
   const Cone cone = cone_of(to_center, square, radius);
   const ConeDirection d = direction_in(cone, u, v);
   const float reach = cone.distance * d.cosine - std::sqrt(std::max(0.0f, radius * radius - square * d.sine_squared));
-  return {reach * d.unit, light.emission, probability * cone.pdf(), false};
+  return {reach * d.unit, reach, light.emission, probability * cone.pdf(), false};
 }
 
 float LightSet::pdf(int index, const Eigen::Vector3f& from, const Eigen::Vector3f& from_normal, const Eigen::Vector3f& at,

@@ -12,6 +12,7 @@ namespace sturm {
 /// A direction towards a light, sampled at a point that it may illuminate.
 struct LightSample {
   Eigen::Vector3f direction;  ///< from the point to the light, not normalised: t = 1 is the sampled point
+  float distance;             ///< length of `direction` [m]
   Eigen::Vector3f radiance;   ///< emitted towards the point; for a point light: intensity / distance²
   float pdf;                  ///< per solid angle, choice of the light included; for a point light: probability of the choice
   bool delta;                 ///< cannot be hit by chance

@@ -93,7 +93,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     if (!lights.empty() && !Surfaces::only_sharp(surface)) {
       const auto u = numbers.sequence().pair(sample, first_dimension + dimension::light);
       const LightSample light = lights.sample(at.position, lit_side, unit_float(u.x), unit_float(u.y));
-      const Vector3f to_light = light.direction.normalized();
+      const Vector3f to_light = light.direction / light.distance;
       if (light.pdf > 0.0f && frame.agrees(to_light)) {
         const BsdfValue value = Surfaces::evaluate(surface, out, frame.to_local(to_light), at.albedo);
         if (value.value.maxCoeff() > 0.0f) {

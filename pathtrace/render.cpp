@@ -63,13 +63,17 @@ class PixelRenderer final : public PixelSource {
                                  static_cast<std::uint32_t>(y * camera_.width() + x));
     VertexNumbers numbers(sequence);
     CameraHits hits;
+    FirstVertices vertices;
     std::optional<typename GuideOf<Camera>::Pixel> guided;
     if (guide_ && !guide_->empty()) guided.emplace(*guide_, x, y, sequence);
     const std::uint32_t end = range.first + range.count;
     for (std::uint32_t first = range.first; first < end; first += CameraRayBlock::size) {
       const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, end - first));
       trace_camera_rays(scene_, camera_, x, y, first, count, sequence, hits);
-      numbers.begin_block(first);
+      numbers.begin_block(first, count);
+      for (int i = 0; i < count; ++i)
+        if (hits.hit(i)) vertices.at[i] = scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
+      tracer_.light(vertices, hits, first, count, numbers, counters);
       for (int i = 0; i < count; ++i) {
         if constexpr (Camera::weighted)
           count_with_losses(counters.camera, hits.rays.status[i]);
@@ -78,11 +82,12 @@ class PixelRenderer final : public PixelSource {
         if (hits.rays.status[i] == LaunchStatus::dropped) continue;
         Eigen::Vector3f value = Eigen::Vector3f::Zero();
         if (hits.hit(i)) {
-          const Eigen::Vector3f direction = hits.direction(i);
-          const SurfacePoint point = scene_.surface_point(hits.record(i), hits.origin(i), direction, hits.distance(i));
+          const SurfacePoint& point = vertices.at[i];
           const std::uint32_t sample = first + static_cast<std::uint32_t>(i);
-          const float emission_weight = guided && point.emitter >= 0 ? guided->plain_weight(point.emitter, sample) : 1.0f;
-          value = tracer_.radiance(point, direction, numbers, sample, counters, emission_weight);
+          FirstVertex known;
+          if (guided && point.emitter >= 0) known.emission_weight = guided->plain_weight(point.emitter, sample);
+          if (vertices.lit) known.direct_light = &vertices.direct_light[i];
+          value = tracer_.radiance(point, hits.direction(i), numbers, sample, counters, known);
           if constexpr (Camera::weighted) value *= hits.rays.weight[i];
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
           records.first_hit.add(point.albedo, point.normal, hits.distance(i));

@@ -32,7 +32,8 @@ struct RenderSettings {
   /// pathtrace/adaptive_render.h. With `adaptive` per tile, else for the picture.
   std::optional<double> relative_error;
   std::optional<AdaptiveSpec> adaptive;
-  bool guide_layers = false;  ///< fill RenderResult::guide_mean and guide_variance
+  bool end_converged_tiles = true;  ///< off, adaptive sampling lets all tiles go on until the picture is good enough
+  bool guide_layers = false;        ///< fill RenderResult::guide_mean and guide_variance
 
   /// Called between passes, if it is not empty; false ends the rendering with what there is. Without it and without relative_error all
   /// samples of a pixel are made in one go.
@@ -60,6 +61,7 @@ struct PassSummary {
   bool interrupted = false;                                              ///< ended by after_pass
   std::uint64_t samples_spent = 0, samples_kept = 0, samples_saved = 0;  ///< saved: against samples_per_pixel for every pixel
   std::uint64_t tiles = 0, tiles_converged = 0;                          ///< of a rendering with relative_error
+  std::uint64_t samples_of_longest = 0;                                  ///< had every tile gone on as long as the longest did
   std::optional<double> measured_relative_error;                         ///< root of the relative MSE, from two independent halves
 };
 

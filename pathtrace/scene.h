@@ -50,7 +50,7 @@ class Scene {
   const Eigen::Vector3f& lower() const { return lower_; }
   const Eigen::Vector3f& upper() const { return upper_; }
   /// Triangles in memory: those of a prototype count once.
-  std::size_t triangle_count() const { return triangle_material_.size(); }
+  std::size_t triangle_count() const { return triangles_.size(); }
   const std::string& instruction_set() const { return instruction_set_; }
 
   /// Resolves an Embree hit of the ray origin + t·direction.
@@ -68,6 +68,11 @@ class Scene {
   };
 
   using EmbreeScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
+
+  struct Triangle {
+    Eigen::Vector3f normal;  ///< unit length, on the side that sees the corners counter-clockwise; a prototype's in its own frame
+    int material, emitter;   ///< index into the light set, −1: it does not emit
+  };
 
   /// Where an instance's facts are, and how its normals become the world's.
   struct PlacedInstance {
@@ -90,7 +95,7 @@ class Scene {
   std::vector<PlacedInstance> instances_;
   bool textured_ = false, smooth_ = false;
   std::vector<Material> materials_;
-  std::vector<int> triangle_material_, triangle_emitter_;
+  std::vector<Triangle> triangles_;
   std::vector<std::array<Eigen::Vector2f, 3>> triangle_uv_;       // empty when no mesh is textured
   std::vector<std::array<Eigen::Vector3f, 3>> triangle_normals_;  // empty when no mesh is smooth; zero vectors on flat meshes
   std::vector<int> sphere_material_, sphere_emitter_;

@@ -20,9 +20,10 @@ class VertexNumbers {
   /// `sequence` must outlive the object.
   explicit VertexNumbers(const PixelSequence& sequence) : sequence_(sequence) {}
 
-  /// From now on the block's samples are first_sample … first_sample + CameraRayBlock::size − 1.
-  void begin_block(std::uint32_t first_sample) {
+  /// From now on the block's samples are first_sample … first_sample + count − 1; count ≤ CameraRayBlock::size.
+  void begin_block(std::uint32_t first_sample, int count = CameraRayBlock::size) {
     first_sample_ = first_sample;
+    count_ = count;
     known_ = 0;
   }
 
@@ -59,10 +60,13 @@ class VertexNumbers {
   }
   Vertex single_vertex(std::uint32_t sample, int bounce) const;
   void fill(int bounce);
+  /// A number of lanes that the compiler knows: a block that is not half full costs half.
+  template <int lanes>
+  void fill_lanes(int bounce);
 
   const PixelSequence& sequence_;
   std::uint32_t first_sample_ = 0;
-  int known_ = 0;
+  int count_ = size, known_ = 0;
   Depth depths_[depths];
 };
 

@@ -43,7 +43,7 @@ struct Pictures {
 };
 
 Json measured(const ReplicateMean& mean) {
-  return {{"value", mean.value}, {"uncertainty", number_or_null(mean.uncertainty)}};
+  return {{"value", mean.value}, {"uncertainty", mean.uncertainty}};
 }
 
 /// The first of some regions that holds each pixel: parts of the picture that do not overlap. Empty ones are left out.
@@ -181,6 +181,7 @@ class Case {
             {"pixels", part.pixels},
             {"ssim_display", similarity ? measured(*similarity) : Json(nullptr)},
             {"rmse_display", measured(part.rmse)},
+            {"mean_square_display", measured(part.mean_square)},
             {"noise_display", std::sqrt(part.reference_noise)},
             {"prediction_noise_display", std::sqrt(part.prediction_noise)},
             {"share_of_squared_error", all > 0.0 ? Json(part.raw * static_cast<double>(part.pixels) / all) : Json(nullptr)}};

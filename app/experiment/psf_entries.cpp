@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/experiment/predicted_spot.h"
 #include "app/experiment/replicates.h"
 #include "app/experiment/sections.h"
 #include "app/json_values.h"
@@ -61,6 +62,8 @@ Json ellipse_json(const Ellipse& e) {
 Json measured_json(const ImageEllipse& e, double hits) {
   Json entry = ellipse_json(e.ellipse);
   entry["hits"] = hits;
+  entry["centroid_arcmin"] = arcminutes(e.centroid);
+  entry["centroid_standard_error_arcmin"] = e.centroid_standard_error ? arcminutes(*e.centroid_standard_error) : Json(nullptr);
   entry["standard_error_arcmin"] = e.semi_axis_standard_errors ? arcminutes(*e.semi_axis_standard_errors) : Json(nullptr);
   return entry;
 }
@@ -77,6 +80,28 @@ std::vector<Spot> bundles_of(const PsfExperiment& spec, const Footprint& footpri
   return spots;
 }
 
+/// What mutations make of the finished entries of one PSF, as patches (RFC 7396) of the `power_matrix` entry.
+void add_mutated(Json& entries, const PsfExperiment& spec, const Footprint& footprint, std::span<const Mutation> mutations) {
+  const auto entry_of = [&](RayModel model) {
+    return std::find_if(entries.begin(), entries.end(), [&](const Json& entry) { return entry.at("ray_model") == name_of(model); });
+  };
+  const auto matrix = entry_of(RayModel::power_matrix), sin2 = entry_of(RayModel::sin2_radial);
+  if (matrix == entries.end()) return;
+  for (const Mutation& mutation : mutations) {
+    Json patch;
+    if (const auto wrong = mutated_footprint(mutation, spec.eye, footprint))
+      patch["predicted"] = ellipse_json(Ellipse::image_of_disc(wrong->angular, spec.eye.pupil_radius_m));
+    else if (std::holds_alternative<mutation::DroppedTangentialTerm>(mutation.kind) && sin2 != entries.end())
+      patch["measured"] = sin2->at("measured");
+    else if (std::holds_alternative<mutation::HalfPixelShift>(mutation.kind)) {
+      const Json& pixel = matrix->at("pixel_arcmin");
+      patch["measured"]["centroid_arcmin"] = matrix->at("measured").at("centroid_arcmin");
+      patch["measured"]["centroid_arcmin"][0] = patch["measured"]["centroid_arcmin"][0].get<double>() + 0.5 * pixel.get<double>();
+    }
+    if (!patch.is_null()) (*matrix)["mutated"][mutation.id] = std::move(patch);
+  }
+}
+
 }  // namespace
 
 void require_defined_models(const PsfExperiment& spec) {
@@ -86,7 +111,8 @@ void require_defined_models(const PsfExperiment& spec) {
                        "{\"mode\": \"fixed\", \"focus_distance_m\": …} as accommodation");
 }
 
-Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress) {
+Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations, const std::filesystem::path& folder,
+                 const ProgressFunction& progress) {
   const Footprint footprint = naked_eye_footprint(spec.eye, spec.distance_m);
   // One target, one accommodation: the picture is taken with the one that the eye chose for it.
   Eye eye = spec.eye;
@@ -105,6 +131,10 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
   imaging.pixel_slope = pixel;
   imaging.axis_px = {0.5 * spec.resolution, 0.5 * spec.resolution};
   imaging.emitter_covariance = 0.25 * emitter * emitter * Eigen::Matrix2d::Identity();
+
+  const std::string predicted_file = "psf/" + spec.id + "_predicted.exr";
+  const Image prediction = predicted_spot(spec.eye.pupil_radius_m / pixel * footprint.angular, emitter_radius_px, spec.resolution);
+  write_exr(folder / predicted_file, LayeredImage{{{"", prediction}}, {}});
 
   Json entries = Json::array();
   for (std::size_t k = 0; k < spots.size(); ++k) {
@@ -128,12 +158,14 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::files
                        {"pupil_mm", 2e3 * spec.eye.pupil_radius_m},
                        {"ray_model", name_of(spots[k].model)},
                        {"file", file},
+                       {"files", {{"predicted", predicted_file}}},
                        {"pixel_arcmin", pixel * arcminutes_per_radian},
                        {"resolution", spec.resolution},
                        {"predicted", ellipse_json(predicted)},
                        {"measured", measured_json(measured, hits)},
                        {"bundle", ellipse_json(spots[k].bundle.ellipse)}});
   }
+  add_mutated(entries, spec, footprint, mutations);
   return entries;
 }
 

@@ -79,6 +79,7 @@ PredictedReplicates predict_replicates(const Scene& scene, const CameraPose& pos
     settings.progress = part_of(progress, r, count);
     PredictedImage predicted = predict(scene, pose, eye, 1, settings);
     result.predictions.images.push_back(std::move(predicted.prediction.radiance));
+    result.sharp_views.push_back(std::move(predicted.source));
     result.times.sharp_view_seconds += predicted.times.sharp_view_seconds;
     result.times.spreading_seconds += predicted.times.spreading_seconds;
   }

@@ -29,6 +29,7 @@ Replicates render_replicates(const Scene& scene, const CameraPose& pose, const E
 /// Predictions from independently seeded sharp views, and the seconds of all of them.
 struct PredictedReplicates {
   Replicates predictions;
+  std::vector<SharpView> sharp_views;  ///< that they were spread from
   PredictionTimes times;
 };
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/bench/measurement.h"
 #include "app/experiment/figures.h"
 #include "app/experiment/run_folder.h"
 #include "app/experiment/sampling_study.h"
@@ -12,7 +13,10 @@
 #include "app/experiment/sin2_study/sin2_study.h"
 #include "app/progress.h"
 #include "app/stopwatch.h"
+#include "compare/bench/figures.h"
+#include "compare/bench/report_html.h"
 #include "compare/figure.h"
+#include "compare/gate_power.h"
 #include "compare/gates.h"
 #include "compare/junit.h"
 #include "compare/lens_study_figures.h"
@@ -46,9 +50,11 @@ struct LoadedScenes {
   }
 };
 
-/// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, and the lens files.
-std::string run_key(const ExperimentSpec& spec, const LoadedScenes& scenes) {
+/// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, the lens files, and what a
+/// benchmark's rounds depend on.
+std::string run_key(const ExperimentSpec& spec, const LoadedScenes& scenes, const std::optional<BenchKeys>& bench) {
   std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
+  if (bench) facts += bench->run;
   for (const auto* list : {&scenes.images, &scenes.agreement})
     for (const SceneDescription& scene : *list) facts += scene_fingerprint(scene);
   if (scenes.sampling_study) facts += scene_fingerprint(*scenes.sampling_study);
@@ -137,6 +143,21 @@ Json sampling_study(const SamplingStudySpec& spec, const SceneDescription& descr
   return assembled_sampling_study(spec, entries);
 }
 
+/// Where pictures go.
+std::vector<std::string> output_folders(const ExperimentSpec& spec) {
+  std::vector<std::string> folders = {"psf", "images", "samplings", "figures"};
+  if (spec.bench) folders.push_back("references");
+  return folders;
+}
+
+/// A benchmark's own requirements count as one gate more.
+std::vector<GateSpec> with_requirements(std::vector<GateSpec> gates, const ExperimentSpec& spec) {
+  if (spec.bench && !spec.bench->requirements.empty())
+    gates.push_back({"bench_requirements", "The benchmark's own requirements hold", "bench/broken_requirements", Comparison::AtMost, 0.0,
+                     "", "Each has its own bound and reason in the benchmark."});
+  return gates;
+}
+
 /// Writes the pictures into the run folder; the report's list of them.
 Json written(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
   Json list = Json::array();
@@ -158,34 +179,40 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   const std::string started = utc_now();
   std::vector<std::string> inputs = spec.input_files;
   if (experiment_file != "-") inputs.insert(inputs.begin(), experiment_file);
-  const std::vector<GateSpec> gates = read_gates(load_json(spec.gates.string()), spec.gates.string());
+  const std::vector<GateSpec> gates = with_requirements(read_gates(load_json(spec.gates.string()), spec.gates.string()), spec);
   const Json baseline = spec.baseline && std::filesystem::exists(*spec.baseline) ? load_json(spec.baseline->string()) : Json(nullptr);
 
   // Everything that can be wrong with the input shows before the output folder is touched.
   const Json reference = spec.reference ? reference_agreement(*spec.reference) : Json(nullptr);
   for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
   const LoadedScenes scenes(spec);
+  std::optional<BenchKeys> bench_key;
+  if (spec.bench) bench_key = bench_keys(*spec.bench, options.threads);
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(options.folder, run_key(spec, scenes), options.resume,
+  const RunFolder folder(options.folder, run_key(spec, scenes, bench_key), options.resume,
                          {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
-                          {"psf", "images", "samplings", "figures"}});
+                          output_folders(spec)});
   Parts parts(folder, options.quiet);
+  const std::vector<Mutation> mutations = mutations_named(spec.mutations);
   std::map<std::string, double> seconds;
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
                  {"psfs", Json::array()},      {"images", Json::array()}, {"must_fail", Json::array()}};
+  const std::string command = "sturm run " + std::filesystem::path(experiment_file).filename().string();
   Json sin2 = nullptr;
   if (spec.reference) report["reference"] = reference;
   if (spec.ellipses) {
-    report["ellipses"] = parts("ellipses", "ellipses",
-                               [&](const ProgressFunction& progress) { return ellipse_results(*spec.ellipses, spec.seed, progress); });
+    report["ellipses"] = parts("ellipses", "ellipses", [&](const ProgressFunction& progress) {
+      return ellipse_results(*spec.ellipses, spec.seed, mutations, progress);
+    });
     seconds["ellipses"] = parts.seconds();
     report["sin2"] = sin2 = sin2_findings(report["ellipses"]);
     report["must_fail"] = must_fail_checks(*spec.ellipses, report["ellipses"]);
   }
   for (const PsfExperiment& psf : spec.psfs) {
-    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id,
-                                 [&](const ProgressFunction& progress) { return psf_entries(psf, spec.seed, folder.path(), progress); }));
+    append(report["psfs"], parts("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) {
+             return psf_entries(psf, spec.seed, mutations, folder.path(), progress);
+           }));
     seconds["psfs"] += parts.seconds();
   }
   SharedViews views(spec, scenes.images);
@@ -212,7 +239,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     report["sin2_study"] = sin2_study(*spec.sin2_study, spec.seed, parts, folder.path(), seconds["sin2_study"]);
     append(report["must_fail"], sin2_study_mutants(report["sin2_study"]));
     for (Figure& figure : sin2_study_figures(report["sin2_study"], folder.path())) {
-      figure.command = "sturm run " + std::filesystem::path(experiment_file).filename().string();
+      figure.command = command;
       figures.push_back(std::move(figure));
     }
   }
@@ -221,11 +248,25 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
         sampling_study(*spec.sampling_study, *scenes.sampling_study, spec.seed, folder, parts, seconds["sampling_study"]);
     for (Figure& figure : sampling_sheets(report["sampling_study"], folder.path())) figures.push_back(std::move(figure));
   }
+  if (spec.bench) {
+    const Stopwatch of_bench;
+    report["bench"] = measured_bench(*spec.bench, *bench_key, {folder, options.threads, options.quiet});
+    seconds["bench"] = of_bench.seconds();
+    for (const Json& view : report["bench"]["views"])
+      for (Figure& figure : bench_figures_of_experiment(view, command)) figures.push_back(std::move(figure));
+  }
+  if (!mutations.empty()) {
+    std::vector<MutationName> names;
+    for (const Mutation& mutation : mutations) names.push_back({mutation.id, mutation.what});
+    report["gate_power"] = gate_power(gates, report, names, baseline);
+  }
+  drop_mutated(report);
   report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
   report["verdict"]["lens_sentence"] = spec.lens_study ? lens_study_sentence(report["lens_study"]) : Json(nullptr);
   report["verdict"]["sin2_study_sentence"] = spec.sin2_study ? sin2_study_sentence(report["sin2_study"]) : Json(nullptr);
+  report["verdict"]["bench_sentence"] = spec.bench ? bench_sentence(report["bench"]) : Json(nullptr);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
 
@@ -238,7 +279,7 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   write_file_atomically(folder.path() / "report.json", report.dump(1));
   const Json& verdict = report["verdict"];
   std::vector<std::string> findings;
-  for (const char* sentence : {"sin2_sentence", "lens_sentence", "sin2_study_sentence"})
+  for (const char* sentence : {"sin2_sentence", "lens_sentence", "sin2_study_sentence", "bench_sentence"})
     if (verdict.at(sentence).is_string()) findings.push_back(verdict.at(sentence));
   return {verdict.at("passed"), verdict.at("sentence"), std::move(findings), folder.path() / "report.html"};
 }

@@ -6,6 +6,7 @@
 #include "app/experiment/replicates.h"
 #include "app/image_files.h"
 #include "app/stopwatch.h"
+#include "compare/jackknife.h"
 #include "compare/paired_bias.h"
 #include "pathtrace/view_camera.h"
 
@@ -36,6 +37,17 @@ double noise_of(const Replicates& replicates) {
   double sum = 0.0;
   for (const float v : variance.pixels) sum += v;
   return std::sqrt(sum / static_cast<double>(variance.pixels.size()) * static_cast<double>(replicates.images.size()));
+}
+
+/// Of noise_of, by the jackknife over the pictures.
+double noise_error_of(const Replicates& replicates) {
+  std::vector<double> left_out;
+  for (std::size_t k = 0; k < replicates.images.size(); ++k) {
+    Replicates others = replicates;
+    others.images.erase(others.images.begin() + static_cast<std::ptrdiff_t>(k));
+    left_out.push_back(noise_of(others));
+  }
+  return jackknife_standard_error(left_out);
 }
 
 double mean_radiance(const Image& image) {
@@ -91,6 +103,7 @@ Json sampling_entries(const SamplingStudySpec& study, std::size_t index, const S
                          {"pupil_rms_ratio", std::sqrt(mean_square_radius(sampling.spec))},
                          {"mean_radiance", brightness},
                          {"noise", noise_of(pictures)},
+                         {"noise_standard_error", noise_error_of(pictures)},
                          {"mean_square_bias", bias.mean_square},
                          {"mean_square_bias_standard_error", bias.standard_error},
                          {"z", bias.z},

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "app/experiment/mutations.h"
 #include "app/experiment/shared_views.h"
 #include "app/render_stage.h"
 #include "io/experiment_spec.h"
@@ -10,18 +11,21 @@
 namespace sturm {
 
 /// Each section of a report is a function from the experiment to JSON (configs/schemas/report.schema.json); pictures go into `folder`.
+/// What mutations make of an entry stands in it under "mutated", by the mutation's id (compare/gate_power.h).
 
 /// The conoid and the closed form of sin² against independent numbers in the experiment's reference file.
 Json reference_agreement(const std::filesystem::path& reference_file);
 
 /// Blur ellipses: every prescription × distance × pupil by the conoid and by every ray model.
-Json ellipse_results(const EllipseExperiment& spec, std::uint64_t seed, const ProgressFunction& progress);
+Json ellipse_results(const EllipseExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
+                     const ProgressFunction& progress);
 
 /// What sin² interpolation does, from the finished ellipse section.
 Json sin2_findings(const Json& ellipses);
 
 /// Image of a point-like emitter for each ray model of one PSF experiment: a list of "psfs" entries.
-Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, const std::filesystem::path& folder, const ProgressFunction& progress);
+Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations, const std::filesystem::path& folder,
+                 const ProgressFunction& progress);
 
 /// Throws InputError where a PSF asks for a ray model that its eye leaves undefined.
 void require_defined_models(const PsfExperiment& spec);

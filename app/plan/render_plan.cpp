@@ -92,6 +92,18 @@ void plan_loop(const SceneDescription& scene, const SkipSpec& skip, RenderPlan& 
     plan.least_kind = Scene::Kind::diffuse;
 }
 
+/// Which tiles are good enough shows while they are rendered.
+PlanItem tiles_item(const RenderSpec& spec) {
+  const bool adaptive = spec.adaptive.has_value();
+  return {"converged_tiles",
+          "",
+          adaptive,
+          spec.skip.converged_tiles,
+          PlanClaim::same_mean,
+          adaptive ? "adaptive sampling: tiles end one by one" : "no adaptive sampling",
+          {}};
+}
+
 PlanItem pair_item(const RenderSpec& spec) {
   const bool alike = eyes_are_alike(spec), together = *spec.camera.interpupillary_distance_m == 0.0;
   return {"same_views",
@@ -110,7 +122,8 @@ void plan_prediction(const RenderSpec& spec, const CameraPose& pose, RenderPlan&
   if (spec.prediction.kind == PredictionKind::Multipass) return;  // spreads nothing
   const double threshold_px = PredictorSettings{}.sharp_below_px;
   if (spec.prediction.kind == PredictionKind::Layered) {
-    plan.items.push_back({"sharp_spots", "", true, spec.skip.sharp_spots, PlanClaim::rounding, "known for each ellipse once it is there", {}});
+    plan.items.push_back(
+        {"sharp_spots", "", true, spec.skip.sharp_spots, PlanClaim::rounding, "known for each ellipse once it is there", {}});
     if (spec.skip.sharp_spots) plan.copied_below_px = threshold_px;
     return;
   }
@@ -139,6 +152,7 @@ RenderPlan plan_render(const RenderSpec& spec, SceneDescription& scene) {
     plan_prediction(spec, pose, plan);
     return plan;
   }
+  plan.items.push_back(tiles_item(spec));
   if (!spec.camera.interpupillary_distance_m) {
     plan.right = plan_view(spec, spec.eye, pose, scene, "", plan.items);
     return plan;
@@ -159,6 +173,14 @@ void count_saved(WorkPlan& plan, const std::string& view, const RenderCounters& 
     if (item.name == "zero_pupil") item.saved["pupil_points"] += counters.camera.launched;
     if (item.name == "surface_models" || item.name == "shading_frames" || item.name == "environment_light")
       item.saved["bounces"] += counters.bounce_rays;
+  }
+}
+
+void count_converged(WorkPlan& plan, const PassSummary& passes) {
+  for (PlanItem& item : plan) {
+    if (item.name != "converged_tiles" || !item.left_out()) continue;
+    item.saved["tiles"] += passes.tiles_converged;
+    item.saved["samples"] += passes.samples_of_longest - passes.samples_spent;
   }
 }
 

@@ -35,6 +35,8 @@ RenderPlan plan_render(const RenderSpec& spec, SceneDescription& scene);
 
 /// Of one eye's view; `view` as in PlanItem.
 void count_saved(WorkPlan& plan, const std::string& view, const RenderCounters& counters);
+/// Of tiles that came to their end before others.
+void count_converged(WorkPlan& plan, const PassSummary& passes);
 /// Of spreading a prediction.
 void count_copied(WorkPlan& plan, const PredictionCounters& counters);
 /// Of an eye whose picture is the other one's, of so many camera rays.

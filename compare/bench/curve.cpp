@@ -44,7 +44,9 @@ std::optional<PowerLaw> fit_power_law(std::span<const CostPoint> points) {
     propagated += x * x * relative * relative;
     all_known = all_known && p.standard_error;
   }
-  if (points.size() < 2 || !(xx > 0.0)) return std::nullopt;
+  const auto [least, most] =
+      std::minmax_element(points.begin(), points.end(), [](const CostPoint& p, const CostPoint& q) { return p.samples < q.samples; });
+  if (points.size() < 2 || most->samples < 2.0 * least->samples) return std::nullopt;
   PowerLaw law;
   law.slope = xy / xx;
   if (all_known) law.standard_error = std::sqrt(propagated) / xx;

@@ -22,8 +22,8 @@ struct PowerLaw {
 };
 
 /// The standard error is the larger of two: what the points' standard errors σᵢ (relative, so of log error) propagate to,
-/// √Σ(xᵢ − x̄)²σᵢ² / Σ(xᵢ − x̄)², and what the scatter about the line says (from three points on). None for fewer than two different
-/// numbers of samples.
+/// √Σ(xᵢ − x̄)²σᵢ² / Σ(xᵢ − x̄)², and what the scatter about the line says (from three points on). None unless the samples span a
+/// factor of two: predictions trace most of their rays whatever they are set to, and what is left of a difference says nothing.
 std::optional<PowerLaw> fit_power_law(std::span<const CostPoint> points);
 
 /// Indices of the points that no other point beats (less of one and no more of the other of seconds and error), by rising seconds.

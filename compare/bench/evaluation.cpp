@@ -33,6 +33,7 @@ Json point_json(const MeasuredSetting& setting, const PictureErrors& noise_floor
                                       {"error_seconds", cost}};
   }
   return {{"samples_per_pixel", setting.samples_per_pixel},
+          {"setting", setting.label},
           {"samples", samples},
           {"seconds", {{"median", seconds}, {"shortest", fastest->seconds}, {"longest", slowest->seconds}}},
           {"samples_per_second", samples / seconds},
@@ -47,8 +48,8 @@ std::vector<std::string> methods_in(const MeasuredView& view) {
 }
 
 Json method_json(const MeasuredView& view, const BenchMethod& method, const std::vector<ErrorLevel>& levels) {
-  Json entry = {
-      {"id", method.id}, {"title", method.title}, {"points", Json::array()}, {"slopes", Json::object()}, {"times", Json::array()}};
+  Json entry = {{"id", method.id},         {"title", method.title},    {"biased", method.denoised},
+                {"points", Json::array()}, {"slopes", Json::object()}, {"times", Json::array()}};
   for (const MeasuredSetting& setting : view.settings)
     if (setting.method == method.id) entry["points"].push_back(point_json(setting, view.noise_floor));
   for (const ErrorKind& kind : error_kinds) {
@@ -71,7 +72,8 @@ Json pareto_json(const MeasuredView& view, const std::vector<std::string>& metho
   for (const std::string& method : methods) {
     const MethodCurve curve = curve_of(view, method, kind);
     points.insert(points.end(), curve.points.begin(), curve.points.end());
-    for (const std::uint64_t samples : curve.samples_per_pixel) names.push_back({{"method", method}, {"samples_per_pixel", samples}});
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+      names.push_back({{"method", method}, {"samples_per_pixel", curve.samples_per_pixel[i]}, {"setting", curve.labels[i]}});
   }
   for (const std::size_t i : pareto_front(points)) {
     Json entry = names[i];
@@ -86,13 +88,28 @@ Json statistic_json(const StatisticValue& s) {
   return {{"value", number_or_null(s.value)}, {"standard_error", number_or_null(s.standard_error)}, {"note", s.note}};
 }
 
+Json best_json(const MethodCurve& curve, const MethodCurve& baseline) {
+  const auto best = at_its_best(curve, baseline);
+  if (!best) return nullptr;
+  const std::size_t i = best->index;
+  return {{"value", curve.points[i].error},
+          {"seconds", curve.points[i].seconds},
+          {"samples_per_pixel", curve.samples_per_pixel[i]},
+          {"setting", curve.labels[i]},
+          {"baseline_seconds", number_or_null(best->baseline.seconds)},
+          {"baseline_status", word(best->baseline.reach)},
+          {"times_faster", number_or_null(best->times_faster)}};
+}
+
 }  // namespace
 
 Json evaluated(const MeasuredView& view, const std::vector<BenchMethod>& methods, const std::vector<ErrorLevel>& levels) {
-  const std::vector<std::string> used = methods_in(view);
+  std::vector<std::string> used = methods_in(view);
   Json result = {{"methods", Json::array()}, {"pareto", Json::object()}, {"crossovers", Json::array()}, {"ratios", Json::array()}};
   for (const BenchMethod& method : methods)
     if (std::find(used.begin(), used.end(), method.id) != used.end()) result["methods"].push_back(method_json(view, method, levels));
+  for (const BenchMethod& method : methods)
+    if (method.denoised) std::erase(used, method.id);
   for (const ErrorKind& kind : error_kinds) {
     const std::string name(kind.name);
     result["pareto"][name] = pareto_json(view, used, kind);
@@ -112,7 +129,8 @@ Json evaluated(const MeasuredView& view, const std::vector<BenchMethod>& methods
                                   {"baseline", used[0]},
                                   {"error_ratio", statistic_json(error_ratio(curve, baseline))},
                                   {"time_ratio", statistic_json(time_ratio(curve, baseline))},
-                                  {"cost_ratio", statistic_json(cost_ratio(curve, baseline, kind))}});
+                                  {"cost_ratio", statistic_json(cost_ratio(curve, baseline, kind))},
+                                  {"at_its_best", best_json(curve, baseline)}});
     }
   }
   return result;

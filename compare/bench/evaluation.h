@@ -9,7 +9,8 @@
 namespace sturm {
 
 /// What a view's measurements say, as the members "methods" (points, slopes, times to levels), "pareto", "crossovers" and "ratios" of its
-/// entry in a report (sturm.bench_report/1). Ratios are relative to the view's first method.
+/// entry in a report (sturm.bench_report/1). Ratios are relative to the view's first method. Methods whose filtered picture was measured
+/// have points, slopes and times alone: they are biased.
 Json evaluated(const MeasuredView& view, const std::vector<BenchMethod>& methods, const std::vector<ErrorLevel>& levels);
 
 /// The report's list "requirements": each requirement in each of its views.

@@ -69,7 +69,9 @@ std::vector<Series> series_of(const Json& view, std::string_view x_path, double 
     const std::size_t k = result.size();
     std::string title = text_at(method, "title").empty() ? text_at(method, "id") : text_at(method, "title");
     std::erase_if(title, [](char c) { return c == '"' || c == '\\'; });
-    Series series{"$series" + std::to_string(k), title, "", std::string("lc rgb '") + colours[k % std::size(colours)] + "'"};
+    const bool biased = boolean_at(method, "biased").value_or(false);
+    Series series{"$series" + std::to_string(k), biased ? title + " (biased)" : title, "",
+                  std::string("lc rgb '") + colours[k % std::size(colours)] + "'" + (biased ? " dt 2" : "")};
     for (const Json& point : array_at(method, "points")) {
       const auto x = number_at(point, x_path);
       const auto value = number_at(point, "errors/" + error + "/value");
@@ -135,6 +137,29 @@ std::string front_steps(const Json& view, const std::string& error) {
   return rows.empty() ? "" : "$front << END\n" + rows + "END\n";
 }
 
+/// A dotted line at each level that the view's methods were timed to.
+std::string level_lines(const Json& view, const std::string& error, const Span& span) {
+  std::string lines;
+  for (const Json& time : array_at(view, "methods/0/times")) {
+    const auto level = number_at(time, "level");
+    if (text_at(time, "error") != error || !level || *level < 0.8 * span.low_y || *level > 1.25 * span.high_y) continue;
+    const std::string y = plain_number(*level, 9);
+    lines += "set arrow from graph 0, first " + y + " to graph 1, first " + y + " nohead dt 3 lw 1.5 lc rgb '#666666'\n";
+  }
+  return lines;
+}
+
+/// RMSE and trimmed relative MSE, and the errors that levels were asked for.
+std::vector<const ErrorKind*> errors_against_time(const Json& view) {
+  std::vector<const ErrorKind*> kinds;
+  for (const ErrorKind& kind : error_kinds) {
+    bool wanted = kind.name == "rmse" || kind.name == "relative_mse_trimmed";
+    for (const Json& time : array_at(view, "methods/0/times")) wanted = wanted || text_at(time, "error") == kind.name;
+    if (wanted) kinds.push_back(&kind);
+  }
+  return kinds;
+}
+
 std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
   Span span;
   const std::string error(kind.name), plot = plot_of(series_of(view, "seconds/median", 1.0, error, span)), steps = front_steps(view, error);
@@ -144,10 +169,10 @@ std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
   figure.title = heading(view) + ": " + std::string(kind.title) + " against time";
   figure.caption =
       "Medians of the seconds over all rounds, without loading the scene; grey steps: the best that any setting reaches in that time "
-      "(Pareto front).";
+      "(Pareto front); dotted: errors whose time is asked for.";
   const std::string script = std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
-                             "set xlabel \"time [s]\"\nset ylabel \"" + std::string(kind.title) + "\"\n" + steps + plot +
-                             ", $front using 1:2 with steps lw 4 lc rgb '#66999999' title 'best in that time'";
+                             "set xlabel \"time [s]\"\nset ylabel \"" + std::string(kind.title) + "\"\n" + level_lines(view, error, span) +
+                             steps + plot + ", $front using 1:2 with steps lw 4 lc rgb '#66999999' title 'best in that time'";
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
   return figure;
 }
@@ -156,14 +181,27 @@ std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
 
 std::vector<Figure> bench_figures(const Json& view, const std::string& command) {
   std::vector<Figure> figures;
-  for (auto& figure :
-       {convergence_figure(view), pareto_figure(view, error_kind("rmse")), pareto_figure(view, error_kind("relative_mse_trimmed"))})
-    if (figure) figures.push_back(*figure);
+  if (auto figure = convergence_figure(view)) figures.push_back(std::move(*figure));
+  for (const ErrorKind* kind : errors_against_time(view))
+    if (auto figure = pareto_figure(view, *kind)) figures.push_back(std::move(*figure));
   for (Figure& figure : figures) {
     figure.section = text_at(view, "id");
     figure.command = command;
   }
   return figures;
+}
+
+std::vector<Figure> bench_figures_of_experiment(const Json& view, const std::string& command) {
+  std::vector<Figure> figures = bench_figures(view, command);
+  for (Figure& figure : figures) {
+    figure.id = "bench_" + figure.id;
+    figure.section = bench_figure_section(figure.section);
+  }
+  return figures;
+}
+
+std::string bench_figure_section(const std::string& id) {
+  return "bench/" + id;
 }
 
 }  // namespace sturm

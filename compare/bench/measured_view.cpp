@@ -59,6 +59,7 @@ MethodCurve curve_of(const MeasuredView& view, std::string_view method, const Er
     if (!error.value) continue;
     curve.points.push_back({mean_samples(setting), median_seconds(setting), *error.value, error.standard_error});
     curve.samples_per_pixel.push_back(setting.samples_per_pixel);
+    curve.labels.push_back(setting.label);
   }
   return curve;
 }

@@ -35,6 +35,7 @@ struct MeasuredSetting {
   std::string method;
   std::uint64_t samples_per_pixel = 0;  ///< as it was set
   std::vector<BenchSample> rounds;      ///< at least two
+  std::string label;                    ///< what else sets it apart from the method's other settings
 };
 
 struct MeasuredView {
@@ -62,10 +63,11 @@ ErrorEstimate estimate(const MeasuredSetting& setting, const PictureErrors& nois
 double median_seconds(const MeasuredSetting& setting);
 double mean_samples(const MeasuredSetting& setting);
 
-/// The points of one method and error, settings without a value left out; `samples_per_pixel` of each beside it.
+/// The points of one method and error, settings without a value left out; beside each what sets it apart.
 struct MethodCurve {
   std::vector<CostPoint> points;
   std::vector<std::uint64_t> samples_per_pixel;
+  std::vector<std::string> labels;
 };
 MethodCurve curve_of(const MeasuredView& view, std::string_view method, const ErrorKind& kind);
 

@@ -1,7 +1,9 @@
 #include "compare/bench/report_html.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/bench/figures.h"
 #include "compare/bench/measured_view.h"
 #include "compare/figure.h"
 #include "compare/report_json.h"
@@ -20,28 +22,29 @@ std::string fact(std::string_view name, const std::string& html) {
   return html.empty() || html == "–" ? "" : element("div", "", element("dt", "", name) + element("dd", "", html));
 }
 
-std::string header(const Json& report) {
-  const auto passed = boolean_at(report, "verdict/passed");
-  const Json& machine = value_at(report, "machine");
+std::string machine_facts(const Json& machine) {
   std::string load;
   for (const Json& average : array_at(machine, "load_at_start"))
     load += (load.empty() ? "" : ", ") + number_html(number_at(average, ""), 3);
   const auto memory = number_at(machine, "memory_bytes");
-  return element(
-      "header", "id=\"verdict\"",
-      element("p", "class=\"kind\"", "Sturm: run time against error") + element("h1", "", text_html(text_at(report, "title"))) +
-          element("div", std::string("class=\"verdict ") + (passed.value_or(false) ? "pass" : "fail") + "\" role=\"status\"",
-                  element("p", "class=\"word\"", passed.value_or(false) ? "Passed" : "Failed") +
-                      element("p", "class=\"sentence\"", text_html(text_at(report, "verdict/sentence")))) +
-          element("dl", "class=\"facts\"",
-                  fact("Command", "<code>" + text_html(text_at(report, "command")) + "</code>") +
-                      fact("Rounds", exact_html(number_at(report, "spec/rounds"))) +
-                      fact("Seed", exact_html(number_at(report, "spec/seed"))) + fact("Processor", text_html(text_at(machine, "cpu"))) +
-                      fact("Cores, logical processors, threads used", exact_html(number_at(machine, "cores")) + ", " +
-                                                                          exact_html(number_at(machine, "logical_processors")) + ", " +
-                                                                          exact_html(number_at(machine, "threads"))) +
-                      fact("Memory", memory ? number_html(*memory / (1 << 30), 3) + " GiB" : "") +
-                      fact("Load at the start (1, 5, 15 min)", load)));
+  return fact("Processor", text_html(text_at(machine, "cpu"))) +
+         fact("Cores, logical processors, threads used", exact_html(number_at(machine, "cores")) + ", " +
+                                                             exact_html(number_at(machine, "logical_processors")) + ", " +
+                                                             exact_html(number_at(machine, "threads"))) +
+         fact("Memory", memory ? number_html(*memory / (1 << 30), 3) + " GiB" : "") + fact("Load at the start (1, 5, 15 min)", load);
+}
+
+std::string header(const Json& report) {
+  const auto passed = boolean_at(report, "verdict/passed");
+  return element("header", "id=\"verdict\"",
+                 element("p", "class=\"kind\"", "Sturm: run time against error") + element("h1", "", text_html(text_at(report, "title"))) +
+                     element("div", std::string("class=\"verdict ") + (passed.value_or(false) ? "pass" : "fail") + "\" role=\"status\"",
+                             element("p", "class=\"word\"", passed.value_or(false) ? "Passed" : "Failed") +
+                                 element("p", "class=\"sentence\"", text_html(text_at(report, "verdict/sentence")))) +
+                     element("dl", "class=\"facts\"",
+                             fact("Command", "<code>" + text_html(text_at(report, "command")) + "</code>") +
+                                 fact("Rounds", exact_html(number_at(report, "spec/rounds"))) +
+                                 fact("Seed", exact_html(number_at(report, "spec/seed"))) + machine_facts(value_at(report, "machine"))));
 }
 
 std::string bounds_html(const Json& r) {
@@ -49,8 +52,9 @@ std::string bounds_html(const Json& r) {
   return low && high ? exact_html(low) + " … " + exact_html(high) : low ? "≥ " + exact_html(low) : "≤ " + exact_html(high);
 }
 
-std::string requirement_section(const Json& report) {
-  const Json& list = array_at(report, "requirements");
+/// What was required of `section`: a report of a benchmark, or a benchmark's section of a report.
+std::string requirement_table(const Json& section) {
+  const Json& list = array_at(section, "requirements");
   if (list.empty()) return "";
   HtmlTable table("What is required, and what was measured", "gates",
                   {{"Requirement", false}, {"View", false}, {"Value"}, {"Bound"}, {"Result", false}});
@@ -67,19 +71,36 @@ std::string requirement_section(const Json& report) {
          bounds_html(r), passed ? "<span class=\"mark pass\">holds</span>" : "<strong class=\"mark fail\">does not hold</strong>"},
         passed ? "" : "fail");
   }
-  return element("section", "id=\"requirements\"", element("h2", "", "Requirements") + table.html());
+  return table.html();
+}
+
+std::string requirement_section(const Json& report) {
+  const std::string table = requirement_table(report);
+  return table.empty() ? "" : element("section", "id=\"requirements\"", element("h2", "", "Requirements") + table);
+}
+
+/// The name of a method in a table; a filtered picture's is marked.
+std::string method_html(const Json& method) {
+  return text_html(text_at(method, "id")) +
+         (boolean_at(method, "biased").value_or(false) ? element("small", "", "filtered: biased, no measure of agreement") : "");
 }
 
 std::string setting_table(const Json& view) {
-  std::vector<Column> columns = {{"Method", false}, {"Samples<br/>per pixel"}, {"Time [s]"}, {"Samples<br/>per second"}};
+  const double pixels = number_at(view, "resolution/0").value_or(1.0) * number_at(view, "resolution/1").value_or(1.0);
+  std::vector<Column> columns = {
+      {"Method", false}, {"Samples<br/>per pixel"}, {"Camera rays<br/>per pixel"}, {"Time [s]"}, {"Samples<br/>per second"}};
   for (const ErrorKind& kind : error_kinds) columns.push_back({escaped(kind.title)});
   columns.push_back({"RMSE² × s"});
   HtmlTable table("Every setting: medians of the times, means of the errors with standard errors", "sortable", columns);
   for (const Json& method : array_at(view, "methods"))
     for (const Json& point : array_at(method, "points")) {
       const auto seconds = number_at(point, "seconds/median");
-      std::vector<Cell> cells = {text_html(text_at(method, "id")),
+      const auto rays = number_at(point, "samples");
+      const std::optional<double> rays_per_pixel = rays ? std::optional(*rays / pixels) : rays;
+      const std::string setting = text_at(point, "setting");
+      std::vector<Cell> cells = {method_html(method) + (setting.empty() ? "" : element("small", "", escaped(setting))),
                                  {exact_html(number_at(point, "samples_per_pixel")), number_at(point, "samples_per_pixel")},
+                                 {number_html(rays_per_pixel, 3), rays_per_pixel},
                                  {number_html(seconds, 3) + element("small", "",
                                                                     number_html(number_at(point, "seconds/shortest"), 3) + " … " +
                                                                         number_html(number_at(point, "seconds/longest"), 3)),
@@ -103,7 +124,7 @@ std::string slope_table(const Json& view) {
   for (const ErrorKind& kind : error_kinds) columns.push_back({escaped(kind.title)});
   HtmlTable table("Slope of the error against samples, both logarithmic", "compact", columns);
   for (const Json& method : array_at(view, "methods")) {
-    std::vector<Cell> cells = {text_html(text_at(method, "id"))};
+    std::vector<Cell> cells = {method_html(method)};
     for (const ErrorKind& kind : error_kinds) {
       const std::string path = "slopes/" + std::string(kind.name);
       cells.push_back(measured_html(number_at(method, path + "/slope"), number_at(method, path + "/standard_error")));
@@ -113,21 +134,54 @@ std::string slope_table(const Json& view) {
   return table.html();
 }
 
+std::string level_html(const Json& time) {
+  const std::string error = text_at(time, "error");
+  const auto level = number_at(time, "level");
+  if (error == "one_minus_ssim" && level) return "SSIM " + exact_html(std::round(1e6 * (1.0 - *level)) / 1e6);
+  for (const ErrorKind& kind : error_kinds)
+    if (kind.name == error) return escaped(kind.title) + " " + exact_html(level);
+  return text_html(error) + " " + exact_html(level);
+}
+
+std::string time_html(const Json& time) {
+  const std::string status = text_at(time, "status");
+  if (status == "never") return "not reached";
+  return (status == "at_once" ? "≤ " : "") + number_html(number_at(time, "seconds"), 3);
+}
+
 std::string time_table(const Json& view) {
-  HtmlTable table("Time to reach an error, interpolated between settings", "compact",
-                  {{"Method", false}, {"Error", false}, {"Level"}, {"Time [s]"}});
-  bool any = false;
-  for (const Json& method : array_at(view, "methods"))
-    for (const Json& time : array_at(method, "times")) {
-      const std::string status = text_at(time, "status");
-      const std::string note = status == "at_once" ? element("small", "", "or less: the cheapest setting is there")
-                               : status == "never" ? element("small", "", "not reached")
-                                                   : "";
-      table.add_row({text_html(text_at(method, "id")), text_html(text_at(time, "error")), exact_html(number_at(time, "level")),
-                     number_html(number_at(time, "seconds"), 3) + note});
-      any = true;
-    }
-  return any ? table.html() : "";
+  const Json& levels = array_at(view, "methods/0/times");
+  if (levels.empty()) return "";
+  std::vector<Column> columns = {{"Method", false}};
+  for (const Json& level : levels) columns.push_back({level_html(level)});
+  HtmlTable table("Time [s] to reach an error, interpolated between settings; ≤: the cheapest setting is there already", "compact sortable",
+                  columns);
+  for (const Json& method : array_at(view, "methods")) {
+    std::vector<Cell> cells = {method_html(method)};
+    for (const Json& time : array_at(method, "times")) cells.push_back({time_html(time), number_at(time, "seconds")});
+    table.add_row(cells);
+  }
+  return table.html();
+}
+
+/// Where the baseline overtakes each method.
+std::string best_table(const Json& view) {
+  HtmlTable table(
+      "Each method at its least error, and the baseline’s time for the same: with more time the baseline is better", "compact",
+      {{"Method", false}, {"Error", false}, {"Setting", false}, {"Least error"}, {"Time [s]"}, {"Baseline’s time [s]"}, {"Times faster"}});
+  for (const Json& r : array_at(view, "ratios")) {
+    const Json& best = value_at(r, "at_its_best");
+    if (!best.is_object()) continue;
+    const std::string setting = text_at(best, "setting");
+    table.add_row({text_html(text_at(r, "method")) + element("small", "", "baseline: " + escaped(text_at(r, "baseline"))),
+                   text_html(text_at(r, "error")),
+                   exact_html(number_at(best, "samples_per_pixel")) + " samples per pixel" +
+                       (setting.empty() ? "" : element("small", "", escaped(setting))),
+                   number_html(number_at(best, "value"), 3), number_html(number_at(best, "seconds"), 3),
+                   time_html({{"status", value_at(best, "baseline_status")}, {"seconds", value_at(best, "baseline_seconds")}}),
+                   number_html(number_at(best, "times_faster"), 3)});
+  }
+  return array_at(view, "ratios").empty() ? "" : table.html();
 }
 
 std::string ratio_table(const Json& view) {
@@ -179,12 +233,15 @@ std::string reference_facts(const Json& view, const std::filesystem::path& run_f
                                fact("Pixels that the trimmed error leaves out as too bright", left_out ? count_html(left_out) : ""));
 }
 
-std::string view_section(const Json& report, const Json& view, const std::filesystem::path& run_folder) {
+/// One view. `figure_section`: what the report's figures of this view name as their section; `heading`: the tag of its title.
+std::string view_section(const Json& report, const Json& view, const std::string& figure_section, const char* heading,
+                         const std::filesystem::path& run_folder) {
   const std::string id = text_at(view, "id"), title = text_at(view, "title");
-  std::string html = element("h2", "", text_html(title.empty() ? id : title)) + reference_facts(view, run_folder);
-  for (const Json& figure : figures_of(report, id)) html += figure_html(figure, run_folder);
-  return element("section", "id=\"view-" + slug(id) + "\"",
-                 html + slope_table(view) + ratio_table(view) + time_table(view) + crossover_table(view) + setting_table(view));
+  std::string html = element(heading, "", text_html(title.empty() ? id : title)) + reference_facts(view, run_folder);
+  for (const Json& figure : figures_of(report, figure_section)) html += figure_html(figure, run_folder);
+  return element(
+      "section", "id=\"view-" + slug(id) + "\"",
+      html + time_table(view) + best_table(view) + slope_table(view) + ratio_table(view) + crossover_table(view) + setting_table(view));
 }
 
 }  // namespace
@@ -194,11 +251,22 @@ std::string bench_report_html(const Json& report, const std::filesystem::path& r
   for (const Json& view : array_at(report, "views")) {
     const std::string id = text_at(view, "id");
     links += element("li", "", "<a href=\"#view-" + slug(id) + "\">" + escaped(id) + "</a>");
-    body += view_section(report, view, run_folder);
+    body += view_section(report, view, id, "h2", run_folder);
   }
   body = header(report) + element("nav", "aria-label=\"Contents\"", element("ol", "", links)) + requirement_section(report) + body +
          provenance_section(report);
   return html_page(text_at(report, "title"), body);
+}
+
+std::string bench_section(const Json& report, const std::filesystem::path& run_folder) {
+  const Json& section = value_at(report, "bench");
+  if (!section.is_object()) return "";
+  std::string html = element("h2", "", "Run time against error") + element("p", "", text_html(text_at(section, "title"))) +
+                     element("p", "", text_html(text_at(report, "verdict/bench_sentence"))) +
+                     element("dl", "class=\"facts\"", machine_facts(value_at(section, "machine"))) + requirement_table(section);
+  for (const Json& view : array_at(section, "views"))
+    html += view_section(report, view, bench_figure_section(text_at(view, "id")), "h3", run_folder);
+  return element("section", "id=\"bench\"", html);
 }
 
 }  // namespace sturm

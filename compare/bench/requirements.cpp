@@ -82,6 +82,17 @@ StatisticValue statistic_of(const BenchRequirement& requirement, const MeasuredV
   throw std::logic_error("unknown statistic");
 }
 
+std::optional<AtItsBest> at_its_best(const MethodCurve& method, const MethodCurve& baseline) {
+  if (method.points.empty()) return std::nullopt;
+  const auto best = std::min_element(method.points.begin(), method.points.end(),
+                                     [](const CostPoint& a, const CostPoint& b) { return a.error < b.error; });
+  AtItsBest result;
+  result.index = static_cast<std::size_t>(best - method.points.begin());
+  result.baseline = time_to_reach(baseline.points, best->error);
+  if (result.baseline.reach == Reach::Interpolated) result.times_faster = *result.baseline.seconds / best->seconds;
+  return result;
+}
+
 bool keeps_bounds(const BenchRequirement& requirement, const std::optional<double>& value) {
   return value && std::isfinite(*value) && (!requirement.at_least || *value >= *requirement.at_least) &&
          (!requirement.at_most || *value <= *requirement.at_most);

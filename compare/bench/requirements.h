@@ -27,6 +27,16 @@ StatisticValue time_ratio(const MethodCurve& method, const MethodCurve& baseline
 /// times count as exact).
 StatisticValue cost_ratio(const MethodCurve& method, const MethodCurve& baseline, const ErrorKind& kind);
 
+/// A method's least error, and where the baseline overtakes it: with more time the baseline is better than the method ever was.
+struct AtItsBest {
+  std::size_t index = 0;               ///< of the method's point
+  TimeToReach baseline;                ///< to the same error
+  std::optional<double> times_faster;  ///< the baseline's seconds over the method's; none unless they are interpolated
+};
+
+/// None for a method without a value.
+std::optional<AtItsBest> at_its_best(const MethodCurve& method, const MethodCurve& baseline);
+
 /// Whether a value keeps the bounds; no value keeps none.
 bool keeps_bounds(const BenchRequirement& requirement, const std::optional<double>& value);
 

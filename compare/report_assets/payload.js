@@ -19,24 +19,23 @@ function bytesOf(address) {
   return atob(address.slice(address.indexOf(",") + 1));
 }
 
-function floatsOf(address) {
-  const bytes = bytesOf(address), table = halfValues();
+// `exponent`: of the power of two by which the values were multiplied.
+function floatsOf(address, exponent) {
+  const bytes = bytesOf(address), table = halfValues(), unit = 2 ** -exponent;
   const values = new Float32Array(bytes.length / 2);
-  for (let i = 0; i < values.length; ++i) values[i] = table[bytes.charCodeAt(2 * i) | (bytes.charCodeAt(2 * i + 1) << 8)];
+  for (let i = 0; i < values.length; ++i) values[i] = unit * table[bytes.charCodeAt(2 * i) | (bytes.charCodeAt(2 * i + 1) << 8)];
   return values;
 }
 
-// What can be shown of a case: a picture (radiance) or an error map, with values() and at(x, y).
+// What can be shown of a case: a picture (scale "radiance" or "density", `end` of a density: its peak) or a map ("signed", "error",
+// "similarity"), with values() and at(x, y). Exposure acts on pictures, and on the maps of densities, which are their differences.
 class Layer {
-  constructor(title, pixels, file) {
-    Object.assign(this, { title, pixels, file, width: pixels.width, height: pixels.height, channels: pixels.channels });
-    this.scale = pixels.scale || "radiance";
-    this.end = pixels.end;
-    this.key = pixels.key || title.toLowerCase().replace(" ", "_");
+  constructor(key, title, scale, end, pixels, exposed) {
+    Object.assign(this, { key, title, scale, end, pixels, exposed, width: pixels.width, height: pixels.height, channels: pixels.channels });
     this.decoded = null;
   }
   values() {
-    if (!this.decoded) this.decoded = floatsOf(this.pixels.halves);
+    if (!this.decoded) this.decoded = floatsOf(this.pixels.halves, this.pixels.exponent || 0);
     return this.decoded;
   }
   at(x, y) {
@@ -52,12 +51,11 @@ function readPayload() {
   const payload = JSON.parse(holder.textContent);
   const table = (address) => Uint8Array.from(bytesOf(address), (c) => c.charCodeAt(0));
   const cases = payload.cases.map((item) => ({
-    title: item.title,
-    factor: item.factor,
+    ...item,
     layers: [
-      new Layer("Path traced", payload.pictures[item.pathTraced], item.pathTraced),
-      new Layer("Predicted", payload.pictures[item.predicted], item.predicted),
-    ].concat(item.maps.map((map) => new Layer(map.title, map))),
+      ...item.pictures.map((picture) => new Layer(picture.key, picture.title, item.kind, item.peak, payload.pictures[picture.file], true)),
+      ...item.maps.map((map) => new Layer(map.key, map.title, map.scale, map.end, map, item.kind === "density")),
+    ],
   }));
   return { cases, colours: { sequential: table(payload.colours.sequential), diverging: table(payload.colours.diverging) } };
 }

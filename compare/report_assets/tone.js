@@ -1,6 +1,7 @@
 // From values to the colours of the screen.
 
-const LOG_DECADES = 4;  // of the logarithmic false colour, below the radiance that exposure makes white
+// Of the logarithmic false colours, below the radiance that exposure makes white, or below the peak of a density.
+const LOG_DECADES = { radiance: 4, density: 3 };
 
 function srgbByte(linear) {
   const x = Math.min(1, Math.max(0, linear));
@@ -32,7 +33,7 @@ function paintRadiance(layer, display, colours, bytes) {
     if (Number.isNaN(light)) {
       putNoValue(bytes, to, false);
     } else if (display.tone === "log") {
-      putColour(bytes, to, colours.sequential, light > 0 ? 1 + Math.log10(light) / LOG_DECADES : 0);
+      putColour(bytes, to, colours.sequential, light > 0 ? 1 + Math.log10(light) / LOG_DECADES.radiance : 0);
     } else {
       const press = display.tone === "reinhard" ? 1 / (1 + Math.max(0, light)) : 1;
       bytes[to] = srgbByte(press * r);
@@ -42,29 +43,44 @@ function paintRadiance(layer, display, colours, bytes) {
   }
 }
 
-function mapPosition(layer, value) {
-  if (layer.scale === "signed") return 0.5 + 0.5 * value / layer.end;
-  return (layer.scale === "similarity" ? 1 - value : value) / layer.end;
+// Relative to the peak that all densities of the case have in common; display.tone is "linear" or "log".
+function paintDensity(layer, display, colours, bytes) {
+  const values = layer.values(), gain = 2 ** display.stops / layer.end, log = display.tone === "log";
+  for (let i = 0, to = 0; to < bytes.length; ++i, to += 4) {
+    bytes[to + 3] = 255;
+    const share = gain * values[i];
+    if (Number.isNaN(share)) putNoValue(bytes, to, false);
+    else putColour(bytes, to, colours.sequential, log ? (share > 0 ? 1 + Math.log10(share) / LOG_DECADES.density : 0) : share);
+  }
 }
 
-function paintMap(layer, colours, bytes) {
-  const values = layer.values(), table = layer.scale === "signed" ? colours.diverging : colours.sequential;
+// Where a map's colours end.
+function mapEnd(layer, display) {
+  return layer.exposed ? layer.end * 2 ** -display.stops : layer.end;
+}
+
+function mapPosition(layer, value, end) {
+  if (layer.scale === "signed") return 0.5 + 0.5 * value / end;
+  return (layer.scale === "similarity" ? 1 - value : value) / end;
+}
+
+function paintMap(layer, display, colours, bytes) {
+  const values = layer.values(), end = mapEnd(layer, display), table = layer.scale === "signed" ? colours.diverging : colours.sequential;
   for (let i = 0, to = 0; to < bytes.length; ++i, to += 4) {
     bytes[to + 3] = 255;
     if (Number.isNaN(values[i])) putNoValue(bytes, to, true);
-    else putColour(bytes, to, table, mapPosition(layer, values[i]));
+    else putColour(bytes, to, table, mapPosition(layer, values[i], end));
   }
 }
 
 // The layer as a canvas of its own size; painted anew only where the display has changed.
 function bitmapOf(layer, display, colours) {
-  const radiance = layer.scale === "radiance";
-  const state = radiance ? display.tone + display.stops : "map";
+  const paint = { radiance: paintRadiance, density: paintDensity }[layer.scale] || paintMap;
+  const state = layer.exposed ? display.tone + " " + display.stops : "map";
   if (layer.paintedAs === state) return layer.bitmap;
   if (!layer.bitmap) layer.bitmap = make("canvas", { width: layer.width, height: layer.height });
   const context = layer.bitmap.getContext("2d"), image = context.createImageData(layer.width, layer.height);
-  if (radiance) paintRadiance(layer, display, colours, image.data);
-  else paintMap(layer, colours, image.data);
+  paint(layer, display, colours, image.data);
   context.putImageData(image, 0, 0);
   layer.paintedAs = state;
   return layer.bitmap;

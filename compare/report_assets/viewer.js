@@ -1,14 +1,17 @@
 // One case in the viewer: what is shown (state) and how it is drawn. Its buttons are in viewer_panel.js, mouse and keys in viewer_input.js.
 
-// What all cases share while they are linked.
-const common = { viewpoint: wholePicture(), display: { stops: 0, tone: "srgb" }, layout: { mode: "one", split: 0.5 } };
+// What all cases of a kind share while they are linked.
+function freshState(tone) {
+  return { viewpoint: wholePicture(), display: { stops: 0, tone }, layout: { mode: "one", split: 0.5 } };
+}
+const common = { radiance: freshState("srgb"), density: freshState("log") };
 const viewers = [];
 const PANEL_GAP = 8;  // CSS pixels between panels side by side
 
 class Viewer {
   constructor(place, item, colours) {
     Object.assign(this, { place, item, colours, layers: item.layers, active: 0, behind: 1, pixel: null, linked: true });
-    this.own = { viewpoint: wholePicture(), display: { ...common.display }, layout: { ...common.layout } };
+    this.own = freshState(common[item.kind].display.tone);
     buildPanel(this);
     listen(this);
     new ResizeObserver(() => this.draw()).observe(this.canvas);
@@ -16,12 +19,13 @@ class Viewer {
   }
 
   state() {
-    return this.linked ? common : this.own;
+    return this.linked ? common[this.item.kind] : this.own;
   }
 
   // Draws again whatever shows the state that has just been changed.
   changed() {
-    viewers.filter((viewer) => viewer === this || (this.linked && viewer.linked)).forEach((viewer) => {
+    const kind = this.item.kind;
+    viewers.filter((viewer) => viewer === this || (this.linked && viewer.linked && viewer.item.kind === kind)).forEach((viewer) => {
       updatePanel(viewer);
       viewer.draw();
     });

@@ -74,7 +74,14 @@ const keys = {
   "]": (viewer) => moveSplit(viewer, SPLIT_STEP),
   "e": (viewer) => expose(viewer, EXPOSURE_STEP),
   "E": (viewer) => expose(viewer, -EXPOSURE_STEP),
+  "l": nextTone,
 };
+
+function nextTone(viewer) {
+  const display = viewer.state().display, tones = TONES[viewer.item.kind].map(([tone]) => tone);
+  display.tone = tones[(tones.indexOf(display.tone) + 1) % tones.length];
+  viewer.changed();
+}
 
 function moveSplit(viewer, by) {
   const layout = viewer.state().layout;

@@ -1,7 +1,10 @@
 // The buttons and sliders of a case in the viewer.
 
 const LAYOUTS = [["one", "One"], ["split", "Split"], ["side", "Side by side"]];
-const TONES = [["srgb", "sRGB, clamped"], ["reinhard", "Reinhard"], ["log", "Luminance, logarithmic"]];
+const TONES = {
+  radiance: [["srgb", "sRGB, clamped"], ["reinhard", "Reinhard"], ["log", "Luminance, logarithmic"]],
+  density: [["linear", "Linear"], ["log", "Logarithmic"]],
+};
 const MOST_STOPS = 10;
 
 function make(tag, attributes, ...children) {
@@ -35,7 +38,7 @@ function buildPanel(viewer) {
   [behind, parts.behind] = choice("Right of the split", "behind", viewer.layers.map((layer, i) => [i, layer.title]));
   [split, parts.split] = slider("Split", "split", 0, 1, 0.01);
   [exposure, parts.exposure, parts.exposureText] = slider("Exposure", "exposure", -MOST_STOPS, MOST_STOPS, 0.25);
-  [tone, parts.tone] = choice("Tones", "tone", TONES);
+  [tone, parts.tone] = choice(viewer.item.kind === "density" ? "Scale" : "Tones", "tone", TONES[viewer.item.kind]);
   parts.link = make("input", { type: "checkbox", class: "link" });
   link = make("label", {}, parts.link, " same view in all cases");
   parts.whole = make("button", { type: "button", class: "whole" }, "Whole picture");
@@ -44,7 +47,7 @@ function buildPanel(viewer) {
   viewer.canvas = make("canvas", { tabindex: 0, role: "img", "aria-label": viewer.item.title + ": arrow keys choose a pixel" });
   parts.legend = make("p", { class: "legend" });
   viewer.readout = make("div", { class: "readout" });
-  const help = "Keys: 1 … 9 layer, arrows pixel (Shift: 10), + − 0 zoom, [ ] split, e E exposure. Mouse: drag, wheel (after a click), double click.";
+  const help = "Keys: 1 … 9 layer, arrows pixel (Shift: 10), + − 0 zoom, [ ] split, e E exposure, l next tones or scale. Mouse: drag, wheel (after a click), double click.";
   viewer.place.append(
     make("div", { class: "layers", role: "group", "aria-label": "Layer" }, ...parts.layers),
     make("div", { class: "controls" }, layout, behind, split, exposure, tone, parts.whole, link),
@@ -90,15 +93,18 @@ function updatePanel(viewer) {
 
 // A bar of the layer's colours with the values at its ends; nothing for a picture in its own colours.
 function legendOf(layer, display, colours) {
-  const radiance = layer.scale === "radiance", logarithmic = radiance && display.tone === "log";
-  if (radiance && !logarithmic) return [];
+  const picture = layer.scale === "radiance" || layer.scale === "density", logarithmic = picture && display.tone === "log";
+  if (layer.scale === "radiance" && !logarithmic) return [];
   const table = layer.scale === "signed" ? colours.diverging : colours.sequential;
   const stops = [];
   for (let i = 0; i < 256; i += 17) stops.push("rgb(" + table.slice(3 * i, 3 * i + 3).join(",") + ")");
   const bar = make("span", { class: "bar", style: "background: linear-gradient(to right, " + stops.join(", ") + ")" });
-  const white = 2 ** -display.stops;
-  const ends = logarithmic ? [(white * 10 ** -LOG_DECADES).toPrecision(3), white.toPrecision(3)] :
-    layer.scale === "signed" ? ["−" + layer.end, "+" + layer.end] :
-    layer.scale === "similarity" ? ["1", "≤ " + Number((1 - layer.end).toPrecision(4))] : ["0", "≥ " + layer.end];
-  return [layer.title + (logarithmic ? ", luminance (logarithmic)" : "") + ": ", ends[0], " ", bar, " ", ends[1]];
+  const brightest = (layer.scale === "density" ? layer.end : 1) * 2 ** -display.stops;  // what has the lightest colour
+  const end = Number(mapEnd(layer, display).toPrecision(4));
+  const ends = logarithmic ? ["≤ " + (brightest * 10 ** -LOG_DECADES[layer.scale]).toPrecision(3), brightest.toPrecision(3)] :
+    picture ? ["0", brightest.toPrecision(3)] :
+    layer.scale === "signed" ? ["−" + end, "+" + end] :
+    layer.scale === "similarity" ? ["1", "≤ " + Number((1 - end).toPrecision(4))] : ["0", "≥ " + end];
+  const scale = logarithmic ? (layer.scale === "radiance" ? ", luminance (logarithmic)" : ", logarithmic") : picture ? ", linear" : "";
+  return [layer.title + scale + ": ", ends[0], " ", bar, " ", ends[1]];
 }

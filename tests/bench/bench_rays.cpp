@@ -31,7 +31,7 @@ namespace {
 struct Options {
   int threads = tbb::info::default_concurrency();
   int repetitions = 7;
-  int samples = 16;  ///< per pixel
+  int samples = 64;  ///< per pixel
   double require_camera = 0.0, require_path = 0.0;
   bool json = false;
 };

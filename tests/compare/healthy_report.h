@@ -32,13 +32,23 @@ inline nlohmann::json psf(const char* id) {
           {"ray_model", "power_matrix"},
           {"pixel_arcmin", 0.5},
           {"predicted", {{"semi_axes_arcmin", {12.0, 6.0}}, {"orientation_deg", 30.0}}},
-          {"measured", {{"semi_axes_arcmin", {12.03, 5.98}}, {"orientation_deg", 30.1}, {"standard_error_arcmin", {0.02, 0.01}}}}};
+          {"measured",
+           {{"semi_axes_arcmin", {12.03, 5.98}},
+            {"orientation_deg", 30.1},
+            {"standard_error_arcmin", {0.02, 0.01}},
+            {"centroid_arcmin", {0.02, -0.03}},
+            {"centroid_standard_error_arcmin", {0.02, 0.02}}}}};
 }
 
 inline nlohmann::json image(const char* id, const char* model, double ssim, double rmse) {
   return {{"id", id},
           {"ray_model", model},
-          {"metrics", {{"ssim_display", {{"value", ssim}, {"uncertainty", 0.004}}}, {"rmse_linear", rmse}}},
+          {"metrics",
+           {{"ssim_display", {{"value", ssim}, {"uncertainty", 0.004}}},
+            {"light_ratio", {{"value", 0.9995}, {"uncertainty", 0.0004}}},
+            {"shift_x_px", {{"value", -0.03}, {"uncertainty", 0.01}}},
+            {"shift_y_px", {{"value", 0.04}, {"uncertainty", 0.01}}},
+            {"rmse_linear", rmse}}},
           {"noise_floor", {{"ssim_display", 0.975}, {"rmse_linear", 0.02}}}};
 }
 
@@ -55,6 +65,7 @@ inline nlohmann::json healthy_report() {
   report["images"] = {image("cornell", "power_matrix", 0.97, 0.011), image("cornell", "sin2_radial", 0.93, 0.04),
                       image("chart", "power_matrix", 0.98, 0.012)};
   report["must_fail"] = {mutant("mirrored_axis", 2.0, 0.005), mutant("double_pupil", 0.05, 0.005)};
+  report["gate_power"]["mutations"] = {{{"id", "half_pixel"}, {"caught_by", {{{"gate", "image_is_in_its_place"}}}}}};
   return report;
 }
 

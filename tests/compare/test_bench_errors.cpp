@@ -10,10 +10,14 @@
 #include "compare/bench/requirements.h"
 #include "compare/metrics/relative_mse.h"
 #include "compare/metrics/rmse.h"
+#include "compare/two_bench_methods.h"
 #include "io/error.h"
 
 namespace sturm {
 namespace {
+
+using test::sample;
+using test::two_methods;
 
 constexpr int side = 12;
 constexpr double rounding = 1e-12;
@@ -102,22 +106,6 @@ TEST(ReferenceImage, WhatIsLeftAfterTheFloorIsTheTrueError) {
 TEST(ReferenceImage, RefusesHalvesThatDiffer) {
   EXPECT_THROW(ReferenceImage(constant(1.0f), Image(side, side + 1, 3), std::nullopt, 1.0), InputError);
   EXPECT_THROW(ReferenceImage(Image(4, 4, 3), Image(4, 4, 3), std::nullopt, 1.0), InputError);
-}
-
-BenchSample sample(double seconds, double samples, double squared) {
-  return {seconds, samples, {squared, squared, squared, squared}};
-}
-
-/// Errors 1/√N and half of it, the second method twice as slow per sample.
-MeasuredView two_methods() {
-  MeasuredView view{"v", {}, {}};
-  for (const auto& [method, factor, pace] : {std::tuple{"a", 1.0, 1.0}, std::tuple{"b", 0.25, 2.0}})
-    for (const int n : {4, 16, 64})
-      view.settings.push_back(
-          {method,
-           static_cast<std::uint64_t>(n),
-           {sample(pace * n, n, 0.9 * factor / n), sample(3.0 * pace * n, n, 1.1 * factor / n), sample(pace * n, n, factor / n)}});
-  return view;
 }
 
 BenchRequirement requirement(BenchStatistic statistic, const char* error = "rmse") {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "compare/gates.h"
 #include "compare/healthy_report.h"
@@ -60,6 +61,13 @@ TEST(GateStatistics, OfTheHealthyReportByHand) {
   EXPECT_EQ(s.at("image_matrix_rmse_over_noise_floor_max").cases, 2u);
   EXPECT_NEAR(*s.at("image_sin2_rmse_over_noise_floor_min").value, 2.0, 1e-12);
   EXPECT_EQ(s.at("image_sin2_rmse_over_noise_floor_min").cases, 1u);
+  EXPECT_NEAR(*s.at("psf_matrix_centroid_max_z").value, 1.5, 1e-12);
+  EXPECT_EQ(s.at("psf_matrix_centroid_max_z").cases, 2u);  // x and y of one spot
+  EXPECT_NEAR(*s.at("image_light_max_deviation").value, 0.0005, 1e-12);
+  EXPECT_EQ(s.at("image_light_max_deviation").uncertainty, 0.0004);
+  EXPECT_NEAR(*s.at("image_shift_max_px").value, 0.05, 1e-12);
+  EXPECT_EQ(s.at("image_shift_max_px").cases, 2u);
+  EXPECT_EQ(s.at("mutation_min_gates").value, 1.0);
   EXPECT_EQ(s.at("must_fail_min_value_over_bound").value, 10.0);
   EXPECT_EQ(s.at("must_fail_min_value_over_bound").worst_case, "double_pupil");
 }
@@ -125,28 +133,40 @@ TEST_P(EachGate, RejectsTheReportThatItIsMadeFor) {
   EXPECT_THAT(failures_of(spoilt(GetParam().pointer, GetParam().value)), ::testing::ElementsAre(GetParam().gate));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Validation, EachGate,
-    ::testing::Values(
-        Spoilt{"/reference/max_relative_error/conoid_semi_axes", "conoid_is_the_reference", 1e-9},
-        Spoilt{"/reference/max_relative_error/sin2_closed_form", "sin2_closed_form_is_the_reference", nullptr},
-        Spoilt{"/ellipses/cases/0/rays/0/against_conoid/z_max", "matrix_equals_conoid", 6.1},
-        Spoilt{"/ellipses/cases/2/rays/0/against_conoid/relative_frobenius", "matrix_equals_conoid_relative", 1.1e-4},
-        Spoilt{"/ellipses/cases/2/rays/2/against_conoid/z_max", "thin_lens_equals_conoid_without_cylinder", 7.0},
-        Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/z_max", "sin2_equals_its_closed_form", 8.0},
-        Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/relative_frobenius", "sin2_equals_its_closed_form_relative", 1e-3},
-        Spoilt{"/ellipses/cases/1/rays/1/against_conoid/z_max", "sin2_differs_from_conoid", 3.9},
-        Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_less_than_predicted", 0.25},
-        Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_more_than_predicted", 0.27},
-        Spoilt{"/psfs/0/measured/semi_axes_arcmin/1", "psf_equals_conoid", 5.89},
-        Spoilt{"/images/0/metrics/ssim_display/value", "image_equals_prediction", 0.949},
-        Spoilt{"/images/2/metrics/rmse_linear", "image_differs_by_noise_alone", 0.0151},
-        Spoilt{"/images/0/noise_floor/rmse_linear", "image_differs_by_noise_alone", 0.0},
-        Spoilt{"/images/1/metrics/rmse_linear", "image_tells_ray_models_apart", 0.019},
-        Spoilt{"/images/1/metrics/ssim_display/value", "image_prefers_wavefront_theory", 0.971},
-        Spoilt{"/images/2/metrics/ssim_display/value", "image_as_in_baseline", 0.956},
-        Spoilt{"/must_fail/1/value", "mutants_are_caught", 0.004}),
-    [](const auto& info) { return std::string(info.param.gate) + "_" + std::to_string(info.index); });
+const std::vector<Spoilt> spoilt_reports = {
+    Spoilt{"/reference/max_relative_error/conoid_semi_axes", "conoid_is_the_reference", 1e-9},
+    Spoilt{"/reference/max_relative_error/sin2_closed_form", "sin2_closed_form_is_the_reference", nullptr},
+    Spoilt{"/ellipses/cases/0/rays/0/against_conoid/z_max", "matrix_equals_conoid", 6.1},
+    Spoilt{"/ellipses/cases/2/rays/0/against_conoid/relative_frobenius", "matrix_equals_conoid_relative", 1.1e-4},
+    Spoilt{"/ellipses/cases/2/rays/2/against_conoid/z_max", "thin_lens_equals_conoid_without_cylinder", 7.0},
+    Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/z_max", "sin2_equals_its_closed_form", 8.0},
+    Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/relative_frobenius", "sin2_equals_its_closed_form_relative", 1e-3},
+    Spoilt{"/ellipses/cases/1/rays/1/against_conoid/z_max", "sin2_differs_from_conoid", 3.9},
+    Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_less_than_predicted", 0.25},
+    Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_more_than_predicted", 0.27},
+    Spoilt{"/psfs/0/measured/semi_axes_arcmin/1", "psf_equals_conoid", 5.89},
+    Spoilt{"/psfs/0/measured/centroid_arcmin/0", "psf_is_in_its_place", -0.101},
+    Spoilt{"/images/2/metrics/light_ratio/value", "image_keeps_its_light", 1.0041},
+    Spoilt{"/images/0/metrics/light_ratio/value", "image_keeps_its_light", 0.9959},
+    Spoilt{"/images/0/metrics/shift_x_px/value", "image_is_in_its_place", -0.16},
+    Spoilt{"/images/2/metrics/shift_y_px/value", "image_is_in_its_place", 0.16},
+    Spoilt{"/gate_power/mutations/0/caught_by", "every_mutation_is_noticed", Json::array()},
+    Spoilt{"/images/0/metrics/ssim_display/value", "image_equals_prediction", 0.949},
+    Spoilt{"/images/2/metrics/rmse_linear", "image_differs_by_noise_alone", 0.0151},
+    Spoilt{"/images/0/noise_floor/rmse_linear", "image_differs_by_noise_alone", 0.0},
+    Spoilt{"/images/1/metrics/rmse_linear", "image_tells_ray_models_apart", 0.019},
+    Spoilt{"/images/1/metrics/ssim_display/value", "image_prefers_wavefront_theory", 0.971},
+    Spoilt{"/images/2/metrics/ssim_display/value", "image_as_in_baseline", 0.956},
+    Spoilt{"/must_fail/1/value", "mutants_are_caught", 0.004}};
+
+INSTANTIATE_TEST_SUITE_P(Validation, EachGate, ::testing::ValuesIn(spoilt_reports),
+                         [](const auto& tested) { return std::string(tested.param.gate) + "_" + std::to_string(tested.index); });
+
+TEST(Gates, EveryValidationGateHasAReportThatItRejects) {
+  std::set<std::string> rejecting = {"psf_equals_conoid_relative", "mirrored_axis_is_caught"};  // together with others: the next test
+  for (const Spoilt& s : spoilt_reports) rejecting.insert(s.gate);
+  for (const GateSpec& gate : validation_gates()) EXPECT_EQ(rejecting.count(gate.id), 1u) << gate.id;
+}
 
 TEST(Gates, RejectGrosslyWrongPsfsAndMirroredAxes) {
   EXPECT_THAT(failures_of(spoilt("/psfs/0/measured/orientation_deg", -30.0)),
@@ -177,7 +197,10 @@ TEST(Gates, ResultsCarryWhatTheReportShows) {
   EXPECT_EQ(matrix["id"], "matrix_equals_conoid");
   EXPECT_EQ(matrix["kind"], "upper_bound");
   EXPECT_EQ(matrix["value"], 1.5);
-  EXPECT_EQ(matrix["bound"], 4.0);
+  EXPECT_EQ(matrix["bound"], 5.0);
+  EXPECT_EQ(matrix["level"], 0.00014);
+  EXPECT_EQ(matrix["tolerance"]["value"], 0.0);
+  EXPECT_GT(matrix["noise"]["standard_deviation"], 0.0);
   EXPECT_EQ(matrix["unit"], "σ");
   EXPECT_EQ(matrix["cases"], 3);
   EXPECT_EQ(matrix["uncertainty"], nullptr);
@@ -185,7 +208,7 @@ TEST(Gates, ResultsCarryWhatTheReportShows) {
 }
 
 GateSpec gate(const std::string& statistic, Comparison comparison, double bound, const std::string& unit = "") {
-  return {"id", "title", statistic, comparison, bound, unit, "reason"};
+  return {.id = "id", .title = "title", .statistic = statistic, .comparison = comparison, .bound = bound, .unit = unit, .reason = "reason"};
 }
 
 Json evaluated(const GateSpec& spec, const Json& report, const Json* baseline = nullptr) {
@@ -232,6 +255,29 @@ TEST(Gates, BaselineInStandardErrors) {
   EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::Baseline, 1.0, "σ"), baseline, &now)["passed"], true);
   // without an uncertainty there is no σ
   EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", Comparison::Baseline, 1e9, "σ"), now, &baseline)["passed"], false);
+}
+
+/// The healthy report by an experiment whose images have `replicates`, with cornell's SSIM and its error.
+Json measured_by(int replicates, double ssim, double error) {
+  Json report = spoilt("/images/0/metrics/ssim_display", {{"value", ssim}, {"uncertainty", error}});
+  report["spec"]["images"] = {{{"id", "cornell"}, {"replicates", replicates}}, {{"id", "chart"}, {"replicates", replicates}}};
+  return report;
+}
+
+TEST(Gates, BaselineTellsARegressionFromNoise) {
+  const GateSpec spec = gate("image_ssim_display/cornell", Comparison::Baseline, 4.0, "σ");
+  const auto passes = [&](const Json& now, const Json& before) { return evaluated(spec, now, &before)["passed"] == true; };
+  // 5 standard errors of the difference: t with 6 degrees of freedom exceeds that by chance once in 800 runs (two-sided 0.00245), no more
+  // than a normal deviate exceeds 3.03. What is noise with 4 replicates is a regression with 64.
+  const Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
+  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.03, 0.005);
+  EXPECT_TRUE(passes(fallen, before));
+  EXPECT_FALSE(passes(measured_by(64, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001), measured_by(64, 0.97, 0.001)));
+  // A fall of 12 standard errors (0.017 of SSIM) is one with 4 replicates, too; a rise never is.
+  EXPECT_FALSE(passes(measured_by(4, 0.97 - 12.0 * std::sqrt(2.0) * 0.001, 0.001), before));
+  EXPECT_TRUE(passes(measured_by(4, 0.97 + 12.0 * std::sqrt(2.0) * 0.001, 0.001), before));
+  // The same run again.
+  EXPECT_EQ(evaluated(spec, before, &before)["value"], 0.0);
 }
 
 TEST(Gates, BaselineThatIsMissingOrHasOtherImagesFails) {

@@ -94,11 +94,14 @@ TEST(ImageEllipse, PropagatedErrorIsTheScatterOfNoisyImages) {
   const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1p-53 - 0.5; };
   constexpr int images = 400;
   Eigen::Matrix2d mean = Eigen::Matrix2d::Zero(), squares = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d centroid_squares = Eigen::Vector2d::Zero();
   for (int i = 0; i < images; ++i) {
     Image noisy = clean;
     for (std::size_t k = 0; k < noisy.pixels.size(); ++k)
       noisy.pixels[k] += static_cast<float>(uniform() * std::sqrt(12.0 * variance.pixels[k]));
-    const Eigen::Matrix2d d = measure_image_ellipse(noisy, nullptr, {}).covariance - e.covariance;
+    const ImageEllipse measured = measure_image_ellipse(noisy, nullptr, {});
+    const Eigen::Matrix2d d = measured.covariance - e.covariance;
+    centroid_squares += (measured.centroid - e.centroid).cwiseAbs2() / images;
     mean += d / images;
     squares += d.cwiseAbs2() / images;
   }
@@ -108,6 +111,9 @@ TEST(ImageEllipse, PropagatedErrorIsTheScatterOfNoisyImages) {
   EXPECT_NEAR(scatter(0, 0) / se[0], 1.0, 0.14);
   EXPECT_NEAR(scatter(0, 1) / se[1], 1.0, 0.14);
   EXPECT_NEAR(scatter(1, 1) / se[2], 1.0, 0.14);
+  const Eigen::Vector2d centroid_scatter = centroid_squares.cwiseSqrt();
+  EXPECT_NEAR(centroid_scatter.x() / e.centroid_standard_error->x(), 1.0, 0.14);
+  EXPECT_NEAR(centroid_scatter.y() / e.centroid_standard_error->y(), 1.0, 0.14);
 }
 
 TEST(ImageEllipse, RefusesWhatIsNoSpot) {

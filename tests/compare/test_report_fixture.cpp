@@ -242,6 +242,7 @@ void add_psfs(Json& report) {
                                 {"pupil_mm", setup.pupil_mm},
                                 {"ray_model", model},
                                 {"file", std::string("psf/") + setup.id + "_" + model + ".exr"},
+                                {"files", {{"predicted", std::string("psf/") + setup.id + "_predicted.exr"}}},
                                 {"pixel_arcmin", psf_pixel_rad(setup) * arcminutes_per_radian},
                                 {"resolution", psf_resolution},
                                 {"predicted", arcmin_ellipse(Ellipse::image_of_disc(V, a))},
@@ -414,6 +415,8 @@ void write_synthetic_pictures(const Json& report, const std::filesystem::path& r
   for (const Json& psf : report["psfs"]) {
     const auto* setup = std::find_if(std::begin(psf_setups), std::end(psf_setups), [&](const PsfSetup& s) { return psf["id"] == s.id; });
     write_psf(run_folder / psf["file"].get<std::string>(), *setup, psf["ray_model"].get<std::string>(), scatter);
+    Scatter of_its_own;
+    write_psf(run_folder / psf["files"]["predicted"].get<std::string>(), *setup, "power_matrix", of_its_own);
   }
   for (const Json& image : report["images"]) {
     const bool agrees = image["ray_model"] == "power_matrix";

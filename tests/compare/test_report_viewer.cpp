@@ -8,7 +8,6 @@
 #include "compare/stored_images.h"
 #include "io/half_pixels.h"
 #include "io/json.h"
-#include "io/json.h"
 
 namespace sturm {
 namespace {
@@ -31,7 +30,7 @@ ViewerPayload payload_with(const std::string& title) {
   ViewerPayload payload;
   payload.add_picture("a.exr", a, 1);
   payload.add_picture("b.exr", b, 1);
-  payload.add_case(title, "a.exr", "b.exr", luma_image(a), 0.5, measure_images(b, a, {}), 1);
+  payload.add_case(case_of_images(title, "a.exr", "b.exr", luma_image(a), 0.5, measure_images(b, a, {}), 1));
   return payload;
 }
 
@@ -44,7 +43,9 @@ TEST(ViewerPayload, HoldsPicturesAndMapsOfTheMetricsOwnValues) {
   ASSERT_EQ(maps.size(), 1 + viewer_maps().size());  // the difference, and one for each metric
   for (const ImageMetric& metric : measure_images(b, a, {})) {
     for (const Json& map : maps)
-      if (map["key"] == metric.key && metric.margin == 0) EXPECT_EQ(map["halves"], address(metric.map)) << metric.key;
+      if (map["key"] == metric.key && metric.margin == 0) {
+        EXPECT_EQ(map["halves"], address(metric.map)) << metric.key;
+      }
   }
   for (const Json& map : maps) {
     EXPECT_EQ(map["width"], 24) << map["key"];
@@ -66,6 +67,33 @@ TEST(ViewerPayload, APictureOfSeveralCasesIsStoredOnce) {
   const std::size_t before = payload.html().size();
   payload.add_picture("b.exr", testing::textured_image(24, 16, 0.9), 1);
   EXPECT_EQ(payload.html().size(), before);
+}
+
+TEST(ViewerPayload, DensitiesKeepTheirPrecisionHoweverSmall) {
+  Image density(2, 1, 1);
+  density.pixels = {0x1p-20f, 0x1.004p-32f};  // 2⁻³² itself would round to zero; the second is 1025/1024 of it
+  ViewerCase shown;
+  shown.kind = ViewerCase::Kind::Density;
+  shown.pictures = {{"a", "A", "a.exr"}};
+  shown.peak = 0x1p-20;
+  ViewerPayload payload;
+  payload.add_picture("a.exr", density, 1);
+  payload.add_case(shown);
+  const Json picture = document_of(payload)["pictures"]["a.exr"];
+  ASSERT_EQ(picture["exponent"], 33);  // 2⁻²⁰ becomes 2¹³, the second 2·(1 + 2⁻¹⁰)
+  // 2¹³ = 0x7000 and 2·(1 + 2⁻¹⁰) = 0x4001, little endian: 00 70 01 40.
+  EXPECT_EQ(picture["halves"], "data:application/octet-stream;base64," + base64({0x00, 0x70, 0x01, 0x40}));
+}
+
+TEST(ViewerPayload, ADensityOfZerosStaysOne) {
+  ViewerCase shown;
+  shown.kind = ViewerCase::Kind::Density;
+  shown.pictures = {{"a", "A", "a.exr"}};
+  shown.peak = 1.0;
+  ViewerPayload payload;
+  payload.add_picture("a.exr", Image(2, 2, 1), 1);
+  payload.add_case(shown);
+  EXPECT_EQ(document_of(payload)["pictures"]["a.exr"]["exponent"], 0);
 }
 
 TEST(ViewerPayload, HoldsNoMarkup) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/run_comparison.h"
+#include "compare/study_reports.h"
 #include "io/schema.h"
 
 namespace sturm {
@@ -70,6 +71,72 @@ TEST(RunComparison, NearerToItsPredictionIsBetter) {
   };
   EXPECT_EQ(compare_runs(report(1.0), report(0.5), 0.01).changes.at(0).direction, Direction::Worse);
   EXPECT_EQ(compare_runs(report(1.5), report(1.0), 0.01).changes.at(0).direction, Direction::Better);
+}
+
+TEST(RunComparison, APredictionsErrorIsHeldAgainstItsUncertainty) {
+  using testing::agreement_report;
+  // Standard errors of 3e-5 on both sides: 4.2e-5 of the difference. Two numbers at 1 % together: |z| > 2.806.
+  EXPECT_TRUE(compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.97, 5e-4), 0.01).changes.empty());  // 2.4
+  const RunComparison c = compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.97, 6e-4), 0.01);       // 4.7
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_EQ(c.tests, 2u);
+  EXPECT_EQ(c.changes[0].name, "prediction box, layered, whole: mean square error");
+  EXPECT_NEAR(*c.changes[0].z, 2e-4 / 4.2426e-5, 1e-3);
+  EXPECT_EQ(c.changes[0].direction, Direction::Worse);
+  EXPECT_EQ(compare_runs(agreement_report(0.97, 6e-4), agreement_report(0.97, 4e-4), 0.01).changes.at(0).direction, Direction::Better);
+  EXPECT_EQ(compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.95, 4e-4), 0.01).changes.at(0).direction, Direction::Worse);
+  // The same difference of three pictures each proves nothing: t = 4.7 with 4 degrees of freedom has p = 0.9 %.
+  EXPECT_TRUE(compare_runs(agreement_report(0.97, 4e-4, 3), agreement_report(0.97, 6e-4, 3), 0.01).changes.empty());
+}
+
+TEST(RunComparison, ABiasThatComesUpIsWorse) {
+  using testing::sampling_report;
+  const Json before = sampling_report(1e-6, 0.5, 0.1);
+  EXPECT_TRUE(compare_runs(before, sampling_report(4e-6, 1.5, 0.102), 0.01).changes.empty());
+  const RunComparison bias = compare_runs(before, sampling_report(1e-4, 40.0, 0.1), 0.01);
+  ASSERT_EQ(bias.changes.size(), 1u);
+  EXPECT_EQ(bias.changes[0].name, "sampling lens, uniform_polar_weighted, halton: mean square bias [radiance²]");
+  EXPECT_EQ(bias.regressions(), 1u);
+  const RunComparison noise = compare_runs(before, sampling_report(1e-6, 0.5, 0.12), 0.01);
+  ASSERT_EQ(noise.changes.size(), 1u);
+  EXPECT_EQ(noise.changes[0].name, "sampling lens, uniform_polar_weighted, halton: noise [radiance]");
+  EXPECT_EQ(noise.regressions(), 1u);
+  // Raw polar sampling is biased by design: another bias is a change, and no more.
+  Json other = before;
+  other["sampling_study"]["entries"][1]["mean_square_bias"] = 8e-4;
+  const RunComparison by_design = compare_runs(before, other, 0.01);
+  ASSERT_EQ(by_design.changes.size(), 1u);
+  EXPECT_EQ(by_design.changes[0].direction, Direction::Neither);
+}
+
+TEST(RunComparison, NumbersWithoutNoiseMayMoveByRoundingOnly) {
+  using testing::sin2_report;
+  const Json before = sin2_report(3e-15, 0.4);
+  RunComparison c = compare_runs(before, sin2_report(9e-15, 0.4), 0.01);
+  EXPECT_TRUE(c.changes.empty());
+  EXPECT_EQ(c.tests, 0u);
+  EXPECT_EQ(c.bounded, c.numbers);
+  c = compare_runs(before, sin2_report(1e-3, 0.4), 0.01);
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_EQ(c.changes[0].kind, Kind::BeyondUncertainty);
+  EXPECT_EQ(c.changes[0].name, "sin² study, matrix_vs_theory_max");
+  EXPECT_FALSE(c.changes[0].z);
+  EXPECT_EQ(c.regressions(), 1u);
+  Json other = before;
+  other["sin2_study"]["population"][0]["noticeable"] = 121;
+  c = compare_runs(before, other, 0.01);
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_EQ(c.changes[0].name, "sin² study, real eyes, sin2_radial, relaxed, 1 m: noticeable");
+  EXPECT_EQ(c.changes[0].direction, Direction::Neither);
+}
+
+TEST(RunComparison, APointSpreadMayMoveByTheNoiseOfBothRuns) {
+  using testing::sin2_report;
+  // Two runs of theory are 0.004 apart in each report: 0.008 may be noise.
+  EXPECT_TRUE(compare_runs(sin2_report(0.0, 0.4), sin2_report(0.0, 0.4079), 0.01).changes.empty());
+  const RunComparison c = compare_runs(sin2_report(0.0, 0.4), sin2_report(0.0, 0.4081), 0.01);
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_EQ(c.changes[0].name, "sin² study, point spread circle, repaired: total variation from theory");
 }
 
 TEST(RunComparison, FollowsItsSchema) {

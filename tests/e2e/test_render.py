@@ -87,7 +87,7 @@ class Files(Render):
         kind, text = attributes["sturm"]
         self.assertEqual(kind, "string")
         spec = strict_json(text.decode())
-        skip = ("scalar_power", "zero_pupil", "sharp_pixels", "refraction", "surface_models", "shading_frames", "environment_light", "unseen_emitters", "same_views",
+        skip = ("scalar_power", "zero_pupil", "sharp_pixels", "refraction", "surface_models", "shading_frames", "environment_light", "unseen_emitters", "converged_tiles", "same_views",
                 "sharp_spots")
         self.assertEqual(spec["method"], {**view["method"], "max_bounces": 16, "guide_emitters": True, "sampler": "sobol", "sampling": "uniform_disk", "filter": "box",
                                           "sharp_below_px": 0.02, "skip": dict.fromkeys(skip, True)})

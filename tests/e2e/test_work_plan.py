@@ -4,7 +4,7 @@ import unittest
 import documents
 from documents import changed, without
 from exr_header import packed_pixels
-from sturm_process import WRONG_INPUT, FolderTest, strict_json, sturm
+from sturm_process import SOURCE, WRONG_INPUT, FolderTest, strict_json, sturm
 
 SPHERICAL = {"prescription": {"sphere_D": -1.5}, "pupil_diameter_mm": 6, "accommodation": {"mode": "relaxed"}}
 LENS = {"vertex_distance_mm": 12, "center_thickness_mm": 3, "refractive_index": 1.5,
@@ -115,7 +115,7 @@ class Manifest(Plan):
 
     def test_off_saves_nothing(self):
         off = {name: False for name in ("scalar_power", "zero_pupil", "sharp_pixels", "refraction", "surface_models", "shading_frames",
-                                        "environment_light", "unseen_emitters", "same_views", "sharp_spots")}
+                                        "environment_light", "unseen_emitters", "converged_tiles", "same_views", "sharp_spots")}
         self.render(changed(outdoors(), "/method/skip", off))
         for entry in self.plan().values():
             self.assertFalse(entry["left_out"])
@@ -123,6 +123,25 @@ class Manifest(Plan):
         # Lights are sampled where they need not be: the environment is a light now.
         counters = strict_json((self.folder / "a.manifest.json").read_text())["counters"]
         self.assertGreater(counters["shadow_rays"], 0)
+
+    def test_tiles_end_one_by_one(self):
+        view = changed(strict_json((SOURCE / "configs/views/near_screen.json").read_text()), "/camera/resolution", [96, 64])
+        view["method"].update({"stop": {"relative_error": 0.03}, "adaptive": {"tile_px": 8}})
+        self.render(view)
+        saved = self.plan()["converged_tiles"]["saved"]
+        counters = strict_json((self.folder / "a.manifest.json").read_text())["counters"]
+        self.assertGreater(saved["samples"], counters["camera_rays"] / 2)
+        self.assertGreater(saved["tiles"], 48)  # half of them
+        self.render(changed(view, "/method/skip", {"converged_tiles": False}), "off")
+        manifest = strict_json((self.folder / "off.manifest.json").read_text())
+        entry = [e for e in manifest["counters"]["plan"] if e["item"] == "converged_tiles"]
+        self.assertEqual(entry, [{"item": "converged_tiles", "left_out": False, "needed": False, "picture": "same mean",
+                                  "reason": "adaptive sampling: tiles end one by one", "saved": {}}])
+        off = manifest["counters"]
+        # Every pixel has the same number of samples, and the longest tile decides.
+        self.assertEqual(off["camera_rays"] % (96 * 64), 0)
+        for sampling in (counters["sampling"], off["sampling"]):
+            self.assertLess(sampling["measured_relative_error"], 0.045)  # an estimate from two halves scatters
 
     def test_copied_pixels_of_a_prediction(self):
         view = outdoors()
@@ -154,7 +173,7 @@ class Pictures(Plan):
     def test_what_does_not_apply_changes_nothing(self):
         view = documents.view()
         first = packed_pixels(self.render(view))
-        for name in ("scalar_power", "zero_pupil", "sharp_pixels", "environment_light", "unseen_emitters", "same_views", "sharp_spots"):
+        for name in ("scalar_power", "zero_pupil", "sharp_pixels", "environment_light", "unseen_emitters", "converged_tiles", "same_views", "sharp_spots"):
             with self.subTest(name):
                 self.assertEqual(packed_pixels(self.render(changed(view, "/method/skip", {name: False}))), first)
 

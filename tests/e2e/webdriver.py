@@ -62,11 +62,15 @@ class Browser:
         self._call("POST", f"/element/{self.find(selector)}/value", {"text": text})
 
     def pointer(self, selector, *moves):
-        """Moves of the mouse relative to an element's centre [px]; "down" and "up" press and release its button."""
+        """Moves of the mouse relative to an element's centre [px]; "down" and "up" press and release its button. A browser's mouse stays where it is
+        when another page opens: a move to the same place is none."""
         origin = {ELEMENT: self.find(selector)}
+        self.run("document.querySelector(arguments[0]).scrollIntoView({block: 'center'})", selector)
         actions = [{"type": "pointerDown" if move == "down" else "pointerUp", "button": 0} if isinstance(move, str) else
                    {"type": "pointerMove", "duration": 0, "origin": origin, "x": move[0], "y": move[1]} for move in moves]
         self._call("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": actions}]})
+        # Moves reach the page with its next frame.
+        self.run("return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))));")
 
     def console(self):
         """Messages of the page's console and errors of its scripts since the last call."""

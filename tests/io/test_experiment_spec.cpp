@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "experiment_testing.h"
@@ -192,6 +193,61 @@ TEST(GateSpec, ReadsAllComparisons) {
   Json twice = document;
   twice["gates"][3]["id"] = "a";
   EXPECT_THAT(input_error([&] { read_gates(twice, "g.json"); }), HasSubstr("g.json: /gates/3/id: got \"a\""));
+}
+
+/// A gate with what its bound was calibrated on; `changes` is a merge patch.
+Json calibrated_gates(const char* changes = "{}") {
+  Json gate = parse_json(R"({"id": "a", "title": "t", "statistic": "s", "comparison": "at_most", "bound": 4, "reason": "r",
+                             "level": 1e-4, "tolerance": {"value": 0.5, "reason": "edges"}, "noise": {"standard_deviation": 0.25, "source": "20 seeds"}})",
+                         "g.json");
+  gate.merge_patch(parse_json(changes, "g.json"));
+  return {{"format", "sturm.gates/1"}, {"gates", {gate}}};
+}
+
+TEST(GateSpec, ReadsAndWritesACalibration) {
+  const GateSpec gate = read_gates(calibrated_gates(), "g.json").at(0);
+  ASSERT_TRUE(gate.calibration);
+  EXPECT_EQ(gate.calibration->level, 1e-4);
+  EXPECT_EQ(gate.calibration->tolerance.value, 0.5);
+  EXPECT_EQ(gate.calibration->tolerance.reason, "edges");
+  EXPECT_EQ(gate.calibration->noise.standard_deviation, 0.25);
+  EXPECT_EQ(gate.calibration->noise.source, "20 seeds");
+  Json written = calibrated_gates()["gates"][0];
+  written.update(calibration_json(gate));
+  EXPECT_EQ(written, calibrated_gates()["gates"][0]);
+  EXPECT_NO_THROW(require_calibrated({gate}, "g.json"));
+}
+
+TEST(GateSpec, WhatNobodyMeasuredIsNull) {
+  Json document = calibrated_gates();
+  document["gates"][0]["level"] = nullptr;
+  document["gates"][0]["noise"]["standard_deviation"] = nullptr;
+  const GateSpec gate = read_gates(document, "g.json").at(0);
+  EXPECT_FALSE(gate.calibration->level);
+  EXPECT_FALSE(gate.calibration->noise.standard_deviation);
+  EXPECT_TRUE(calibration_json(gate)["level"].is_null());
+}
+
+TEST(GateSpec, RefusesHalfACalibrationAndChanceWithoutNoise) {
+  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"noise": null})"), "g.json"); }), HasSubstr("g.json: /gates/0: got"));
+  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"noise": {"standard_deviation": 0}})"), "g.json"); }),
+              HasSubstr("g.json: /gates/0/level: got"));
+  EXPECT_NO_THROW(read_gates(calibrated_gates(R"({"level": 0, "noise": {"standard_deviation": 0}})"), "g.json"));
+  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"level": 1})"), "g.json"); }), HasSubstr("/gates/0/level: got 1"));
+  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"tolerance": {"value": -1}})"), "g.json"); }),
+              HasSubstr("/gates/0/tolerance/value: got -1"));
+  const Json plain = calibrated_gates(R"({"level": null, "tolerance": null, "noise": null})");  // RFC 7396: takes them away
+  EXPECT_THAT(input_error([&] { require_calibrated(read_gates(plain, "g.json"), "g.json"); }), HasSubstr("g.json: /gates/0: got \"a\""));
+}
+
+TEST(GateSpec, EveryShippedGateSaysWhatItWasCalibratedOn) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(STURM_SOURCE_DIR "/configs/gates")) {
+    const std::string file = entry.path().string();
+    EXPECT_NO_THROW(require_calibrated(read_gates(load_json(file), file), file));
+    ++files;
+  }
+  EXPECT_GE(files, 8);
 }
 
 }  // namespace

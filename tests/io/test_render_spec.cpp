@@ -148,7 +148,7 @@ TEST_F(RenderSpecTest, ResolvedSpellsOutAndMeansTheSame) {
   EXPECT_EQ(resolved["eye"]["rotation_center_mm"], 13.5);
   EXPECT_EQ(resolved["scene"], "../scenes/s.json");
   EXPECT_EQ(resolved["camera"]["up"], (Json{0, 1, 0}));
-  const Json skip{{"scalar_power", true}, {"zero_pupil", true}, {"sharp_pixels", true}, {"refraction", true}, {"surface_models", true}, {"shading_frames", true}, {"environment_light", true}, {"unseen_emitters", true}, {"same_views", true}, {"sharp_spots", true}};
+  const Json skip{{"scalar_power", true}, {"zero_pupil", true}, {"sharp_pixels", true}, {"refraction", true}, {"surface_models", true}, {"shading_frames", true}, {"environment_light", true}, {"unseen_emitters", true}, {"converged_tiles", true}, {"same_views", true}, {"sharp_spots", true}};
   EXPECT_EQ(resolved["method"], (Json{{"type", "path_trace"}, {"ray_model", "sin2_radial"}, {"samples_per_pixel", 64}, {"max_bounces", 16}, {"guide_emitters", true}, {"sampler", "sobol"}, {"sampling", "uniform_disk"}, {"filter", "box"}, {"sharp_below_px", 0.02}, {"skip", skip}}));
   EXPECT_EQ(resolved["seed"], 1);
   // The defaults of the schema and those of the structs are the same ones.

@@ -6,12 +6,12 @@ namespace sturm {
 namespace {
 
 /// Dimensions 2 + 3·bounce: scatter, light, roulette, written out here so that no path may move to other numbers unnoticed.
-void expect_sequence_itself(Sequence kind) {
+void expect_sequence_itself(Sequence kind, std::uint32_t count = 16) {
   const PixelSequence sequence(kind, 7, 1234);
   VertexNumbers numbers(sequence);
   for (std::uint32_t first : {0u, 16u, 4080u}) {
-    numbers.begin_block(first);
-    for (std::uint32_t sample : {first + 5u, first, first + 15u})
+    numbers.begin_block(first, static_cast<int>(count));
+    for (std::uint32_t sample : {first + count / 3, first, first + count - 1})
       for (std::uint32_t bounce : {0u, 3u, 1u, 9u, 10u, 40u}) {  // the table ends somewhere on the way
         const auto light = sequence.pair(sample, 2 + 3 * bounce + 1), scatter = sequence.pair(sample, 2 + 3 * bounce);
         const LocalDirection expected = cosine_local(unit_float(scatter.x), unit_float(scatter.y));
@@ -28,7 +28,7 @@ void expect_sequence_itself(Sequence kind) {
 }
 
 TEST(VertexNumbers, SobolInBlocksHasTheBitsOfTheSequence) {
-  expect_sequence_itself(Sequence::Sobol);
+  for (std::uint32_t count : {16u, 9u, 8u, 1u}) expect_sequence_itself(Sequence::Sobol, count);
 }
 
 TEST(VertexNumbers, OtherSequencesComeThroughUnchanged) {

@@ -1,0 +1,92 @@
+#include "app/experiment/image_metrics.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/json_values.h"
+#include "compare/metrics/displacement.h"
+#include "compare/metrics/relative_mse.h"
+#include "compare/metrics/rmse.h"
+#include "compare/metrics/ssim.h"
+#include "io/tone_map.h"
+
+namespace sturm {
+
+namespace {
+
+/// Mean pictures of both predictors, in linear light and in display space.
+struct Pair {
+  Image predicted, traced, predicted_shown, traced_shown;
+
+  Pair(Image p, Image t)
+      : predicted(std::move(p)),
+        traced(std::move(t)),
+        predicted_shown(to_display(predicted, metrics_exposure)),
+        traced_shown(to_display(traced, metrics_exposure)) {}
+};
+
+/// One metric for all replicates (the first number) and with each replicate left out in turn.
+class Jackknife {
+ public:
+  void add(std::optional<double> value) { values_.push_back(value); }
+
+  Json json() const {
+    const std::size_t n = values_.size() - 1;
+    double mean = 0.0, squares = 0.0;
+    for (const std::optional<double>& v : values_)
+      if (!v) return {{"value", nullptr}, {"uncertainty", nullptr}};
+    for (std::size_t r = 1; r <= n; ++r) mean += *values_[r] / static_cast<double>(n);
+    for (std::size_t r = 1; r <= n; ++r) squares += (*values_[r] - mean) * (*values_[r] - mean);
+    return {{"value", *values_[0]}, {"uncertainty", std::sqrt(squares * (static_cast<double>(n) - 1.0) / static_cast<double>(n))}};
+  }
+
+ private:
+  std::vector<std::optional<double>> values_;
+};
+
+double sum_of(const Image& image) {
+  double sum = 0.0;
+  for (const float v : image.pixels) sum += v;
+  return sum;
+}
+
+std::optional<double> light_ratio(const Pair& pair) {
+  const double traced = sum_of(pair.traced);
+  return traced > 0.0 ? std::optional(sum_of(pair.predicted) / traced) : std::nullopt;
+}
+
+}  // namespace
+
+Json image_metrics_json(const Replicates& predicted, const Replicates& traced) {
+  const Pair whole(predicted.mean(), traced.mean());
+  Jackknife ssim_display, ssim_linear, light, shift_x, shift_y;
+  const auto measure = [&](const Pair& pair) {
+    ssim_display.add(ssim(pair.predicted_shown, pair.traced_shown).mean);
+    ssim_linear.add(ssim(clamped(pair.predicted), clamped(pair.traced)).mean);
+    light.add(light_ratio(pair));
+    const std::optional<Eigen::Vector2d> shift = displacement_px(pair.predicted_shown, pair.traced_shown);
+    shift_x.add(shift ? std::optional(shift->x()) : std::nullopt);
+    shift_y.add(shift ? std::optional(shift->y()) : std::nullopt);
+  };
+  measure(whole);
+  for (int r = 0; r < static_cast<int>(traced.images.size()); ++r) measure(Pair(predicted.mean(r), traced.mean(r)));
+  return {{"ssim_display", ssim_display.json()},
+          {"ssim_linear", ssim_linear.json()},
+          {"light_ratio", light.json()},
+          {"shift_x_px", shift_x.json()},
+          {"shift_y_px", shift_y.json()},
+          {"psnr_display_dB", number_or_null(psnr_dB(whole.predicted_shown, whole.traced_shown))},
+          {"rmse_linear", rmse(whole.predicted, whole.traced)},
+          {"relative_mse", relative_mse(whole.predicted, whole.traced).plain}};
+}
+
+Json image_noise_floor_json(const Replicates& traced) {
+  const Image a = traced.first_half(), b = traced.second_half();
+  return {{"ssim_display", ssim(to_display(a, metrics_exposure), to_display(b, metrics_exposure)).mean},
+          {"rmse_linear", rmse(a, b)},
+          {"relative_mse", relative_mse(a, b).plain}};
+}
+
+}  // namespace sturm

@@ -1,0 +1,102 @@
+"""Firefox by its own remote protocol, Marionette (https://firefox-source-docs.mozilla.org/testing/marionette/): what geckodriver, which Debian
+does not have, would translate WebDriver's requests into."""
+import json
+import os
+import shutil
+import socket
+import subprocess
+import time
+
+from webdriver import Browser
+
+COMMANDS = {"/url": "WebDriver:Navigate", "/execute/sync": "WebDriver:ExecuteScript", "/element": "WebDriver:FindElement",
+            "/actions": "WebDriver:PerformActions", "/window/rect": "WebDriver:SetWindowRect", "/screenshot": "WebDriver:TakeScreenshot"}
+OF_ELEMENTS = {"click": "WebDriver:ElementClick", "text": "WebDriver:GetElementText", "value": "WebDriver:ElementSendKeys"}
+PREFERENCES = {"marionette.port": 0, "ui.prefersReducedMotion": 1, "browser.shell.checkDefaultBrowser": False,
+               "datareporting.policy.dataSubmissionEnabled": False, "app.update.disabledForTesting": True}
+# Errors of the page's own scripts and styles; the browser's messages about itself are none of them.
+ERRORS = """
+  const seen = Services.console.getMessageArray().filter((m) => m instanceof Ci.nsIScriptError && String(m.sourceName).startsWith("file:"));
+  Services.console.reset();
+  return seen.map((m) => m.errorMessage);"""
+
+
+def firefox():
+    """Firefox' file, or None where it is not installed."""
+    return shutil.which("firefox-esr") or shutil.which("firefox")
+
+
+class Firefox(Browser):
+    """A headless Firefox with Browser's functions."""
+
+    def __init__(self, profile, width=1280, height=1000):
+        profile.mkdir()
+        (profile / "user.js").write_text("".join(f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in PREFERENCES.items()))
+        self._process = subprocess.Popen([firefox(), "--headless", "--no-remote", "--marionette", "--remote-allow-system-access", "--profile", profile],
+                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={**os.environ, "HOME": str(profile)})
+        self._socket, self._received, self._number = None, b"", 0
+        try:
+            self._socket = socket.create_connection(("127.0.0.1", self._port_of(profile / "MarionetteActivePort")), timeout=120)
+            self._receive()  # the server's greeting
+            self._send("WebDriver:NewSession", {})
+            self._call("POST", "/window/rect", {"width": width, "height": height})
+        except Exception:
+            self._end()
+            raise
+
+    def _port_of(self, file):
+        """The port that Firefox has chosen; it writes it down once it listens."""
+        for _ in range(600):
+            if file.exists() and file.read_text().strip():
+                return int(file.read_text())
+            if self._process.poll() is not None:
+                break
+            time.sleep(0.2)
+        raise RuntimeError("Firefox does not start")
+
+    def _receive(self):
+        """One message: its length in bytes, a colon, JSON."""
+        while b":" not in self._received:
+            self._received += self._socket.recv(1 << 16)
+        length, _, rest = self._received.partition(b":")
+        while len(rest) < int(length):
+            rest += self._socket.recv(1 << 16)
+        self._received = rest[int(length):]
+        return json.loads(rest[:int(length)])
+
+    def _send(self, command, parameters):
+        self._number += 1
+        text = json.dumps([0, self._number, command, parameters]).encode()
+        self._socket.sendall(b"%d:%s" % (len(text), text))
+        _, _, error, result = self._receive()
+        if error:
+            raise RuntimeError(f"{error['error']}: {error['message']}")
+        return result["value"] if isinstance(result, dict) and set(result) == {"value"} else result
+
+    def _call(self, method, path, body=None):
+        parts = path.split("/")
+        if len(parts) == 4:  # /element/REFERENCE/WHAT
+            return self._send(OF_ELEMENTS[parts[3]], {"id": parts[2], **(body or {})})
+        return self._send(COMMANDS[path], body or {})
+
+    def console(self):
+        self._send("Marionette:SetContext", {"value": "chrome"})
+        try:
+            return self._call("POST", "/execute/sync", {"script": ERRORS, "args": []})
+        finally:
+            self._send("Marionette:SetContext", {"value": "content"})
+
+    def close(self):
+        try:
+            self._send("Marionette:Quit", {})
+        finally:
+            self._end()
+
+    def _end(self):
+        if self._socket:
+            self._socket.close()
+        try:
+            self._process.wait(timeout=20)
+        except subprocess.TimeoutExpired:
+            self._process.terminate()
+            self._process.wait(timeout=20)
