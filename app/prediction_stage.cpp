@@ -21,7 +21,12 @@ class PredictionRun {
  public:
   PredictionRun(const Scene& scene, const SightField& field, const PredictionSpec& prediction, const RenderSettings& settings,
                 PredictedView& result)
-      : scene_(scene), field_(field), prediction_(prediction), settings_(settings), result_(result) {
+      : scene_(scene),
+        field_(field),
+        prediction_(prediction),
+        settings_(settings),
+        result_(result),
+        seen_{scene.embree(), [&scene](const RTCHit& hit, const Eigen::Vector3f& direction) { return scene.shines(hit, direction); }} {
     const int n = prediction.oversampling;
     settings_.guide_emitters = false;
     settings_.samples_per_pixel = std::max(1, settings.samples_per_pixel / (n * n));
@@ -50,7 +55,7 @@ class PredictionRun {
 
   void blend_passes() {
     passes_.passes = prediction_.passes;
-    PassPrediction predicted = predict_by_passes(view_, prediction_.oversampling, field_, scene_.embree(), shader(), passes_);
+    PassPrediction predicted = predict_by_passes(view_, prediction_.oversampling, field_, seen_, shader(), passes_);
     result_.seconds["passes"] = watch_.lap() - shading_seconds_;
     report(predicted.counters);
     result_.layers[""] = std::move(predicted.radiance);
@@ -61,7 +66,7 @@ class PredictionRun {
     const int n = prediction_.oversampling;
     passes_.passes = passes_to_find_unseen * n * n;
     PassCounters found;
-    const std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, scene_.embree(), shader(), passes_, found);
+    const std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, seen_, shader(), passes_, found);
     result_.seconds["passes"] = watch_.lap() - shading_seconds_;
     report(found);
     Prediction predicted = predict_by_layers(view_, n, field_, unseen, spreading);
@@ -98,6 +103,7 @@ class PredictionRun {
     result_.counters["pupil_rays"] = c.rays;
     result_.counters["unseen_rays"] = c.unseen_rays;
     result_.counters["unseen_places"] = c.unseen_places;
+    result_.counters["lamp_pixels"] = c.lamp_pixels;
     result_.counters["lost_pixels"] = c.lost_pixels;
     result_.counters["unseen_shading"] = counters_json(unseen_);
   }
@@ -107,6 +113,7 @@ class PredictionRun {
   const PredictionSpec& prediction_;
   RenderSettings settings_;
   PredictedView& result_;
+  SeenScene seen_;
   PassSettings passes_;
   FragmentImage view_;
   RenderCounters unseen_;

@@ -4,14 +4,32 @@
 
 #include <limits>
 
+#include "conoid/lamp_reach.h"
 #include "lensmodel/symmetric2.h"
 #include "pathtrace/embree_rays.h"
+#include "pathtrace/fragment_view.h"
 
 namespace sturm {
 
+namespace {
+
+/// A sharp view that knows where lamps are and is good for nothing else.
+FragmentImage outlines(const Scene& scene, const SightField& field) {
+  RenderSettings settings;
+  settings.samples_per_pixel = 16;
+  settings.max_bounces = 0;
+  RenderCounters counters;
+  const auto chief_rays = [&field](double x, double y) { return field.chief_ray({x, y}); };
+  const PicturePlane& plane = field.plane();
+  return render_fragments(scene, plane.width, plane.height, chief_rays, plane.pixel_slope, settings, counters);
+}
+
+}  // namespace
+
 ViewLayers view_layers(const Scene& scene, const SightField& field) {
   const int width = field.plane().width, height = field.plane().height;
-  ViewLayers layers{Image(width, height, 1), Image(width, height, 1), Image(width, height, 1)};
+  ViewLayers layers{Image(width, height, 1), Image(width, height, 1), Image(width, height, 1),
+                    lamp_reach(outlines(scene, field), 1, field)};
   tbb::parallel_for(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const Eigen::Vector2d place(x + 0.5, y + 0.5);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "conoid/lamp_reach.h"
 #include "conoid/layer_compositor.h"
 #include "lensmodel/symmetric2.h"
 
@@ -17,6 +18,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double largest_radius_px = 16384.0;
+constexpr int lamp_grid = 8;                ///< places along each side that the sharp pixel of a lamp's rim is spread from
+constexpr double lamp_grid_below_px = 2.0;  ///< of the larger semi-axis; in more blur one place will do
 
 /// A piece of surface in one sharp pixel.
 struct Source {
@@ -24,7 +27,7 @@ struct Source {
   double vergence_D;
   float coverage;
   Eigen::Vector3f radiance;
-  std::optional<Eigen::Vector3d> lamp;  ///< where the middle of a lamp is that fills only part of its pixel [m]
+  const Fragment* part = nullptr;  ///< where in its pixel it is, beside the rim of a lamp
   std::int64_t layer = 0;
   Eigen::Vector2d place{0.0, 0.0};                ///< that it is spread from, in output pixels
   Eigen::Matrix2d map = Eigen::Matrix2d::Zero();  ///< unit disc to output pixels
@@ -45,6 +48,7 @@ class Layers {
   Prediction run(const std::vector<UnseenPiece>& unseen) {
     collect(unseen);
     tbb::parallel_for(std::size_t{0}, sources_.size(), [&](std::size_t i) { blur(sources_[i]); });
+    spread_lamps_from_all_over();
     for (const Source& s : sources_)
       if (!(singular_values(s.map).large <= largest_radius_px)) throw std::invalid_argument("layers: a blur ellipse exceeds 16384 pixels");
     std::stable_sort(sources_.begin(), sources_.end(), [&](const Source& a, const Source& b) {
@@ -63,10 +67,10 @@ class Layers {
   int output(int sharp) const { return sharp >= 0 ? sharp / n_ : -((-sharp + n_ - 1) / n_); }
   Vector2d center(const Source& s) const { return {(s.x + 0.5) / n_, (s.y + 0.5) / n_}; }
 
-  /// The nearest place in the source's own sharp pixel, off its border.
-  Vector2d within_pixel(const Source& s, const Vector2d& place) const {
-    const Vector2d half = Vector2d::Constant(0.499 / n_);
-    return place.cwiseMax(center(s) - half).cwiseMin(center(s) + half);
+  /// The place in the source's own sharp pixel that is `within` (0, 1)² of it, off its border.
+  Vector2d within_pixel(const Source& s, const Vector2d& within) const {
+    constexpr double border = 1e-3;
+    return (Vector2d(s.x, s.y) + within.cwiseMax(border).cwiseMin(1.0 - border)) / n_;
   }
 
   double vergence_of(const Fragment& f, const std::optional<LightRay>& chief) const {
@@ -82,9 +86,10 @@ class Layers {
         if (fragments.empty()) continue;
         const auto chief = field_.chief_ray({(x + 0.5) / n_, (y + 0.5) / n_});
         const std::size_t first = sources_.size();
+        const bool rim = at_lamp_rim(view_, x, y, 2);  // the lamp, what it shines into, and what that gives light to in turn
         for (const Fragment& f : fragments) {
-          sources_.push_back({x, y, vergence_of(f, chief), f.share, f.radiance, {}});
-          if (f.emits && f.share < 1.0f) sources_.back().lamp = f.position.cast<double>();
+          sources_.push_back({x, y, vergence_of(f, chief), f.share, f.radiance});
+          if (rim) sources_.back().part = &f;
         }
         complete_sheets(first);
       }
@@ -94,7 +99,7 @@ class Layers {
                  y = static_cast<std::int32_t>(std::floor(unseen[i].place.y() * n_));
       std::size_t end = i;
       for (; end < unseen.size() && unseen[end].place == unseen[i].place; ++end)
-        sources_.push_back({x, y, unseen[end].vergence_D, 1.0f, unseen[end].radiance, {}});
+        sources_.push_back({x, y, unseen[end].vergence_D, 1.0f, unseen[end].radiance});
       complete_sheets(first, true);
       counters_.hidden_pixels += static_cast<long long>(end - i);
       i = end;
@@ -125,8 +130,32 @@ class Layers {
     if (!sight.reaches) return;
     const SightNeighbourhood around(field_, center(s), sight);
     // A lamp is so bright that the rim of its ellipse shows where in the pixel it is; of all else the pixel's middle will do.
-    if (s.lamp) s.place = within_pixel(s, around.place_of(*s.lamp).value_or(s.place));
+    if (s.part) s.place = within_pixel(s, s.part->middle.cast<double>());
     s.map = field_.eye().pupil_radius_m * around.picture_map(field_.slopes(sight, s.vergence_D), s.vergence_D);
+  }
+
+  /// The part of its pixel that a lamp fills gives light to the next pixel as soon as blur is wider than what is between: spread from its
+  /// middle, it would not, and of a lamp little is much. What is beside it does the same, or coverage would not add up to 1. The
+  /// parallelogram of the same first and second moments stands for the part.
+  void spread_lamps_from_all_over() {
+    std::vector<Source> all;
+    all.reserve(sources_.size());
+    for (const Source& s : sources_) {
+      if (!s.part || !(singular_values(s.map).large < lamp_grid_below_px)) {
+        all.push_back(s);
+        continue;
+      }
+      const Eigen::Vector3d spread = 12.0 * s.part->spread.cast<double>();
+      const double width = std::sqrt(spread[0]), shear = width > 0.0 ? spread[1] / width : 0.0;
+      const double height = std::sqrt(std::max(0.0, spread[2] - shear * shear));
+      for (int k = 0; k < lamp_grid * lamp_grid; ++k) {
+        const double u = (k % lamp_grid + 0.5) / lamp_grid - 0.5, v = (k / lamp_grid + 0.5) / lamp_grid - 0.5;
+        Source& part = all.emplace_back(s);
+        part.coverage /= lamp_grid * lamp_grid;
+        part.place = within_pixel(s, s.part->middle.cast<double>() + Vector2d(width * u, shear * u + height * v));
+      }
+    }
+    sources_ = std::move(all);
   }
 
   void add_layer(std::size_t begin, std::size_t end, LayerCompositor& compositor) {

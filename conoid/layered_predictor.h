@@ -18,7 +18,7 @@ namespace sturm {
 ///
 /// What it leaves out: an ellipse is evaluated where the surface is, not where it is seen, so an eye that accommodates at every place sees
 /// a surface as sharp as when it looks at it, also beside an edge; edges over each other count as complementary; a pixel is spread from
-/// its centre, but for a lamp that fills only part of it.
+/// its centre, but at the rims of lamps: from the middle of the part of it that a surface fills, in little blur from 8 × 8 places there.
 ///
 /// Deterministic: the same bits for any number of threads. Throws std::invalid_argument where view and field do not fit and for ellipses
 /// of more than 16384 px.

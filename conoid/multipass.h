@@ -1,6 +1,4 @@
 #pragma once
-#include <embree3/rtcore.h>
-
 #include "conoid/ray_shading.h"
 #include "conoid/sight_field.h"
 #include "io/fragment_image.h"
@@ -9,7 +7,8 @@
 namespace sturm {
 
 struct PassSettings {
-  int passes = 64;          ///< displacement vectors in the pupil, ≥ 1
+  int passes = 64;       ///< displacement vectors in the pupil, ≥ 1
+  int lamp_factor = 16;  ///< ≥ 1: so many times more of them in pixels where a ray that meets a lamp would be a 32nd of the pixel's light
   int rays_per_place = 16;  ///< at most so many of the rays that found an unseen place go to the shader
 };
 
@@ -17,6 +16,7 @@ struct PassCounters {
   long long rays = 0;           ///< through pupil points, all pixels and passes
   long long unseen_rays = 0;    ///< those whose surface the sharp view does not show
   long long unseen_places = 0;  ///< shaded for them
+  long long lamp_pixels = 0;    ///< that got more passes because of a lamp
   long long lost_pixels = 0;    ///< whose chief ray spectacles stop: black
 };
 
@@ -36,13 +36,17 @@ struct PassPrediction {
 /// view: the fragment of that surface at the place whose chief ray goes there. What the sharp view does not show (behind edges, beyond
 /// its border) is collected from all passes, shaded once for each pixel-sized place, and used by all rays that meet it.
 ///
+/// N points cut the rim of a lamp of radiance L into steps of L/N, and a lamp that is smaller than the blur over √N into as many single
+/// lamps. Where a lamp's rim is within reach (conoid/lamp_reach.h) and L/N is more than 1/32 of what the pixel has, the pixel is traced
+/// anew with `lamp_factor` times as many points.
+///
 /// What it is not: lens sampling. No light path starts in the pupil except those of unseen places; shading is that of the chief ray, so
 /// highlights and reflections stay where the pupil's centre sees them; rays are first order in the pupil; N points stand for the disc.
 ///
 /// `view` covers the picture of `field`, `oversampling` pixels of it for each along each side. `scene` is only asked for first hits, as
-/// packets of 8. A pupil with Stiles–Crawford apodization weights its passes. The result is the same, bit for bit, for any number of
-/// threads. Throws std::invalid_argument where view and field do not fit.
-PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, const SightField& field, RTCScene scene,
+/// packets of 8, and whether these are lamps. A pupil with Stiles–Crawford apodization weights its passes. The result is the same, bit for
+/// bit, for any number of threads. Throws std::invalid_argument where view and field do not fit.
+PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
                                  const PlaceShader& shade, const PassSettings& settings = {});
 
 /// What the passes would miss in a sharp view, shaded: for predictors that spread surfaces instead of tracing pupil points.
@@ -51,7 +55,7 @@ struct UnseenPiece {
   double vergence_D;      ///< 1/t along its chief ray; 0 for the surroundings
   Eigen::Vector3f radiance;
 };
-std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field, RTCScene scene,
+std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
                                        const PlaceShader& shade, const PassSettings& settings, PassCounters& counters);
 
 }  // namespace sturm

@@ -1,10 +1,18 @@
 #pragma once
+#include <embree3/rtcore.h>
+
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace sturm {
+
+/// What the conoid asks of a scene: what a ray meets first, and whether that gives light of its own towards the ray.
+struct SeenScene {
+  RTCScene embree;
+  std::function<bool(const RTCHit& hit, const Eigen::Vector3f& direction)> emits;
+};
 
 /// Rays that see places which a sharp view does not show, place by place: those of place i are first[i] … first[i + 1] − 1.
 struct UnseenPlaces {

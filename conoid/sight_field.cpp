@@ -171,7 +171,7 @@ Eigen::Matrix2d SightNeighbourhood::picture_map(const Eigen::Matrix2d& slopes, d
 std::optional<Eigen::Vector2d> SightNeighbourhood::place_of(const Eigen::Vector3d& point) const {
   if (field_.projects()) return field_.projected(point);
   constexpr int enough = 12;
-  constexpr double close_px = 2e-3;
+  constexpr double close_px = 0.02;  // of the step that is taken last: less than a tenth of it is left
   Eigen::Vector2d place = place_;
   LightRay ray{sight_.origin, sight_.direction};
   for (int k = 0; k < enough; ++k) {

@@ -25,11 +25,14 @@ struct Piece {
   bool surroundings, emits;
   Eigen::Vector3d position{0.0, 0.0, 0.0}, normals{0.0, 0.0, 0.0}, radiance{0.0, 0.0, 0.0}, albedo{0.0, 0.0, 0.0};
   Eigen::Vector3d squares{0.0, 0.0, 0.0};
+  Eigen::Vector2d places{0.0, 0.0};
+  Eigen::Matrix2d place_squares = Eigen::Matrix2d::Zero();
   int count = 0, cover = 0;  ///< samples that were shaded, samples that met it
 };
 
 struct Seen {
   Vector3f point, normal, radiance, albedo{0.0f, 0.0f, 0.0f};
+  Eigen::Vector2d place{0.5, 0.5};  ///< within the pixel
   float pixel_size = 0.0f;
   bool surroundings = false, emits = false;
 };
@@ -45,7 +48,7 @@ class PixelPieces {
     piece.albedo += seen.albedo.cast<double>();
     piece.squares += seen.radiance.cast<double>().cwiseAbs2();
     ++piece.count;
-    ++piece.cover;
+    cover(piece, seen);
   }
 
   /// A sample that counts for the size of its piece alone. False where there is no such piece yet.
@@ -57,7 +60,7 @@ class PixelPieces {
       return false;
     }
     piece.position += seen.point.cast<double>();
-    ++piece.cover;
+    cover(piece, seen);
     return true;
   }
 
@@ -77,6 +80,10 @@ class PixelPieces {
       const Eigen::Vector3d square = (p.radiance / p.count).cwiseAbs2();
       f.variance = (p.count > 1 ? Eigen::Vector3d((p.squares / p.count - square).cwiseMax(0.0) / (p.count - 1)) : square).cast<float>();
       f.share = static_cast<float>(static_cast<double>(p.cover) / samples);
+      const Eigen::Vector2d middle = p.places / p.cover;
+      const Eigen::Matrix2d spread = p.place_squares / p.cover - middle * middle.transpose();
+      f.middle = middle.cast<float>();
+      f.spread = Vector3f(static_cast<float>(spread(0, 0)), static_cast<float>(spread(0, 1)), static_cast<float>(spread(1, 1)));
       f.surroundings = p.surroundings;
       f.emits = p.emits;
       list.push_back(f);
@@ -84,6 +91,12 @@ class PixelPieces {
   }
 
  private:
+  static void cover(Piece& piece, const Seen& seen) {
+    piece.places += seen.place;
+    piece.place_squares += seen.place * seen.place.transpose();
+    ++piece.cover;
+  }
+
   static constexpr std::size_t most = 8;
   static constexpr float same_way = 0.906f;  // cos 25°
 
@@ -182,7 +195,9 @@ class FragmentRenderer {
     const auto film = sequence.pair(i, dimension::film);
     const auto chief = chief_rays_(x + unit_double(film.x), y + unit_double(film.y));
     if (!chief) return std::nullopt;
-    return seen_along(scene_, tracer, chief->origin.cast<float>(), chief->direction.cast<float>(), pixel_slope_, numbers, i, counters);
+    Seen seen = seen_along(scene_, tracer, chief->origin.cast<float>(), chief->direction.cast<float>(), pixel_slope_, numbers, i, counters);
+    seen.place = {unit_double(film.x), unit_double(film.y)};
+    return seen;
   }
 
   const Scene& scene_;

@@ -270,4 +270,11 @@ SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& orig
   return point;
 }
 
+bool Scene::shines(const RTCHit& hit, const Eigen::Vector3f& direction) const {
+  if (hit.instID[0] != RTC_INVALID_GEOMETRY_ID) return false;  // prototypes do not
+  const Triangle* triangle = hit.geomID == triangle_geometry ? &triangles_[hit.primID] : nullptr;
+  if ((triangle ? triangle->emitter : sphere_emitter_[hit.primID]) < 0) return false;
+  return (triangle ? triangle->normal : Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z)).dot(direction) < 0.0f;
+}
+
 }  // namespace sturm

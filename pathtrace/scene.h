@@ -56,6 +56,9 @@ class Scene {
   /// Resolves an Embree hit of the ray origin + t·direction.
   SurfacePoint surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float t) const;
 
+  /// Whether a ray sees light of the surface itself there; the cheaper part of surface_point.
+  bool shines(const RTCHit& hit, const Eigen::Vector3f& direction) const;
+
  private:
   struct DeviceRelease {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/experiment/replicates.h"
 #include "app/experiment/sections.h"
@@ -9,8 +10,9 @@
 #include "app/prediction_stage.h"
 #include "app/stopwatch.h"
 #include "app/view_layers.h"
-#include "compare/image_comparison.h"
-#include "compare/jackknife.h"
+#include "compare/agreement_measures.h"
+#include "compare/agreement_reasons.h"
+#include "compare/equal_error.h"
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
 #include "compare/regions.h"
@@ -22,72 +24,39 @@ namespace {
 
 constexpr double exposure = 1.0;
 constexpr std::uint64_t sharp_view_stream = 0x41475245ull;  // the predictions' noise is independent of the path tracer's
+constexpr std::uint64_t fewer_stream = 0x46455745ull;       // and so is that of its pictures of fewer samples
+constexpr std::uint64_t fewer_divisor = 8;
 
-/// Pictures of one view by one method in display space, and the seconds that one of them took on average.
+/// Pictures of one view by one method, and the seconds of the fastest: other work on the machine only adds to a time.
 struct Pictures {
   std::vector<Image> linear, display;
   std::map<std::string, double> seconds;
 
-  void add(Image image) {
+  void add(Image image, std::map<std::string, double> parts) {
     display.push_back(to_display(image, exposure));
     linear.push_back(std::move(image));
+    double total = 0.0;
+    for (const auto& [part, s] : parts) total += s;
+    parts["total"] = total;
+    if (seconds.empty() || total < seconds.at("total")) seconds = std::move(parts);
   }
 };
 
-Image mean_of(const std::vector<Image>& images) {
-  return Replicates{images}.mean();
+Json measured(const ReplicateMean& mean) {
+  return {{"value", mean.value}, {"uncertainty", mean.uncertainty}};
 }
 
-/// Mean of squared differences over the channels of the pixels of a mask; null for all.
-double mean_square(const Image& a, const Image& b, const Image* mask) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    if (mask && !(mask->pixels[i / static_cast<std::size_t>(a.channels)] > 0.0f)) continue;
-    const double d = static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]);
-    sum += d * d;
-    ++count;
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
-/// Variance of a single path-traced picture about the expectation, in display space: the scatter of R of them about their mean, R/(R − 1).
-double single_variance(const Pictures& traced, const Image& mean, const Image* mask) {
-  double sum = 0.0;
-  for (const Image& image : traced.display) sum += mean_square(image, mean, mask);
-  return sum / (static_cast<double>(traced.display.size()) - 1.0);
-}
-
-/// What a part of the picture says of a prediction, in display space.
-struct Scores {
-  std::optional<double> ssim;
-  double rmse = 0.0;         ///< mean over the predicted pictures; the reference's noise is taken off each squared error, down to zero
-  double mean_square = 0.0;  ///< the same before the root, unbiased: may be negative
-};
-
-/// A score with its jackknife error; null where one of the samples has none.
-template <class Of>
-Json measured(const std::vector<Scores>& samples, const Of& of) {
-  std::vector<double> left_out;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const std::optional<double> value = of(samples[k]);
-    if (!value) return nullptr;
-    if (k > 0) left_out.push_back(*value);
-  }
-  return {{"value", *of(samples[0])}, {"uncertainty", jackknife_standard_error(left_out)}};
-}
-
-std::optional<double> mean_within(const Image& map, int margin, const Image* mask) {
-  if (!mask) {
-    double sum = 0.0;
-    for (const float v : map.pixels) sum += v;
-    return sum / static_cast<double>(map.pixels.size());
-  }
-  const std::vector<double> values = values_within(map, margin, *mask);
-  if (values.empty()) return std::nullopt;
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return sum / static_cast<double>(values.size());
+/// The first of some regions that holds each pixel: parts of the picture that do not overlap. Empty ones are left out.
+std::vector<Region> first_of(std::vector<Region> regions) {
+  std::vector<std::uint8_t> taken(regions.empty() ? 0 : regions.front().mask.pixels.size());
+  for (Region& region : regions)
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      float& inside = region.mask.pixels[i];
+      inside = inside > 0.0f && !taken[i] ? 1.0f : 0.0f;
+      taken[i] = taken[i] || inside > 0.0f;
+    }
+  std::erase_if(regions, [](const Region& region) { return region.pixels() == 0; });
+  return regions;
 }
 
 class Case {
@@ -95,26 +64,14 @@ class Case {
   Case(const AgreementCase& spec, const Scene& scene, std::uint64_t seed) : spec_(spec), scene_(scene), seed_(seed) {}
 
   void path_trace_all(const ProgressFunction& progress) {
-    RenderSpec view;
-    view.camera = spec_.camera;
-    view.ray_model = "power_matrix";
-    ViewPlan plan;
-    plan.naked = spec_.camera.gaze == Gaze::Camera && !spec_.worn.spectacles && spec_.worn.eye.stiles_crawford_per_m2 == 0.0;
-    RenderSettings settings;
-    settings.samples_per_pixel = static_cast<int>(spec_.samples_per_pixel);
-    settings.max_bounces = spec_.max_bounces;
-    settings.guide_emitters = true;
-    for (int r = 0; r < spec_.replicates; ++r) {
-      settings.seed = replicate_seed(seed_, r);
-      settings.progress = [&](double fraction) { progress((r + fraction) / spec_.replicates); };
-      Stopwatch watch;
-      traced_.add(path_trace_view(scene_, view, spec_.worn, 0.0, settings, plan).radiance);
-      traced_.seconds["total"] += watch.lap() / spec_.replicates;
-    }
-    mean_ = mean_of(traced_.linear);
-    mean_display_ = mean_of(traced_.display);
-    const Replicates display{traced_.display};
-    for (int k = 0; k < spec_.replicates; ++k) means_without_.push_back(display.mean(k));
+    const auto n = static_cast<int>(spec_.samples_per_pixel), fewer = std::max(1, n / static_cast<int>(fewer_divisor));
+    const double of_fewer = static_cast<double>(fewer) / (fewer + n);
+    const Pictures few = path_traced(fewer, seed_ ^ fewer_stream, [&](double f) { progress(f * of_fewer); });
+    Pictures all = path_traced(n, seed_, [&](double f) { progress(of_fewer + f * (1.0 - of_fewer)); });
+    fewer_ = {static_cast<double>(fewer), few.seconds.at("total"), ReplicatePictures(few.display).variance(nullptr)};
+    traced_linear_ = std::move(all.linear);
+    traced_.emplace(std::move(all.display));
+    more_ = {static_cast<double>(n), all.seconds.at("total"), traced_->variance(nullptr)};
     layers_ = view_layers(scene_, sight_field(spec_.camera, spec_.worn, 0.0));
   }
 
@@ -125,129 +82,137 @@ class Case {
     settings.max_bounces = spec_.max_bounces;
     for (int r = 0; r < spec_.replicates; ++r) {
       settings.seed = replicate_seed(seed_ ^ sharp_view_stream, r);
-      std::map<std::string, double> seconds;
       if (prediction.kind == PredictionKind::Ellipses) {
         PredictedImage image = predict(scene_, camera_pose(spec_.camera), spec_.worn.eye, prediction.oversampling, settings);
-        seconds = {{"sharp_view", image.times.sharp_view_seconds}, {"spreading", image.times.spreading_seconds}};
-        pictures.add(std::move(image.prediction.radiance));
+        pictures.add(std::move(image.prediction.radiance),
+                     {{"sharp_view", image.times.sharp_view_seconds}, {"spreading", image.times.spreading_seconds}});
       } else {
         PredictedView view = predict_view(scene_, spec_.camera, spec_.worn, 0.0, prediction, settings);
-        seconds = view.seconds;
-        pictures.add(std::move(view.layers.at("")));
-      }
-      for (const auto& [part, s] : seconds) {
-        pictures.seconds[part] += s / spec_.replicates;
-        pictures.seconds["total"] += s / spec_.replicates;
+        pictures.add(std::move(view.layers.at("")), std::move(view.seconds));
       }
     }
     return pictures;
   }
 
-  Json measured_against_traced(const Pictures& predicted) const {
-    RegionLayers told_by{layers_.depth, layers_.blur_px};
-    std::vector<Region> regions = regions_of(predicted.linear.front(), mean_, exposure, told_by);
-    regions.push_back({"specular", layers_.specular});
-    const std::vector<Sample> samples = samples_of(predicted);
-    Json parts = Json::array({part_json("whole", samples, nullptr)});
+  Json measured_against_traced(const Pictures& pictures) const {
+    const ReplicatePictures predicted(pictures.display);
+    const PredictionErrors errors(*traced_, predicted);
+    const ErrorParts whole = errors.within(nullptr);
+    const std::vector<Region> regions = regions_of_case(pictures.linear.front());
+    Json parts = Json::array({part_json("whole", whole, whole, errors.similarity())});
     for (const Region& region : regions)
-      if (region.pixels() > 0) parts.push_back(part_json(region.name, samples, &region.mask));
-    const double n = static_cast<double>(spec_.samples_per_pixel), one = single_variance(traced_, mean_display_, nullptr);
-    const double error = scores_of(samples[0], one, nullptr).mean_square;
-    const bool known = error > 0.0;
-    const double samples_per_pixel = known ? n * one / error : 0.0, seconds = traced_.seconds.at("total") * samples_per_pixel / n;
-    return {{"seconds", predicted.seconds},
-            {"samples_of_equal_error", known ? Json(samples_per_pixel) : Json(nullptr)},
-            {"times_faster", known ? Json(seconds / predicted.seconds.at("total")) : Json(nullptr)},
-            {"parts", parts}};
+      if (region.pixels() > 0) parts.push_back(part_json(region.name, errors.within(&region.mask), whole, errors.similarity(region.mask)));
+    Json result = time_json(whole, pictures.seconds.at("total"));
+    const SimilarityLoss loss = errors.similarity_loss();
+    result["seconds"] = pictures.seconds;
+    result["parts"] = std::move(parts);
+    result["causes"] = causes_json(errors, whole, regions);
+    result["similarity_loss"] = {{"total", loss.total},
+                                 {"reference_noise", loss.reference_noise},
+                                 {"prediction_noise", loss.prediction_noise},
+                                 {"method", loss.method}};
+    result["squared_error"] = {{"total", whole.error}, {"prediction_noise", whole.prediction_noise}, {"method", whole.method()}};
+    return result;
   }
 
-  const Pictures& traced() const { return traced_; }
-  const Image& mean() const { return mean_; }
+  Image mean() const { return Replicates{traced_linear_}.mean(); }
+
+  Json path_tracing() const {
+    return {{"samples_per_pixel", {fewer_.samples, more_.samples}},
+            {"seconds", {fewer_.seconds, more_.seconds}},
+            {"rmse_display", {std::sqrt(fewer_.variance), std::sqrt(more_.variance)}},
+            {"order", number_or_null(NoiseOverTime(fewer_, more_).order())}};
+  }
+  double seconds_path_traced() const { return more_.seconds; }
 
   /// SSIM and error of two halves of the replicates: what noise alone makes of a comparison with half of the samples each.
   Json noise_floor() const {
-    const Replicates all{traced_.linear};
+    const Replicates all{traced_linear_};
     const Image a = to_display(all.first_half(), exposure), b = to_display(all.second_half(), exposure);
     return {{"ssim_display", ssim(a, b).mean}, {"rmse_display", rmse(a, b)}};
   }
 
  private:
-  /// Predicted pictures against the mean of path-traced ones.
-  struct Sample {
-    std::vector<const Image*> predicted;
-    const Image* reference;
-    double reference_variance;       ///< over that of a single path-traced picture
-    std::vector<Ssim> similarities;  ///< of each predicted picture
-  };
-
-  Sample sample(std::vector<const Image*> predicted, const Image& reference, double reference_variance) const {
-    Sample s{std::move(predicted), &reference, reference_variance, {}};
-    for (const Image* image : s.predicted) s.similarities.push_back(ssim(*image, reference));
-    return s;
+  Pictures path_traced(int samples, std::uint64_t seed, const ProgressFunction& progress) const {
+    RenderSpec view;
+    view.camera = spec_.camera;
+    view.ray_model = "power_matrix";
+    ViewPlan plan;
+    plan.naked = spec_.camera.gaze == Gaze::Camera && !spec_.worn.spectacles && spec_.worn.eye.stiles_crawford_per_m2 == 0.0;
+    RenderSettings settings;
+    settings.samples_per_pixel = samples;
+    settings.max_bounces = spec_.max_bounces;
+    settings.guide_emitters = true;
+    Pictures pictures;
+    for (int r = 0; r < spec_.replicates; ++r) {
+      settings.seed = replicate_seed(seed, r);
+      settings.progress = [&](double fraction) { progress((r + fraction) / spec_.replicates); };
+      Stopwatch watch;
+      Image image = path_trace_view(scene_, view, spec_.worn, 0.0, settings, plan).radiance;
+      pictures.add(std::move(image), {{"path_tracing", watch.lap()}});
+    }
+    return pictures;
   }
 
-  /// All replicates of both, then with number 0, 1, … of both left out: what an uncertainty needs that counts the noise of both.
-  std::vector<Sample> samples_of(const Pictures& predicted) const {
-    std::vector<const Image*> all;
-    for (const Image& image : predicted.display) all.push_back(&image);
-    const double r = spec_.replicates;
-    std::vector<Sample> samples{sample(all, mean_display_, 1.0 / r)};
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      std::vector<const Image*> others = all;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-      samples.push_back(sample(std::move(others), means_without_[k], 1.0 / (r - 1.0)));
-    }
-    return samples;
+  std::vector<Region> regions_of_case(const Image& predicted) const {
+    std::vector<Region> regions = regions_of(predicted, mean(), exposure, {layers_.depth, layers_.blur_px});
+    regions.push_back({"specular", layers_.specular});
+    regions.push_back({"lamp_rims", layers_.lamp_rims});
+    for (float& v : regions.back().mask.pixels) v = v > 0.0f ? 1.0f : 0.0f;
+    return regions;
   }
 
-  /// `one`: variance of a single path-traced picture within the mask.
-  static Scores scores_of(const Sample& s, double one, const Image* mask) {
-    Scores scores;
-    const double n = static_cast<double>(s.predicted.size()), noise = one * s.reference_variance;
-    double similarity = 0.0;
-    bool similarity_known = true;
-    for (std::size_t i = 0; i < s.predicted.size(); ++i) {
-      const Image &image = *s.predicted[i], &map = s.similarities[i].map;
-      const std::optional<double> mean = mean_within(map, (image.width - map.width) / 2, mask);
-      similarity_known = similarity_known && mean.has_value();
-      similarity += mean.value_or(0.0) / n;
-      const double square = mean_square(image, *s.reference, mask) - noise;
-      scores.mean_square += square / n;
-      scores.rmse += std::sqrt(std::max(0.0, square)) / n;
-    }
-    if (similarity_known) scores.ssim = similarity;
-    return scores;
+  /// What a prediction of this error and time is worth in path tracing.
+  Json time_json(const ErrorParts& whole, double seconds) const {
+    const NoiseOverTime path_tracing(fewer_, more_);
+    const auto samples = path_tracing.samples_for(whole.error);
+    const double cost = seconds / path_tracing.seconds_per_sample();
+    const auto needed = path_tracing.variance_of(speed_bar * cost);
+    return {{"samples_of_equal_error", number_or_null(samples)},
+            {"times_faster", samples ? Json(path_tracing.seconds_for(*samples) / seconds) : Json(nullptr)},
+            {"cost_in_paths", cost},
+            {"rmse_needed", needed ? Json(std::sqrt(*needed)) : Json(nullptr)}};
   }
 
-  Json part_json(const std::string& name, const std::vector<Sample>& samples, const Image* mask) const {
-    const double one = single_variance(traced_, mean_display_, mask), r = spec_.replicates;
-    std::vector<Scores> scores;
-    for (const Sample& s : samples) scores.push_back(scores_of(s, one, mask));
-    double whole = 0.0, inside = 0.0;
-    for (const Image* image : samples[0].predicted) {
-      whole += mean_square(*image, mean_display_, nullptr) * static_cast<double>(count(nullptr));
-      inside += mean_square(*image, mean_display_, mask) * static_cast<double>(count(mask));
-    }
+  static Json part_json(const std::string& name, const ErrorParts& part, const ErrorParts& whole,
+                        const std::optional<ReplicateMean>& similarity) {
+    const double all = whole.raw * static_cast<double>(whole.pixels);
     return {{"name", name},
-            {"pixels", count(mask)},
-            {"ssim_display", measured(scores, [](const Scores& s) { return s.ssim; })},
-            {"rmse_display", measured(scores, [](const Scores& s) { return std::optional(s.rmse); })},
-            {"mean_square_display", measured(scores, [](const Scores& s) { return std::optional(s.mean_square); })},
-            {"noise_display", std::sqrt(one / r)},
-            {"share_of_squared_error", whole > 0.0 ? Json(inside / whole) : Json(nullptr)}};
+            {"pixels", part.pixels},
+            {"ssim_display", similarity ? measured(*similarity) : Json(nullptr)},
+            {"rmse_display", measured(part.rmse)},
+            {"mean_square_display", measured(part.mean_square)},
+            {"noise_display", std::sqrt(part.reference_noise)},
+            {"prediction_noise_display", std::sqrt(part.prediction_noise)},
+            {"share_of_squared_error", all > 0.0 ? Json(part.raw * static_cast<double>(part.pixels) / all) : Json(nullptr)}};
   }
 
-  std::size_t count(const Image* mask) const {
-    if (!mask) return static_cast<std::size_t>(mean_.width) * static_cast<std::size_t>(mean_.height);
-    return static_cast<std::size_t>(std::count_if(mask->pixels.begin(), mask->pixels.end(), [](float v) { return v > 0.0f; }));
+  /// The error by parts of the picture that do not overlap; the first name that fits a pixel has it.
+  static Json causes_json(const PredictionErrors& errors, const ErrorParts& whole, const std::vector<Region>& regions) {
+    std::vector<Region> ordered;
+    for (const char* name : {"lamp_rims", "specular", "occlusion_edges", "in_focus", "blurred"})
+      for (const Region& region : regions)
+        if (region.name == name) ordered.push_back(region);
+    Json causes = Json::array();
+    const double all = whole.error * static_cast<double>(whole.pixels);
+    for (const Region& region : first_of(std::move(ordered))) {
+      const ErrorParts part = errors.within(&region.mask);
+      const auto pixels = static_cast<double>(part.pixels);
+      causes.push_back({{"name", region.name},
+                        {"pixels", part.pixels},
+                        {"share_of_squared_error", all > 0.0 ? Json(part.error * pixels / all) : Json(nullptr)},
+                        {"share_of_prediction_noise", all > 0.0 ? Json(part.prediction_noise * pixels / all) : Json(nullptr)},
+                        {"share_of_similarity_loss", errors.share_of_similarity_loss(region.mask)}});
+    }
+    return causes;
   }
 
   const AgreementCase& spec_;
   const Scene& scene_;
   std::uint64_t seed_;
-  Pictures traced_;
-  Image mean_, mean_display_;
-  std::vector<Image> means_without_;  ///< in display space: the mean of all path-traced pictures but number k
+  std::vector<Image> traced_linear_;
+  std::optional<ReplicatePictures> traced_;
+  MeasuredNoise fewer_, more_;
   ViewLayers layers_;
 };
 
@@ -281,7 +246,8 @@ Json agreement_entry(const AgreementCase& spec, const SceneDescription& descript
           {"samples_per_pixel", spec.samples_per_pixel},
           {"replicates", spec.replicates},
           {"sharp_samples_per_pixel", spec.sharp_samples_per_pixel},
-          {"seconds_path_traced", view.traced().seconds.at("total")},
+          {"seconds_path_traced", view.seconds_path_traced()},
+          {"path_tracing", view.path_tracing()},
           {"noise_floor", view.noise_floor()},
           {"predictions", std::move(predictions)}};
 }

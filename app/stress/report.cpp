@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/formatted_text.h"
 #include "app/json_values.h"
 #include "app/lens_status_word.h"
+#include "io/formatted_text.h"
 #include "lensmodel/units.h"
 
 namespace sturm::stress {

@@ -17,6 +17,7 @@ namespace sturm {
 struct Card {
   double z, x0, x1, y0, y1;
   std::function<double(double x, double y)> radiance;
+  bool lamp = false;  // whether it counts as a lamp
 };
 
 class FlatScene {
@@ -42,7 +43,9 @@ class FlatScene {
     rtcCommitScene(scene_.get());
   }
 
-  RTCScene embree() const { return scene_.get(); }
+  SeenScene seen() const {
+    return {scene_.get(), [this](const RTCHit& hit, const Eigen::Vector3f&) { return cards_[hit.geomID].lamp; }};
+  }
 
   /// The card that a ray meets first, and where; null for the black surroundings.
   const Card* first(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, Eigen::Vector3d& at) const {
@@ -85,17 +88,27 @@ class FlatScene {
             Fragment f{};
             f.position = f.radiance = f.albedo = f.variance = Eigen::Vector3f::Zero();
             f.normal = card ? Eigen::Vector3f(Eigen::Vector3f::UnitZ()) : Eigen::Vector3f(Eigen::Vector3f::Zero());
+            f.middle.setZero();
+            f.spread.setZero();
             f.surroundings = !card;
+            f.emits = card && card->lamp;
             view.fragments.push_back(f);
           }
           Fragment& f = view.fragments[first_fragment + i];
           f.share += 1.0f / 16;
+          const Eigen::Vector2f within((k % 4 + 0.5f) / 4, (k / 4 + 0.5f) / 4);
+          f.middle += within;
+          f.spread += Eigen::Vector3f(within.x() * within.x(), within.x() * within.y(), within.y() * within.y());
           f.position += at.cast<float>();
           f.radiance += Eigen::Vector3f::Constant(card ? static_cast<float>(card->radiance(at.x(), at.y())) : 0.0f);
         }
         for (std::size_t i = first_fragment; i < view.fragments.size(); ++i) {
           Fragment& f = view.fragments[i];
           f.position /= 16.0f * f.share;
+          f.middle /= 16.0f * f.share;
+          // A sample stands for a sixteenth of the pixel, whose own variance is (1/4)²/12.
+          const Eigen::Vector3f square(f.middle.x() * f.middle.x(), f.middle.x() * f.middle.y(), f.middle.y() * f.middle.y());
+          f.spread = f.spread / (16.0f * f.share) - square + Eigen::Vector3f(1.0f, 0.0f, 1.0f) / 192.0f;
           f.radiance /= 16.0f * f.share;
           if (f.surroundings) f.position.normalize();
         }

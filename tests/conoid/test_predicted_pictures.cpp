@@ -9,6 +9,7 @@
 #include "conoid/fragment_filter.h"
 #include "conoid/layered_predictor.h"
 #include "conoid/pupil_passes.h"
+#include "support/a_trous_noise.h"
 
 namespace sturm {
 namespace {
@@ -38,7 +39,7 @@ double white(double, double) {
 Image by_passes(const FlatScene& scene, const SightField& field, int passes) {
   PassSettings settings;
   settings.passes = passes;
-  return predict_by_passes(scene.sharp_view(field), 1, field, scene.embree(), scene.shader(), settings).radiance;
+  return predict_by_passes(scene.sharp_view(field), 1, field, scene.seen(), scene.shader(), settings).radiance;
 }
 
 Image by_layers(const FlatScene& scene, const SightField& field, int oversampling = 1) {
@@ -46,7 +47,7 @@ Image by_layers(const FlatScene& scene, const SightField& field, int oversamplin
   settings.passes = 16 * oversampling * oversampling;
   PassCounters counters;
   const FragmentImage view = scene.sharp_view(field, oversampling);
-  const auto unseen = unseen_pieces(view, oversampling, field, scene.embree(), scene.shader(), settings, counters);
+  const auto unseen = unseen_pieces(view, oversampling, field, scene.seen(), scene.shader(), settings, counters);
   return predict_by_layers(view, oversampling, field, unseen).radiance;
 }
 
@@ -236,7 +237,7 @@ TEST(PredictedPictures, RefusesAViewThatDoesNotCoverThePicture) {
   const FlatScene scene = post_before_a_wall(-2.0);
   const SightField field(picture(12, 10), Eye::with(Prescription{}, 4e-3), std::nullopt);
   const FragmentImage view = scene.sharp_view(field);
-  EXPECT_THROW(predict_by_passes(view, 2, field, scene.embree(), scene.shader()), std::invalid_argument);
+  EXPECT_THROW(predict_by_passes(view, 2, field, scene.seen(), scene.shader()), std::invalid_argument);
   EXPECT_THROW(predict_by_layers(view, 2, field, {}), std::invalid_argument);
 }
 
@@ -270,6 +271,44 @@ TEST(FragmentFilter, LeavesWhatHasNoNoise) {
     EXPECT_NEAR(smooth.fragments[i].radiance.x(), view.fragments[i].radiance.x(), 1e-5f);
 }
 
+/// Part of the variance of what two planes receive that the filter leaves, away from the crease and the borders.
+double noise_left(const FilterSettings& settings) {
+  constexpr int size = 200, border = 14;
+  const FragmentImage view = two_planes(size, 0.3f, 0.8f), smooth = filtered(view, 0.01, Vector3d::Zero(), settings);
+  double before = 0.0, after = 0.0;
+  for (int y = border; y < size - border; ++y)
+    for (int x = border; x < size - border; ++x) {
+      if (std::abs(x - size / 2) < border) continue;
+      const Fragment &raw = view.at(x, y)[0], &f = smooth.at(x, y)[0];
+      const double truth = x < size / 2 ? 1.0 : 3.0;
+      before += std::pow(raw.radiance.x() / raw.albedo.x() - truth, 2);
+      after += std::pow(f.radiance.x() / f.albedo.x() - truth, 2);
+    }
+  return after / before;
+}
+
+constexpr double measured_pixels = 172.0 * (172.0 - 27.0);  // of noise_left
+
+TEST(FragmentFilter, VarianceFallsAsTheKernelsNormSays) {
+  FilterSettings settings;
+  settings.tolerance = 1e3;  // no edge stopping
+  for (settings.levels = 1; settings.levels <= 3; ++settings.levels) {
+    const double norm = testing::squared_norm(settings.levels);
+    // Of neighbours that are correlated over 1/norm pixels each way: 4σ of the χ² of the independent ones.
+    EXPECT_NEAR(noise_left(settings) / (norm * norm), 1.0, 4.0 * std::sqrt(2.0 / (measured_pixels * norm * norm))) << settings.levels;
+  }
+}
+
+TEST(FragmentFilter, ToleranceLeavesWhatItsWidthSays) {
+  FilterSettings settings;
+  settings.levels = 1;
+  for (const double tolerance : {1.5, 2.5, 5.0}) {
+    settings.tolerance = tolerance;
+    const double expected = testing::left_with_edge_stopping(tolerance / std::sqrt(2.0));  // exp(−d²/tolerance²)
+    EXPECT_NEAR(noise_left(settings) / expected, 1.0, 4.0 * std::sqrt(2.0 / (measured_pixels * 0.0748))) << tolerance;
+  }
+}
+
 TEST(FragmentFilter, TakesNoiseAndKeepsTexturesAndCreases) {
   const FragmentImage view = two_planes(48, 0.3f, 0.8f), smooth = filtered(view, 0.01, Vector3d::Zero());
   double before = 0.0, after = 0.0, left = 0.0;
@@ -281,8 +320,23 @@ TEST(FragmentFilter, TakesNoiseAndKeepsTexturesAndCreases) {
       after += std::pow(f.radiance.x() / f.albedo.x() - truth, 2);
       if (x < 24) left += f.radiance.x() / f.albedo.x() / (16 * 32);
     }
-  EXPECT_LT(after, before / 10.0);  // of two levels alone the B3 kernel would leave 1/13 and then 1/40; the tolerance keeps some
-  EXPECT_NEAR(left, 1.0, 0.03);     // nothing of the bright plane: 0.3/√3/√512 = 0.008 of noise
+  // One level alone leaves that share (ToleranceLeavesWhatItsWidthSays); further ones take more, also beside the crease, where there are
+  // fewer taps.
+  EXPECT_LT(after, testing::left_with_edge_stopping(FilterSettings{}.tolerance / std::sqrt(2.0)) * before);
+  EXPECT_NEAR(left, 1.0, 0.03);  // nothing of the bright plane: 0.3/√3/√512 = 0.008 of noise
+}
+
+TEST(FragmentFilter, NothingComesAcrossACrease) {
+  // Whatever the other plane receives: right at the crease it is nearer than the tolerance of a plane, so that normals have to tell.
+  FilterSettings settings;
+  settings.tolerance = 1e3;
+  FragmentImage view = two_planes(48, 0.3f, 0.8f);
+  const FragmentImage smooth = filtered(view, 0.01, Vector3d::Zero(), settings);
+  for (Fragment& f : view.fragments)
+    if (f.position.x() >= 0.0f) f.radiance *= 7.0f;
+  const FragmentImage other = filtered(view, 0.01, Vector3d::Zero(), settings);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 24; ++x) EXPECT_EQ(smooth.at(x, y)[0].radiance, other.at(x, y)[0].radiance) << x;
 }
 
 TEST(FragmentFilter, DoesNotTouchLampsAndMirrors) {

@@ -1,4 +1,4 @@
-#include "app/formatted_text.h"
+#include "io/formatted_text.h"
 
 #include <cstdarg>
 #include <cstdio>
@@ -6,7 +6,7 @@
 namespace sturm {
 
 std::string formatted(const char* format, ...) {
-  char text[256];
+  char text[1024];
   va_list arguments;
   va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);

@@ -1,0 +1,24 @@
+#pragma once
+#include <embree3/rtcore.h>
+
+#include "conoid/ray_shading.h"
+
+namespace sturm {
+
+/// First hits of up to 8 rays at once.
+class RayPacket {
+ public:
+  static constexpr int lanes = 8;
+
+  void trace(RTCScene scene, const UnseenPlaces::Ray* rays, int count);
+
+  /// In units of the ray's direction; ∞ for nothing.
+  float distance(int lane) const { return distance_[lane]; }
+  RTCHit hit(int lane) const;  ///< of a lane that met something
+
+ private:
+  RTCRayHit8 packet_;
+  float distance_[lanes];
+};
+
+}  // namespace sturm

@@ -1,0 +1,53 @@
+#pragma once
+#include <Eigen/Core>
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "io/fragment_image.h"
+
+namespace sturm {
+
+/// A pixel-sized place of the world that a sharp view does not show: where it would be in the sharp view, and about how far.
+struct UnseenCell {
+  static constexpr std::int32_t nowhere = std::numeric_limits<std::int32_t>::min();  ///< no chief ray goes there; x, y: of the picture
+  static constexpr std::int32_t at_infinity = std::numeric_limits<std::int32_t>::max();
+  std::int32_t x, y, depth;
+  std::int32_t kind = 0;  ///< 1: a lamp; `nowhere`
+  auto operator<=>(const UnseenCell&) const = default;
+
+  std::uint64_t key() const;
+  double distance() const;  ///< the middle of the cell's step of distance [m]
+};
+
+/// What a ray met, and where in the picture the chief ray to it is [px].
+struct MetPoint {
+  Eigen::Vector2d place;
+  Eigen::Vector3f position;
+  float distance;
+  bool surroundings, emits;
+};
+
+/// Finds what a sharp view knows of a point.
+class SharpLookup {
+ public:
+  /// `pixel_slope`: of the picture, of which the view has `oversampling` pixels along each side. With `tell_lamps` light comes from
+  /// fragments that emit alone, and from those only where the ray met what emits: a lamp and the ceiling around it share planes and pixels.
+  SharpLookup(const FragmentImage& view, int oversampling, double pixel_slope, bool tell_lamps);
+
+  /// Radiance of the fragment in the pixel of the point's place on whose plane it lies to a pixel's size; none if there is no such.
+  std::optional<Eigen::Vector3f> find(const MetPoint& point) const;
+
+  UnseenCell cell_of(const MetPoint& point) const;
+
+ private:
+  Eigen::Vector2i pixel_of(const Eigen::Vector2d& place) const;
+
+  const FragmentImage& view_;
+  int oversampling_;
+  float pixel_slope_;
+  bool tell_lamps_;
+};
+
+}  // namespace sturm
