@@ -79,6 +79,11 @@ void place(Json& report, const std::string& statistic, double value) {
     report["agreement"] = {
         {{"id", statistic.substr(first + 1, last - first - 1)},
          {"predictions", {{{"kind", statistic.substr(last + 1)}, {"parts", {{{"ssim_display", {{"value", value}}}}}}}}}}};
+  else if (family == "agreement_ssim_without_noise")
+    report["agreement"] = {{{"id", statistic.substr(first + 1, last - first - 1)},
+                            {"predictions", {{{"kind", statistic.substr(last + 1)}, {"similarity_loss", {{"method", 1.0 - value}}}}}}}};
+  else if (family == "agreement_times_faster_min")
+    report["agreement"] = {{{"id", "by hand"}, {"predictions", {{{"kind", name}, {"times_faster", value}}}}}};
   else
     FAIL() << "no place for " << statistic;
 }
