@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -55,10 +56,18 @@ void print_results(const Json& results) {
   }
 }
 
+/// A file below the current folder without the way there, which is nobody else's.
+std::string short_name(const std::filesystem::path& file) {
+  const std::filesystem::path within = file.lexically_relative(std::filesystem::current_path());
+  return within.empty() || *within.begin() == ".." ? file.string() : within.string();
+}
+
 /// What later runs are held against: the numbers with their uncertainty, not every case.
 Json baseline_of(const Json& report) {
   Json baseline = report;
-  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study", "gate_power", "bench"}) baseline.erase(bulky);
+  for (Json& input : baseline["provenance"]["inputs"]) input["file"] = short_name(input["file"].get<std::string>());
+  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study", "gate_power", "bench"})
+    baseline.erase(bulky);
   return baseline;
 }
 

@@ -28,6 +28,9 @@ _BENCH = {
     "require": [{"id": "steep", "title": "Errors fall", "statistic": "slope", "error": "rmse", "method": "independent", "at_most": 0, "reason": "more samples, less noise"}],
 }
 
+# Of each view: RMSE against samples; RMSE and trimmed relative MSE against time, and relative MSE, which one of the levels asks for.
+FIGURES = 2 * 4
+
 
 def bench():
     document = copy.deepcopy(_BENCH)
@@ -92,7 +95,7 @@ class Report(BenchTest):
             self.assertTrue((out / view["reference"]["file"]).exists())
             self.assertTrue((out / view["reference"]["picture"]).exists())
         files = {figure["file"] for figure in report["figures"]}
-        self.assertEqual(len(files), 6)
+        self.assertEqual(len(files), FIGURES)
         for figure in report["figures"]:
             self.assertEqual(figure["command"], "sturm bench bench.json")
             xml.etree.ElementTree.fromstring((out / figure["file"]).read_text())
@@ -102,7 +105,7 @@ class Report(BenchTest):
         text = (self.folder / "out/bench.html").read_text()
         page = xml.etree.ElementTree.fromstring(text.replace("<!DOCTYPE html>", ""))
         self.assertEqual(page.find("head/title").text, bench()["title"])
-        self.assertEqual(len([image for image in page.iter("img") if image.get("src").startswith("data:image/svg+xml")]), 6)
+        self.assertEqual(len([image for image in page.iter("img") if image.get("src").startswith("data:image/svg+xml")]), FIGURES)
         self.assertEqual(len([image for image in page.iter("img") if image.get("src").startswith("data:image/png")]), 2)
         self.assertIn("sturm bench bench.json", text)
         self.assertNotRegex(re.sub(r'"data:[^"]*"', "", text), r"(?i)\b(nan|inf)\b")

@@ -36,11 +36,13 @@ class Memory(FolderTest):
         self.succeed("render", path, "-o", self.folder / "hills.exr", "--quiet", timeout=600)
         manifest = strict_json((self.folder / "hills.manifest.json").read_text())
         self.assertEqual(manifest["counters"]["triangles"], 2 * SIDE * SIDE)
-        # The largest child of this test is that run; the operating system and the manifest tell the same. (The manifest is written last but
-        # for its own file: nothing large comes after it.)
+        # The largest child of this test is that run; the operating system and the manifest tell the same, but for what comes after the manifest:
+        # the exit of a hundred megabytes of shared libraries for image formats reads pages of theirs that nothing needed before (7 MB).
         measured = 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
         self.assertLess(measured, LIMIT_BYTES)
-        self.assertAlmostEqual(manifest["provenance"]["peak_memory_bytes"], measured, delta=0.01 * measured)
+        stated = manifest["provenance"]["peak_memory_bytes"]
+        self.assertLessEqual(stated, measured)
+        self.assertGreater(stated, measured - 12e6)
         # It can be measured at all: the picture's 13 channels alone are 48 MB.
         self.assertGreater(measured, 1280 * 720 * 13 * 4)
         print(f"peak memory: {measured / 1e6:.0f} MB")

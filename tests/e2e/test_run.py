@@ -160,7 +160,11 @@ class Gates(RunTest):
     def test_baseline(self):
         self.run_experiment("out", "--quiet")
         report, baseline = self.folder / "out/report.json", self.folder / "baseline.json"
-        self.succeed("gate", report, "--write-baseline", baseline)
+        self.succeed("gate", report, "--write-baseline", baseline, cwd=self.folder)
+        inputs = [entry["file"] for entry in strict_json(baseline.read_text())["provenance"]["inputs"]]
+        self.assertTrue(inputs)
+        for name in inputs:  # where a folder stands on this machine means nothing on another one
+            self.assertFalse(name.startswith(str(self.folder)), name)
         gates = documents.gates()
         gates["gates"][0].update({"id": "as_before", "statistic": "image_ssim_display/box", "comparison": "baseline", "bound": 0.001})
         path = self.write("with_baseline.json", gates)
