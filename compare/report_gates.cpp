@@ -68,9 +68,11 @@ std::string description(const Json& gate) {
       element("span", "class=\"title\"", text_html(text_at(gate, "title"))) + element("code", "", text_html(text_at(gate, "id")));
   if (const std::string statistic = text_at(gate, "statistic"); !statistic.empty())
     html += element("small", "", "statistic: " + escaped(statistic));
-  if (const std::string reason = text_at(gate, "reason"); !reason.empty()) html += element("small", "", "bound: " + escaped(reason));
-  html += calibration_html(gate);
-  return html;
+  std::string why;
+  if (const std::string reason = text_at(gate, "reason"); !reason.empty()) why += element("small", "", escaped(reason));
+  why += calibration_html(gate);
+  if (why.empty()) return html;
+  return html + element("details", failed(gate) ? "open=\"\"" : "", "<summary>why this bound</summary>" + why);
 }
 
 std::string gate_table(const Json& gates) {

@@ -134,7 +134,7 @@ TEST_F(ReportHtml, HoldsPicturesAndPlots) {
   };
   EXPECT_EQ(count("data:image/png;base64,iVBOR"), 4 + 2 * 3);  // PNG's signature
   EXPECT_EQ(count("<svg class=\"plot\""), 3);
-  EXPECT_EQ(count("<details"), 1 + 5 + 1);
+  EXPECT_EQ(count("<details"), 1 + 5 + 1 + 7);  // the last: gates that say why their bound is where it is
 }
 
 TEST_F(ReportHtml, WorstCaseComesFirst) {
