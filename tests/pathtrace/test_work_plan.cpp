@@ -166,6 +166,8 @@ TEST(SharpCells, RaysStayWithinTheBound) {
   expect_bound(panels({2.0f, 8.0f, 20.0f, 60.0f}), Eye::with({}, 2e-3), 0.0, 0.02, 0.05);
   expect_bound(panels({2.0f, 2.05f, 1.9f, 60.0f}), Eye::with({}, 2e-3), 0.5, 0.01, 0.01);
   expect_bound(panels({2.0f, 8.0f, 20.0f, 60.0f}), Eye::with({0.0, -0.05, 30.0}, 3e-3), 0.0, 0.05, 0.05);
+  // What is near reaches 15 px, two cells, over what is sharp.
+  expect_bound(panels({0.4f, 60.0f, 60.0f, 60.0f}), Eye::with({}, 100e-3), 0.0, 0.15, 0.05);
 }
 
 TEST(SharpCells, PropertyRaysStayWithinTheBound) {
@@ -320,6 +322,8 @@ TEST(UnseenEmitters, ThoseThatFaceAwayAreFound) {
   EXPECT_EQ(unseen_emitters(room_with_hidden_panels()), hidden);
   SceneDescription seen = room_with_hidden_panels();
   seen.spheres.push_back({{0.2f, 2.0f, 0.2f}, 0.1f, 0});  // above the panels
+  EXPECT_TRUE(unseen_emitters(seen).empty());
+  seen.spheres.back().center.y() = 0.95f;  // its top comes through their plane
   EXPECT_TRUE(unseen_emitters(seen).empty());
   seen.spheres.back().center.y() = 0.85f;  // below their plane
   EXPECT_EQ(unseen_emitters(seen), hidden);
