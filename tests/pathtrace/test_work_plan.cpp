@@ -264,9 +264,11 @@ TEST(SimplestEnvironment, OneColourInPlaceOfAPictureOfIt) {
   EXPECT_FALSE(simplest->map);
   const EnvironmentMap map(flat.map, flat.radiance, flat.rotation);
   EXPECT_EQ(simplest->radiance, map.radiance({0.3f, -0.2f, 0.9f}));
-  auto two = std::make_shared<Image>(*picture);
-  two->pixels.back() += 0.25f;
-  EXPECT_EQ(simplest_environment(Environment{{1.0f, 1.0f, 1.0f}, two, 0.0f})->map, two);
+  for (std::size_t i = 0; i < picture->pixels.size(); ++i) {  // wherever the other colour is
+    auto two = std::make_shared<Image>(*picture);
+    two->pixels[i] += 0.25f;
+    EXPECT_EQ(simplest_environment(Environment{{1.0f, 1.0f, 1.0f}, two, 0.0f})->map, two) << i;
+  }
   auto black = std::make_shared<Image>(2, 2, 3);
   EXPECT_FALSE(simplest_environment(Environment{{1.0f, 1.0f, 1.0f}, black, 0.0f}));
   EXPECT_FALSE(simplest_environment(Environment{{0.0f, 0.0f, 0.0f}, nullptr, 0.0f}));
