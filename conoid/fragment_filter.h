@@ -5,7 +5,7 @@ namespace sturm {
 
 struct FilterSettings {
   int levels = 4;               ///< of the à-trous wavelet: the widest reaches 2·(2^levels − 1) pixels of the view
-  double tolerance = 2.5;  ///< differences of about so many standard errors still count as noise
+  double direct_tolerance = 2.5, indirect_tolerance = 4.0;  ///< differences of about so many standard errors still count as noise
 };
 
 /// The view with less noise: edge-avoiding à-trous wavelet filter [Dammertz2010] on what Lambertian fragments receive (radiance divided by

@@ -12,8 +12,10 @@ struct Fragment {
   Eigen::Vector3f position;            ///< [m], world; of the surroundings the direction, unit length
   Eigen::Vector3f normal;              ///< unit length; of the surroundings zero
   Eigen::Vector3f radiance;            ///< linear, towards the pupil's centre
+  Eigen::Vector3f direct;              ///< the part of it that the surface emits, or that comes from lights and surroundings by one reflection
   Eigen::Vector3f albedo;              ///< of a Lambertian surface; where the colour may change with the direction, zero
-  Eigen::Vector3f variance;            ///< of the mean radiance, from the scatter of its samples (low-discrepancy samples do better)
+  Eigen::Vector3f direct_variance;     ///< of the mean `direct`, from the scatter of its samples (low-discrepancy samples do better)
+  Eigen::Vector3f indirect_variance;   ///< the same of the rest
   float share = 0.0f;                  ///< of the pixel's samples
   Eigen::Vector2f middle{0.5f, 0.5f};  ///< of these samples within the pixel, (0, 1)² from its upper left corner
   Eigen::Vector3f spread{1.0f / 12, 0.0f, 1.0f / 12};  ///< xx, xy, yy: their covariance there
