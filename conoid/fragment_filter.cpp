@@ -86,6 +86,8 @@ class Wavelet {
       Fragment& f = result.fragments[planes_[i].fragment];
       f.direct = light_[i].value.head<3>().matrix().cwiseProduct(divisor(f.albedo));
       f.radiance = f.direct + light_[i].value.segment<3>(4).matrix().cwiseProduct(divisor(f.albedo));
+      f.direct_variance = light_[i].variance.head<3>().matrix().cwiseProduct(divisor(f.albedo).cwiseAbs2());
+      f.indirect_variance = light_[i].variance.segment<3>(4).matrix().cwiseProduct(divisor(f.albedo).cwiseAbs2());
     }
     return result;
   }
