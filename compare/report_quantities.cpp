@@ -73,6 +73,8 @@ void add_images(const Json& report, Quantities& out) {
       }
       out[name + key] = q;
     }
+    const auto degrees = degrees_of_image(report, id);
+    add_noise_floor(image, name, degrees ? std::optional(*degrees + 1.0) : std::nullopt, out);
   }
 }
 
@@ -95,6 +97,16 @@ void add_lens_study(const Json& report, Quantities& out) {
 }
 
 }  // namespace
+
+void add_noise_floor(const Json& entry, const std::string& name, std::optional<double> replicates, std::map<std::string, Quantity>& out) {
+  const Json& floor = value_at(entry, "noise_floor");
+  if (!floor.is_object()) return;
+  for (const auto& [key, value] : floor.items())
+    out[name + "noise floor of " + key] = {.value = number_at(value, ""),
+                                           .standard_error = number_at(entry, "noise_floor_uncertainty/" + key),
+                                           .degrees = replicates && *replicates > 3.0 ? std::optional(*replicates - 2.0) : std::nullopt,
+                                           .better = key.starts_with("ssim") ? Better::More : Better::Less};
+}
 
 std::optional<double> degrees_of_image(const Json& report, const std::string& id) {
   for (const Json& image : array_at(report, "spec/images"))
