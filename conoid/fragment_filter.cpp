@@ -11,20 +11,26 @@ namespace {
 using Eigen::Vector3f;
 
 /// Three channels of direct light and three of indirect light, each followed by a zero: one vector register.
-using Channels = Eigen::Array<float, 8, 1>;
+using Channels = float __attribute__((vector_size(32)));
 
 Channels channels(const Vector3f& direct, const Vector3f& indirect) {
-  Channels c;
-  c << direct, 0.0f, indirect, 0.0f;
-  return c;
+  return Channels{direct.x(), direct.y(), direct.z(), 0.0f, indirect.x(), indirect.y(), indirect.z(), 0.0f};
+}
+Vector3f direct_of(const Channels& c) {
+  return {c[0], c[1], c[2]};
+}
+Vector3f indirect_of(const Channels& c) {
+  return {c[4], c[5], c[6]};
 }
 
-/// The larger ones of the direct and of the indirect channels, in all places of either.
-Channels larger_ones(const Channels& c) {
-  Channels m;
-  m.head<4>().setConstant(c.head<4>().maxCoeff());
-  m.tail<4>().setConstant(c.tail<4>().maxCoeff());
-  return m;
+Channels larger(const Channels& a, const Channels& b) {
+  return a > b ? a : b;
+}
+
+/// The largest one of the direct and of the indirect channels, in all places of either.
+Channels largest(const Channels& c) {
+  const Channels pairs = larger(c, __builtin_shufflevector(c, c, 1, 0, 3, 2, 5, 4, 7, 6));
+  return larger(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1, 6, 7, 4, 5));
 }
 
 /// What one fragment receives: radiance over albedo, and its variance.
@@ -84,10 +90,11 @@ class Wavelet {
     FragmentImage result = view_;
     for (std::size_t i = 0; i < light_.size(); ++i) {
       Fragment& f = result.fragments[planes_[i].fragment];
-      f.direct = light_[i].value.head<3>().matrix().cwiseProduct(divisor(f.albedo));
-      f.radiance = f.direct + light_[i].value.segment<3>(4).matrix().cwiseProduct(divisor(f.albedo));
-      f.direct_variance = light_[i].variance.head<3>().matrix().cwiseProduct(divisor(f.albedo).cwiseAbs2());
-      f.indirect_variance = light_[i].variance.segment<3>(4).matrix().cwiseProduct(divisor(f.albedo).cwiseAbs2());
+      const Vector3f albedo = divisor(f.albedo), squared = albedo.cwiseAbs2();
+      f.direct = direct_of(light_[i].value).cwiseProduct(albedo);
+      f.radiance = f.direct + indirect_of(light_[i].value).cwiseProduct(albedo);
+      f.direct_variance = direct_of(light_[i].variance).cwiseProduct(squared);
+      f.indirect_variance = indirect_of(light_[i].variance).cwiseProduct(squared);
     }
     return result;
   }
@@ -121,7 +128,7 @@ class Wavelet {
   /// Squares of the differences that count as noise. Variances estimated from few samples are noisy themselves: the mean over 3 × 3 pixels.
   /// Where all are alike to the last bit, rounding is noise.
   Channels tolerance(int x, int y, std::uint32_t i) const {
-    Channels sum = Channels::Zero();
+    Channels sum{};
     int count = 0;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
@@ -129,16 +136,15 @@ class Wavelet {
         if (j != none) sum += light_[j].variance, ++count;
       }
     const auto squared = [](double v) { return static_cast<float>(v * v); };
-    Channels factors;
-    factors.head<4>().setConstant(squared(settings_.direct_tolerance));
-    factors.tail<4>().setConstant(squared(settings_.indirect_tolerance));
-    return factors * sum / static_cast<float>(count) + 1e-12f * light_[i].value.square() + 1e-30f;
+    const float d = squared(settings_.direct_tolerance), r = squared(settings_.indirect_tolerance);
+    const Channels factors{d, d, d, d, r, r, r, r}, own = light_[i].value;
+    return factors * sum / static_cast<float>(count) + 1e-12f * own * own + 1e-30f;
   }
 
   Light smoothed(int x, int y, std::uint32_t i, int step) const {
     constexpr float b3[3] = {3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f};
     const Channels own = light_[i].value, tolerance = tolerance_[i];
-    Channels sum = Channels::Zero(), variance = Channels::Zero(), weights = Channels::Zero();
+    Channels sum{}, variance{}, weights{};
     for (int dy = -2; dy <= 2; ++dy)
       for (int dx = -2; dx <= 2; ++dx) {
         const std::uint32_t j = dx == 0 && dy == 0 ? i : continued(x + dx * step, y + dy * step, planes_[i], 2 * step);
@@ -146,14 +152,14 @@ class Wavelet {
         const Light& other = light_[j];
         // (1 − x/4)⁴ is exp(−x) to 0.06, and ends at 4. The mean of both tolerances: who sees another is seen by it, and a rare bright
         // sample is neither left alone by its neighbours nor lost in them.
-        const Channels off = (other.value - own).square() / (2.0f * (tolerance + tolerance_[j]));
-        const Channels near = (1.0f - larger_ones(off)).max(0.0f);
-        const Channels weight = planes_[j].share * b3[std::abs(dx)] * b3[std::abs(dy)] * near.square().square();
+        const Channels difference = other.value - own, off = difference * difference / (2.0f * (tolerance + tolerance_[j]));
+        const Channels near = larger(1.0f - largest(off), Channels{}), square = near * near;
+        const Channels weight = planes_[j].share * b3[std::abs(dx)] * b3[std::abs(dy)] * square * square;
         sum += weight * other.value;
         weights += weight;
-        variance += weight.square() * other.variance;
+        variance += weight * weight * other.variance;
       }
-    return {sum / weights, variance / weights.square()};
+    return {sum / weights, variance / (weights * weights)};
   }
 
   const FragmentImage& view_;

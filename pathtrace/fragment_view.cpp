@@ -123,7 +123,8 @@ class FragmentRenderer {
  private:
   static constexpr std::uint32_t outline_samples = 256;
 
-  void trace(int x, int y, std::uint32_t first, int count, const PixelSequence& sequence, ChiefBlock& block, RenderCounters& counters) const {
+  void trace(int x, int y, std::uint32_t first, int count, const PixelSequence& sequence, ChiefBlock& block,
+             RenderCounters& counters) const {
     CameraHits& hits = block.hits;
     for (int i = 0; i < count; ++i) {
       const auto film = sequence.pair(first + static_cast<std::uint32_t>(i), dimension::film);
