@@ -144,6 +144,16 @@ TEST(Lamps, LayeredLampsLeakAsLittleBlurMakesThem) {
   }
 }
 
+TEST(Lamps, LayeredLampsKeepTheirWidthInAnyBlur) {
+  // Cells of 1/n of a pixel; the tolerance is that of LayeredLampsLeakAsLittleBlurMakesThem, inside and outside of the lamp's pixel.
+  const double edge = 0.25;
+  for (const auto& [radius, n] : {std::pair{2.5, 4}, std::pair{9.0, 2}}) {
+    const double tolerance = 2.0 / (n * n) / 8 * 2.0 / (pi * radius);
+    const SightField field = field_with_blur(radius, 64);
+    EXPECT_LT(worst(by_layers(half_lamp(edge), field), 8, edge, radius), tolerance) << radius;
+  }
+}
+
 TEST(Lamps, APartOfAPixelIsSpreadFromWhereItIs) {
   // The lamp fills the right quarter of its pixel; with 0.1 px of blur nothing reaches the next pixel on the left.
   const Image near = by_layers(half_lamp(0.75), field_with_blur(0.1));
