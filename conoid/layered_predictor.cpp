@@ -19,8 +19,8 @@ using Eigen::Vector2d;
 
 constexpr double largest_radius_px = 16384.0;
 
-/// Places along each side that the sharp pixel of a lamp's rim is spread from. Cells of 1/n px lack n⁻²/12 px² of the pixel's variance, which
-/// is little beside that of the blur, r²/4.
+/// Places along each side that the sharp pixel of a lamp's rim is spread from. Cells of 1/n px lack n⁻²/12 px² of the pixel's variance,
+/// which is little beside that of the blur, r²/4.
 int lamp_grid(double radius_px) {
   return radius_px < 2.0 ? 8 : radius_px < 8.0 ? 4 : 2;
 }

@@ -1,10 +1,9 @@
 // Sharp views piece by piece, as predictions use them.
-#include "pathtrace/fragment_view.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "pathtrace/fragment_view.h"
 #include "support/scene_plain.h"
 #include "support/scenes.h"
 
