@@ -33,7 +33,7 @@ Channels largest(const Channels& c) {
   return larger(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1, 6, 7, 4, 5));
 }
 
-/// What one fragment receives: radiance over albedo, and its variance.
+/// What is filtered of one fragment: radiance over `divisor`, and its variance.
 struct Light {
   Channels value, variance;
 };
@@ -45,16 +45,18 @@ struct Plane {
   Vector3f position;  ///< from the eye [m]
   float pixel_size;   ///< there [m]
   float share;
+  Vector3f albedo;
+  bool lambertian;
   std::uint32_t fragment;  ///< of the view
 };
 
-/// Below this albedo a division would blow up noise; such a fragment is divided by this.
-Vector3f divisor(const Vector3f& albedo) {
-  return albedo.cwiseMax(1e-3f);
+/// What radiance is divided by: below 1e-3 a division would blow up noise. Light that a glossy surface reflects at once knows no albedo.
+Vector3f divisor(const Fragment& f) {
+  return f.lambertian ? Vector3f(f.albedo.cwiseMax(1e-3f)) : Vector3f(Vector3f::Ones());
 }
 
 bool takes_part(const Fragment& f) {
-  return !f.surroundings && !f.emits && f.albedo.maxCoeff() > 0.0f;
+  return !f.surroundings && !f.emits;
 }
 
 class Wavelet {
@@ -70,8 +72,8 @@ class Wavelet {
           if (!takes_part(f)) continue;
           const Vector3f position = f.position - eye;
           planes_.push_back({f.normal, f.normal.dot(position), position, static_cast<float>(pixel_slope) * position.norm(), f.share,
-                             static_cast<std::uint32_t>(&f - view.fragments.data())});
-          const Vector3f by = divisor(f.albedo).cwiseInverse(), by_squared = by.cwiseAbs2();
+                             f.albedo, f.lambertian, static_cast<std::uint32_t>(&f - view.fragments.data())});
+          const Vector3f by = divisor(f).cwiseInverse(), by_squared = by.cwiseAbs2();
           light_.push_back({channels(f.direct.cwiseProduct(by), (f.radiance - f.direct).cwiseProduct(by)),
                             channels(f.direct_variance.cwiseProduct(by_squared), f.indirect_variance.cwiseProduct(by_squared))});
         }
@@ -90,7 +92,7 @@ class Wavelet {
     FragmentImage result = view_;
     for (std::size_t i = 0; i < light_.size(); ++i) {
       Fragment& f = result.fragments[planes_[i].fragment];
-      const Vector3f albedo = divisor(f.albedo), squared = albedo.cwiseAbs2();
+      const Vector3f albedo = divisor(f), squared = albedo.cwiseAbs2();
       f.direct = direct_of(light_[i].value).cwiseProduct(albedo);
       f.radiance = f.direct + indirect_of(light_[i].value).cwiseProduct(albedo);
       f.direct_variance = direct_of(light_[i].variance).cwiseProduct(squared);
@@ -116,10 +118,12 @@ class Wavelet {
   std::uint32_t continued(int x, int y, const Plane& f, int step) const {
     if (x < 0 || y < 0 || x >= view_.width || y >= view_.height) return none;
     constexpr float same_way = 0.97f;  // cos 14°
+    constexpr float same_albedo = 0.06f;
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
     for (std::uint32_t j = first_[pixel]; j < first_[pixel + 1]; ++j) {
       const Plane& g = planes_[j];
-      if (g.normal.dot(f.normal) < same_way) continue;
+      if (g.normal.dot(f.normal) < same_way || g.lambertian != f.lambertian) continue;
+      if (!f.lambertian && (g.albedo - f.albedo).cwiseAbs().maxCoeff() > same_albedo) continue;
       if (std::abs(f.normal.dot(g.position) - f.offset) <= 0.5f * static_cast<float>(step) * f.pixel_size) return j;
     }
     return none;

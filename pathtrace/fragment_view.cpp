@@ -50,7 +50,8 @@ SeenSurface seen_surface(const SurfacePoint& point, const Vector3f& origin, cons
   seen.point = point.position;
   seen.normal = point.normal.dot(direction) > 0.0f ? Vector3f(-point.normal) : point.normal;
   seen.emits = point.emitter >= 0 && point.normal.dot(direction) < 0.0f;
-  if (std::holds_alternative<Diffuse>(point.material->surface)) seen.albedo = point.albedo;
+  seen.lambertian = std::holds_alternative<Diffuse>(point.material->surface);
+  seen.albedo = point.albedo;
   seen.pixel_size = static_cast<float>(pixel_slope) * (point.position - origin).norm();
   return seen;
 }
