@@ -201,7 +201,7 @@ void add_images(const Json& report, Statistics& out) {
     if (model != "power_matrix") continue;
     const Number ssim = number_at(image, "metrics/ssim_display/value"), uncertainty = number_at(image, "metrics/ssim_display/uncertainty");
     const Number floor = number_at(image, "noise_floor/ssim_display");
-    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id, degrees_of_image(report, id)};
+    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id, degrees_of_metric(report, id, value_at(image, "metrics/ssim_display"))};
     lowest.add(ssim, id, uncertainty);
     over_floor.add(rmse_over_floor, id);
     const Number ratio = number_at(image, "metrics/light_ratio/value");

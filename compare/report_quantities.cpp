@@ -69,7 +69,7 @@ void add_images(const Json& report, Quantities& out) {
       if (const std::optional<double> target = target_of(key)) q.better = Better::Nearer, q.target = target;
       if (metric.is_object()) {
         q.standard_error = number_at(metric, "uncertainty");
-        q.degrees = degrees_of_image(report, id);
+        q.degrees = degrees_of_metric(report, id, metric);
       }
       out[name + key] = q;
     }
@@ -96,7 +96,8 @@ void add_lens_study(const Json& report, Quantities& out) {
 
 }  // namespace
 
-std::optional<double> degrees_of_image(const Json& report, const std::string& id) {
+std::optional<double> degrees_of_metric(const Json& report, const std::string& id, const Json& metric) {
+  if (const auto stated = number_at(metric, "degrees"); stated && *stated > 0.0) return stated;
   for (const Json& image : array_at(report, "spec/images"))
     if (text_at(image, "id") == id) return degrees_of(number_at(image, "replicates"));
   return std::nullopt;

@@ -29,8 +29,8 @@ std::map<std::string, Quantity> quantities_of(const Json& report);
 /// Its parts in compare/report_study_quantities.cpp: the sections "agreement", "sampling_study" and "sin2_study".
 void add_study_quantities(const Json& report, std::map<std::string, Quantity>& out);
 
-/// Degrees of freedom of the standard errors of image `id`: its replicates, as the report's experiment states them, less one. None where
-/// the report does not say.
-std::optional<double> degrees_of_image(const Json& report, const std::string& id);
+/// Degrees of freedom of the standard error of one metric of image `id`: those that it states, else the image's replicates, as the report's
+/// experiment states them, less one. None where the report does not say.
+std::optional<double> degrees_of_metric(const Json& report, const std::string& id, const Json& metric);
 
 }  // namespace sturm

@@ -319,6 +319,22 @@ TEST(Gates, BaselineTellsARegressionFromNoise) {
   EXPECT_EQ(evaluated(spec, before, &before)["value"], 0.0);
 }
 
+TEST(Gates, BaselineTakesTheDegreesThatAnImageStates) {
+  // Four replicates whose error is known from many parts of the picture: 5 standard errors of the difference with 90 degrees of freedom are
+  // a normal deviate of 4.68, a regression.
+  const GateSpec spec = gate("image_ssim_display/cornell", Comparison::Baseline, 4.0, "σ");
+  Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
+  before["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;
+  // Known so well on one side alone: Satterthwaite's 4/(1/45 + 1/3) = 11.25 degrees, a deviate of 3.556.
+  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.556, 0.001);
+  fallen["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;
+  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 4.68, 0.005);
+  EXPECT_EQ(evaluated(spec, fallen, &before)["passed"], false);
+  // Zero degrees say that there was no noise to measure: the replicates count.
+  for (Json* report : {&before, &fallen}) (*report)["images"][0]["metrics"]["ssim_display"]["degrees"] = 0.0;
+  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.03, 0.005);
+}
+
 TEST(Gates, BaselineThatIsMissingOrHasOtherImagesFails) {
   const Json now = healthy_report();
   const GateSpec spec = gate("image_ssim_display/*", Comparison::Baseline, 1.0);
