@@ -22,7 +22,20 @@ double UnseenCell::distance() const {
 }
 
 SharpLookup::SharpLookup(const FragmentImage& view, int oversampling, double pixel_slope, bool tell_lamps)
-    : view_(view), oversampling_(oversampling), pixel_slope_(static_cast<float>(pixel_slope / oversampling)), tell_lamps_(tell_lamps) {}
+    : width_(view.width),
+      height_(view.height),
+      oversampling_(oversampling),
+      pixel_slope_(static_cast<float>(pixel_slope / oversampling)),
+      tell_lamps_(tell_lamps),
+      first_(view.first) {
+  known_.reserve(view.fragments.size());
+  shares_.reserve(view.fragments.size());
+  for (const Fragment& f : view.fragments) {
+    const double offset = f.surroundings ? 0.0 : f.normal.cast<double>().dot(f.position.cast<double>());
+    known_.push_back({f.normal, static_cast<float>(offset), f.radiance, kind_of(f.surroundings, f.emits)});
+    shares_.push_back(f.share);
+  }
+}
 
 Eigen::Vector2i SharpLookup::pixel_of(const Eigen::Vector2d& place) const {
   return {static_cast<int>(std::floor(place.x() * oversampling_)), static_cast<int>(std::floor(place.y() * oversampling_))};
@@ -30,23 +43,24 @@ Eigen::Vector2i SharpLookup::pixel_of(const Eigen::Vector2d& place) const {
 
 std::optional<Vector3f> SharpLookup::find(const MetPoint& point) const {
   const Eigen::Vector2i at = pixel_of(point.place);
-  if (at.x() < 0 || at.y() < 0 || at.x() >= view_.width || at.y() >= view_.height) return std::nullopt;
+  if (at.x() < 0 || at.y() < 0 || at.x() >= width_ || at.y() >= height_) return std::nullopt;
   const float pixel = pixel_slope_ * point.distance;
-  const auto off_plane = [&](const Fragment& f) {
-    if (f.surroundings != point.surroundings || (tell_lamps_ && f.emits != point.emits)) return std::numeric_limits<float>::infinity();
-    return point.surroundings ? 0.0f : std::abs(f.normal.dot(point.position - f.position));
+  const Kind kind = kind_of(point.surroundings, point.emits);
+  const auto off_plane = [&](const Known& f) {  // the surroundings have no normal: zero
+    return f.kind == kind ? std::abs(f.normal.dot(point.position) - f.offset) : std::numeric_limits<float>::infinity();
   };
-  const auto fragments = view_.at(at.x(), at.y());
-  if (fragments.size() == 1) return off_plane(fragments[0]) <= pixel ? std::optional(fragments[0].radiance) : std::nullopt;
+  const std::size_t index = static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(at.x());
+  const std::uint32_t first = first_[index], end = first_[index + 1];
+  if (end == first + 1) return off_plane(known_[first]) <= pixel ? std::optional(known_[first].radiance) : std::nullopt;
   float best = pixel;
-  for (const Fragment& f : fragments) best = std::min(best, off_plane(f));
+  for (std::uint32_t i = first; i < end; ++i) best = std::min(best, off_plane(known_[i]));
   // Several fragments may lie on one plane: the pixel's mean over them.
   Vector3f sum = Vector3f::Zero();
   float share = 0.0f;
-  for (const Fragment& f : fragments) {
-    if (!(off_plane(f) <= std::min(best + 0.05f * pixel, pixel))) continue;
-    sum += f.share * f.radiance;
-    share += f.share;
+  for (std::uint32_t i = first; i < end; ++i) {
+    if (!(off_plane(known_[i]) <= std::min(best + 0.05f * pixel, pixel))) continue;
+    sum += shares_[i] * known_[i].radiance;
+    share += shares_[i];
   }
   if (!(share > 0.0f)) return std::nullopt;
   return Vector3f(sum / share);

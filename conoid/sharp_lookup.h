@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "io/fragment_image.h"
 
@@ -29,7 +30,7 @@ struct MetPoint {
   bool surroundings, emits;
 };
 
-/// Finds what a sharp view knows of a point.
+/// Finds what a sharp view knows of a point. Keeps what that takes of each fragment: the view may go.
 class SharpLookup {
  public:
   /// `pixel_slope`: of the picture, of which the view has `oversampling` pixels along each side. With `tell_lamps` light comes from
@@ -42,12 +43,25 @@ class SharpLookup {
   UnseenCell cell_of(const MetPoint& point) const;
 
  private:
+  enum class Kind : std::uint32_t { surface, lamp, surroundings };
+  struct Known {
+    Eigen::Vector3f normal;
+    float offset;  ///< of the plane from the world's origin [m]
+    Eigen::Vector3f radiance;
+    Kind kind;
+  };
+
+  Kind kind_of(bool surroundings, bool emits) const {
+    return surroundings ? Kind::surroundings : tell_lamps_ && emits ? Kind::lamp : Kind::surface;
+  }
   Eigen::Vector2i pixel_of(const Eigen::Vector2d& place) const;
 
-  const FragmentImage& view_;
-  int oversampling_;
+  int width_, height_, oversampling_;
   float pixel_slope_;
   bool tell_lamps_;
+  std::vector<std::uint32_t> first_;  ///< of each pixel, row by row, and one more
+  std::vector<Known> known_;
+  std::vector<float> shares_;
 };
 
 }  // namespace sturm

@@ -23,10 +23,7 @@ RTCHit CameraHits::record(int i) const {
   return hit;
 }
 
-template <class Camera>
-void trace_camera_rays(const Scene& scene, const Camera& camera, int x, int y, std::uint32_t first_sample, int count,
-                       const PixelSequence& sequence, CameraHits& hits) {
-  camera.generate(x, y, first_sample, sequence, hits.rays);
+void trace_packets(const Scene& scene, int count, CameraHits& hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -53,6 +50,13 @@ void trace_camera_rays(const Scene& scene, const Camera& camera, int x, int y, s
     rtcIntersect8(valid, scene.embree(), &context, &packet);
   }
   for (int i = (count + 7) / 8 * 8; i < CameraRayBlock::size; ++i) hits.packets[i / 8].hit.geomID[i % 8] = RTC_INVALID_GEOMETRY_ID;
+}
+
+template <class Camera>
+void trace_camera_rays(const Scene& scene, const Camera& camera, int x, int y, std::uint32_t first_sample, int count,
+                       const PixelSequence& sequence, CameraHits& hits) {
+  camera.generate(x, y, first_sample, sequence, hits.rays);
+  trace_packets(scene, count, hits);
 }
 
 double distance_along(const Scene& scene, const LightRay& ray) {

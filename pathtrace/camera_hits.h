@@ -19,7 +19,10 @@ struct CameraHits {
   Eigen::Vector3f direction(int i) const { return {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}; }
 };
 
-/// Generates and traces the camera rays of samples first_sample … of pixel (x, y), `count` ≤ block size of them, in packets of 8.
+/// Traces the first `count` of the block's rays, those whose status goes on, in packets of 8.
+void trace_packets(const Scene& scene, int count, CameraHits& hits);
+
+/// Generates and traces the camera rays of samples first_sample … of pixel (x, y), `count` ≤ block size of them.
 /// Camera: EyeCamera or ViewCamera.
 template <class Camera>
 void trace_camera_rays(const Scene& scene, const Camera& camera, int x, int y, std::uint32_t first_sample, int count,

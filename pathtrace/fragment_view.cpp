@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <mutex>
 #include <string>
 
 #include "io/error.h"
 #include "pathtrace/embree_rays.h"
 #include "pathtrace/path_tracer.h"
+#include "pathtrace/pixel_pieces.h"
 
 namespace sturm {
 
@@ -18,136 +18,61 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Sums over the samples of one piece of surface; its first sample says which plane it is.
-struct Piece {
-  Vector3f point, normal;
-  float pixel_size;
-  bool surroundings, emits;
-  Eigen::Vector3d position{0.0, 0.0, 0.0}, normals{0.0, 0.0, 0.0}, radiance{0.0, 0.0, 0.0}, albedo{0.0, 0.0, 0.0};
-  Eigen::Vector3d squares{0.0, 0.0, 0.0};
-  Eigen::Vector2d places{0.0, 0.0};
-  Eigen::Matrix2d place_squares = Eigen::Matrix2d::Zero();
-  int count = 0, cover = 0;  ///< samples that were shaded, samples that met it
+constexpr std::uint64_t outline_seed = 0x4f55544cull;  // added to the seed of samples that are not shaded
+
+/// Pixels of a tile share one sequence, each with its own stretch in the order of a Z-curve: 4, 16, … pixels next to one another have as
+/// many times the samples of one pixel, as evenly spread as those are, so that what averages over pixels, filter and blur, has less noise
+/// [AhmedWonka2020].
+struct SharedSequence {
+  static constexpr int tile_bits = 5, tile = 1 << tile_bits;
+
+  static std::uint32_t tile_of(int x, int y, int width) {
+    return static_cast<std::uint32_t>((y >> tile_bits) * ((width + tile - 1) >> tile_bits) + (x >> tile_bits));
+  }
+  static std::uint32_t place_in_tile(int x, int y) {
+    std::uint32_t place = 0;
+    for (int bit = 0; bit < tile_bits; ++bit) place |= static_cast<std::uint32_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
+    return place;
+  }
 };
 
-struct Seen {
-  Vector3f point, normal, radiance, albedo{0.0f, 0.0f, 0.0f};
-  Eigen::Vector2d place{0.5, 0.5};  ///< within the pixel
-  float pixel_size = 0.0f;
-  bool surroundings = false, emits = false;
-};
-
-/// The pieces of one pixel.
-class PixelPieces {
- public:
-  void add(const Seen& seen) {
-    Piece& piece = of(seen);
-    piece.position += seen.point.cast<double>();
-    piece.normals += seen.normal.cast<double>();
-    piece.radiance += seen.radiance.cast<double>();
-    piece.albedo += seen.albedo.cast<double>();
-    piece.squares += seen.radiance.cast<double>().cwiseAbs2();
-    ++piece.count;
-    cover(piece, seen);
-  }
-
-  /// A sample that counts for the size of its piece alone. False where there is no such piece yet.
-  bool add_cover(const Seen& seen) {
-    const std::size_t before = pieces_.size();
-    Piece& piece = of(seen);
-    if (pieces_.size() > before) {
-      pieces_.pop_back();
-      return false;
-    }
-    piece.position += seen.point.cast<double>();
-    cover(piece, seen);
-    return true;
-  }
-
-  bool emits() const {
-    return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.emits; });
-  }
-
-  void append_to(std::vector<Fragment>& list, int samples) const {
-    for (const Piece& p : pieces_) {
-      Fragment f;
-      const Eigen::Vector3d mean = p.position / p.cover;
-      f.position = (p.surroundings ? Eigen::Vector3d(mean.normalized()) : mean).cast<float>();
-      f.normal = p.surroundings ? Vector3f(Vector3f::Zero()) : Vector3f(p.normals.normalized().cast<float>());
-      f.radiance = (p.radiance / p.count).cast<float>();
-      f.albedo = (p.albedo / p.count).cast<float>();
-      // Of a single sample nothing is known: as uncertain as it is bright.
-      const Eigen::Vector3d square = (p.radiance / p.count).cwiseAbs2();
-      f.variance = (p.count > 1 ? Eigen::Vector3d((p.squares / p.count - square).cwiseMax(0.0) / (p.count - 1)) : square).cast<float>();
-      f.share = static_cast<float>(static_cast<double>(p.cover) / samples);
-      const Eigen::Vector2d middle = p.places / p.cover;
-      const Eigen::Matrix2d spread = p.place_squares / p.cover - middle * middle.transpose();
-      f.middle = middle.cast<float>();
-      f.spread = Vector3f(static_cast<float>(spread(0, 0)), static_cast<float>(spread(0, 1)), static_cast<float>(spread(1, 1)));
-      f.surroundings = p.surroundings;
-      f.emits = p.emits;
-      list.push_back(f);
-    }
-  }
-
- private:
-  static void cover(Piece& piece, const Seen& seen) {
-    piece.places += seen.place;
-    piece.place_squares += seen.place * seen.place.transpose();
-    ++piece.cover;
-  }
-
-  static constexpr std::size_t most = 8;
-  static constexpr float same_way = 0.906f;  // cos 25°
-
-  /// The piece that a sample belongs to; the one whose plane is nearest where there is no room for more.
-  Piece& of(const Seen& seen) {
-    Piece* nearest = nullptr;
-    float nearest_distance = std::numeric_limits<float>::infinity();
-    for (Piece& p : pieces_) {
-      if (p.surroundings != seen.surroundings) continue;
-      const float distance = p.surroundings ? 0.0f : std::abs(p.normal.dot(seen.point - p.point)) / p.pixel_size;
-      if (p.surroundings || (p.emits == seen.emits && p.normal.dot(seen.normal) > same_way && distance <= 1.0f)) return p;
-      if (distance < nearest_distance) nearest = &p, nearest_distance = distance;
-    }
-    if (pieces_.size() == most) return nearest ? *nearest : pieces_.front();
-    return pieces_.emplace_back(Piece{seen.point, seen.normal, seen.pixel_size, seen.surroundings, seen.emits});
-  }
-
-  std::vector<Piece> pieces_;
-};
-
-void add(RenderCounters& total, const RenderCounters& part) {
-  total.camera += part.camera;
-  total.bounce_rays += part.bounce_rays;
-  total.shadow_rays += part.shadow_rays;
+SeenSurface seen_surroundings(const Scene& scene, const Vector3f& direction) {
+  SeenSurface seen;
+  seen.point = direction.normalized();
+  seen.radiance = seen.direct = scene.environment(direction);
+  seen.surroundings = true;
+  return seen;
 }
 
-/// Traces one ray and, with a tracer, shades what it meets; numbers.begin_block is the caller's.
-Seen seen_along(const Scene& scene, const PathTracer* tracer, const Vector3f& origin, const Vector3f& direction, double pixel_slope,
-                VertexNumbers& numbers, std::uint32_t sample, RenderCounters& counters) {
-  Seen seen;
-  seen.radiance = Vector3f::Zero();
-  ++counters.camera.launched;
-  RTCRayHit ray = ray_from(origin, direction);
-  if (!intersect(scene.embree(), ray)) {
-    seen.point = direction.normalized();
-    seen.normal = Vector3f::Zero();
-    seen.radiance = scene.environment(direction);
-    seen.surroundings = true;
-    return seen;
-  }
-  const SurfacePoint point = scene.surface_point(ray.hit, origin, direction, ray.ray.tfar);
+/// Not shaded.
+SeenSurface seen_surface(const SurfacePoint& point, const Vector3f& origin, const Vector3f& direction, double pixel_slope) {
+  SeenSurface seen;
   seen.point = point.position;
   seen.normal = point.normal.dot(direction) > 0.0f ? Vector3f(-point.normal) : point.normal;
   seen.emits = point.emitter >= 0 && point.normal.dot(direction) < 0.0f;
-  if (std::holds_alternative<Diffuse>(point.material->surface)) seen.albedo = point.albedo;
+  seen.lambertian = std::holds_alternative<Diffuse>(point.material->surface);
+  seen.albedo = point.albedo;
   seen.pixel_size = static_cast<float>(pixel_slope) * (point.position - origin).norm();
-  if (!tracer) return seen;
-  seen.radiance = tracer->radiance(point, direction, numbers, sample, counters);
-  if (!seen.radiance.allFinite()) throw RuntimeFailure("a sample of the sharp view is not finite");
   return seen;
 }
+
+Vector3f radiance_along(const Scene& scene, const PathTracer& tracer, const Vector3f& origin, const Vector3f& direction,
+                        VertexNumbers& numbers, std::uint32_t sample, RenderCounters& counters) {
+  ++counters.camera.launched;
+  RTCRayHit ray = ray_from(origin, direction);
+  if (!intersect(scene.embree(), ray)) return scene.environment(direction);
+  const SurfacePoint point = scene.surface_point(ray.hit, origin, direction, ray.ray.tfar);
+  const Vector3f radiance = tracer.radiance(point, direction, numbers, sample, counters);
+  if (!radiance.allFinite()) throw RuntimeFailure("a sample of the sharp view is not finite");
+  return radiance;
+}
+
+/// Rays of one block, what they met, and where in the pixel they belong.
+struct ChiefBlock {
+  CameraHits hits;
+  FirstVertices vertices;
+  Eigen::Vector2d places[CameraRayBlock::size];
+};
 
 /// Renders pixel by pixel.
 class FragmentRenderer {
@@ -162,12 +87,19 @@ class FragmentRenderer {
         samples_(static_cast<std::uint32_t>(settings.samples_per_pixel)) {}
 
   PixelPieces pieces_of(int x, int y, RenderCounters& counters) const {
-    const PixelSequence sequence = sequence_of(x, y);
+    const PixelSequence sequence(settings_.sequence, settings_.seed, SharedSequence::tile_of(x, y, width_));
     VertexNumbers numbers(sequence);
+    ChiefBlock block;
     PixelPieces pieces;
-    for (std::uint32_t i = 0; i < samples_; ++i) {
-      if (i % CameraRayBlock::size == 0) numbers.begin_block(i);
-      if (const auto seen = sample(x, y, i, &tracer_, sequence, numbers, counters)) pieces.add(*seen);
+    const std::uint32_t begin = SharedSequence::place_in_tile(x, y) * samples_, end = begin + samples_;
+    for (std::uint32_t first = begin; first != end;) {
+      const int count = static_cast<int>(std::min<std::uint32_t>(CameraRayBlock::size, end - first));
+      trace(x, y, first, count, sequence, block, counters);
+      numbers.begin_block(first, count);
+      tracer_.light(block.vertices, block.hits, first, count, numbers, counters);
+      for (int i = 0; i < count; ++i)
+        if (goes_on(block.hits.rays.status[i])) pieces.add(shaded(block, i, first + static_cast<std::uint32_t>(i), numbers, counters));
+      first += static_cast<std::uint32_t>(count);
     }
     return pieces;
   }
@@ -175,28 +107,62 @@ class FragmentRenderer {
   /// More samples that are not shaded, of a pixel where a lamp begins: it is so much brighter than all around that its share must be known
   /// better than by the few that are. What they find first is shaded once.
   int refine(int x, int y, PixelPieces& pieces, RenderCounters& counters) const {
-    const PixelSequence sequence = sequence_of(x, y);
+    const PixelSequence sequence(settings_.sequence, settings_.seed + outline_seed, static_cast<std::uint32_t>(y * width_ + x));
     VertexNumbers numbers(sequence);
-    for (std::uint32_t i = samples_; i < samples_ + outline_samples; ++i) {
-      const auto seen = sample(x, y, i, nullptr, sequence, numbers, counters);
-      if (!seen || pieces.add_cover(*seen)) continue;
-      numbers.begin_block(i);
-      pieces.add(*sample(x, y, i, &tracer_, sequence, numbers, counters));
+    ChiefBlock block;
+    block.vertices.lit = false;
+    for (std::uint32_t first = 0; first < outline_samples; first += CameraRayBlock::size) {
+      trace(x, y, first, CameraRayBlock::size, sequence, block, counters);
+      numbers.begin_block(first);
+      for (int i = 0; i < CameraRayBlock::size; ++i)
+        if (goes_on(block.hits.rays.status[i]) && !pieces.add_cover(unshaded(block, i)))
+          pieces.add(shaded(block, i, first + static_cast<std::uint32_t>(i), numbers, counters));
     }
-    return static_cast<int>(samples_) + outline_samples;
+    return static_cast<int>(samples_ + outline_samples);
   }
 
  private:
-  static constexpr int outline_samples = 256;
+  static constexpr std::uint32_t outline_samples = 256;
 
-  PixelSequence sequence_of(int x, int y) const { return {settings_.sequence, settings_.seed, static_cast<std::uint32_t>(y * width_ + x)}; }
-  std::optional<Seen> sample(int x, int y, std::uint32_t i, const PathTracer* tracer, const PixelSequence& sequence, VertexNumbers& numbers,
-                             RenderCounters& counters) const {
-    const auto film = sequence.pair(i, dimension::film);
-    const auto chief = chief_rays_(x + unit_double(film.x), y + unit_double(film.y));
-    if (!chief) return std::nullopt;
-    Seen seen = seen_along(scene_, tracer, chief->origin.cast<float>(), chief->direction.cast<float>(), pixel_slope_, numbers, i, counters);
-    seen.place = {unit_double(film.x), unit_double(film.y)};
+  void trace(int x, int y, std::uint32_t first, int count, const PixelSequence& sequence, ChiefBlock& block,
+             RenderCounters& counters) const {
+    CameraHits& hits = block.hits;
+    for (int i = 0; i < count; ++i) {
+      const auto film = sequence.pair(first + static_cast<std::uint32_t>(i), dimension::film);
+      block.places[i] = {unit_double(film.x), unit_double(film.y)};
+      const auto chief = chief_rays_(x + block.places[i].x(), y + block.places[i].y());
+      hits.rays.status[i] = chief ? LaunchStatus::ok : LaunchStatus::dropped;
+      for (int k = 0; k < 3; ++k) {
+        hits.rays.origin[k][i] = chief ? static_cast<float>(chief->origin[k]) : 0.0f;
+        hits.rays.direction[k][i] = chief ? static_cast<float>(chief->direction[k]) : 0.0f;
+      }
+      if (chief) ++counters.camera.launched;
+    }
+    for (int i = count; i < CameraRayBlock::size; ++i) {
+      hits.rays.status[i] = LaunchStatus::dropped;
+      for (int k = 0; k < 3; ++k) hits.rays.origin[k][i] = hits.rays.direction[k][i] = 0.0f;
+    }
+    trace_packets(scene_, count, hits);
+    for (int i = 0; i < count; ++i)
+      if (hits.hit(i)) block.vertices.at[i] = scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
+  }
+
+  SeenSurface unshaded(const ChiefBlock& block, int i) const {
+    const Vector3f direction = block.hits.direction(i);
+    SeenSurface seen = block.hits.hit(i) ? seen_surface(block.vertices.at[i], block.hits.origin(i), direction, pixel_slope_)
+                                         : seen_surroundings(scene_, direction);
+    seen.place = block.places[i];
+    return seen;
+  }
+
+  SeenSurface shaded(const ChiefBlock& block, int i, std::uint32_t sample, VertexNumbers& numbers, RenderCounters& counters) const {
+    SeenSurface seen = unshaded(block, i);
+    if (seen.surroundings) return seen;
+    FirstVertex known;
+    if (block.vertices.lit) known.direct_light = &block.vertices.direct_light[i];
+    known.reflected_once = &seen.direct;
+    seen.radiance = tracer_.radiance(block.vertices.at[i], block.hits.direction(i), numbers, sample, counters, known);
+    if (!seen.radiance.allFinite()) throw RuntimeFailure("a sample of the sharp view is not finite");
     return seen;
   }
 
@@ -226,7 +192,7 @@ FragmentImage render_fragments(const Scene& scene, int width, int height, const 
       RenderCounters of_row;
       for (int x = 0; x < width; ++x) work(x, y, of_row);
       const std::lock_guard lock(merging);
-      add(counters, of_row);  // integers: the order does not matter
+      counters += of_row;  // integers: the order does not matter
     });
   };
   for_rows([&](int x, int y, RenderCounters& of_row) {
@@ -264,12 +230,12 @@ std::vector<Vector3f> shade_places(const Scene& scene, std::size_t count, const 
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.samples_per_pixel); ++i) {
         if (i % CameraRayBlock::size == 0) numbers.begin_block(i);
         const auto& [origin, direction] = at.rays[i % at.rays.size()];
-        sum += seen_along(scene, &tracer, origin, direction, 0.0, numbers, i, of_range).radiance.cast<double>();
+        sum += radiance_along(scene, tracer, origin, direction, numbers, i, of_range).cast<double>();
       }
       radiance[k] = (sum / settings.samples_per_pixel).cast<float>();
     }
     const std::lock_guard lock(merging);
-    add(counters, of_range);
+    counters += of_range;
   });
   return radiance;
 }

@@ -86,9 +86,9 @@ Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vec
     case Scene::Kind::plain:
       return plain_radiance(first, direction, numbers, sample, counters, known);
     case Scene::Kind::diffuse:
-      return diffuse_radiance(first, direction, numbers, sample, counters, known.emission_weight);
+      return diffuse_radiance(first, direction, numbers, sample, counters, known);
     default:
-      return mixed_radiance(first, direction, numbers, sample, counters, known.emission_weight);
+      return mixed_radiance(first, direction, numbers, sample, counters, known);
   }
 }
 
@@ -106,6 +106,7 @@ Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eige
                       : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin, previous_normal, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
+    if (known.reflected_once && bounce <= 1) *known.reflected_once = sum;
     if (bounce == settings_.max_bounces || !(at.albedo.maxCoeff() > 0.0f)) return sum;
 
     const Eigen::Vector3f normal = normal_towards(at, direction);
@@ -115,6 +116,7 @@ Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eige
       sum += *known.direct_light;
     else if (!scene_.lights().empty())
       sum += throughput.cwiseProduct(direct_light(at, normal, origin, random.light_u, random.light_v, counters));
+    if (known.reflected_once && bounce == 0) *known.reflected_once = sum;
 
     throughput = throughput.cwiseProduct(at.albedo);
     if (bounce >= settings_.first_roulette_bounce) {

@@ -28,6 +28,7 @@ struct FirstVertices {
 struct FirstVertex {
   float emission_weight = 1.0f;                   ///< multiplies what it emits itself (multiple importance sampling with guided rays)
   const Eigen::Vector3f* direct_light = nullptr;  ///< what its light sample sends to the eye; null: not known
+  Eigen::Vector3f* reflected_once = nullptr;      ///< gets what it emits, and what comes straight from lights and surroundings; null: unasked
 };
 
 /// Radiance along one camera ray that has already been traced, by unidirectional path tracing with next-event estimation.
@@ -53,11 +54,11 @@ class PathTracer {
   /// For any scene; `Surfaces` evaluates and samples its surface models (path_tracer_surfaces.cpp).
   template <class Surfaces>
   Eigen::Vector3f surface_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, VertexNumbers& numbers,
-                                   std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const;
+                                   std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const;
   Eigen::Vector3f diffuse_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, VertexNumbers& numbers,
-                                   std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const;
+                                   std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const;
   Eigen::Vector3f mixed_radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
-                                 RenderCounters& counters, float first_emission_weight) const;
+                                 RenderCounters& counters, const FirstVertex& known) const;
   /// Radiance that a light sample sends to `origin` along `direction` (the sample's, from there) past everything in between.
   Eigen::Vector3f arriving(const LightSample& light, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                            RenderCounters& counters) const;

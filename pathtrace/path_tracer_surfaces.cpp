@@ -66,7 +66,7 @@ constexpr std::uint32_t dimensions_per_vertex = 4, lobe_dimension = 3;
 
 template <class Surfaces>
 Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f& first_direction, VertexNumbers& numbers,
-                                      std::uint32_t sample, RenderCounters& counters, float first_emission_weight) const {
+                                      std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const {
   const LightSet& lights = scene_.lights();
   SurfacePoint at = first;
   Vector3f direction = first_direction.normalized(), throughput = Vector3f::Ones(), sum = Vector3f::Zero();
@@ -75,11 +75,12 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
   bool sharp = true;  // lights cannot have been sampled in this direction before
   for (int bounce = 0;; ++bounce) {
     if (at.emitter >= 0 && at.normal.dot(direction) < 0.0f) {
-      const float weight = bounce == 0 ? first_emission_weight
+      const float weight = bounce == 0 ? known.emission_weight
                            : sharp     ? 1.0f
                                        : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, previous_normal, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
+    if (known.reflected_once && bounce <= 1) *known.reflected_once = sum;
     if (bounce == settings_.max_bounces) return sum;
 
     const SurfaceModel& surface = at.material->surface;
@@ -104,6 +105,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
         }
       }
     }
+    if (known.reflected_once && bounce == 0) *known.reflected_once = sum;
 
     const auto u = numbers.sequence().pair(sample, first_dimension + dimension::scatter);
     const float lobe = unit_float(numbers.sequence().single(sample, first_dimension + lobe_dimension));
@@ -132,20 +134,22 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
       if (!scene_.has_environment()) return sum;
       const float light_pdf = sharp ? 0.0f : lights.environment_pdf(direction);
       const float weight = light_pdf > 0.0f ? mis_weight(scatter_pdf, light_pdf) : 1.0f;
-      return sum + weight * throughput.cwiseProduct(scene_.environment(direction));
+      sum += weight * throughput.cwiseProduct(scene_.environment(direction));
+      if (known.reflected_once && bounce == 0) *known.reflected_once = sum;
+      return sum;
     }
     at = scene_.surface_point(ray.hit, origin, direction, ray.ray.tfar);
   }
 }
 
 Vector3f PathTracer::diffuse_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
-                                      RenderCounters& counters, float first_emission_weight) const {
-  return surface_radiance<DiffuseSurfaces>(first, direction, numbers, sample, counters, first_emission_weight);
+                                      RenderCounters& counters, const FirstVertex& known) const {
+  return surface_radiance<DiffuseSurfaces>(first, direction, numbers, sample, counters, known);
 }
 
 Vector3f PathTracer::mixed_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
-                                    RenderCounters& counters, float first_emission_weight) const {
-  return surface_radiance<AnySurfaces>(first, direction, numbers, sample, counters, first_emission_weight);
+                                    RenderCounters& counters, const FirstVertex& known) const {
+  return surface_radiance<AnySurfaces>(first, direction, numbers, sample, counters, known);
 }
 
 }  // namespace sturm

@@ -86,12 +86,13 @@ class FlatScene {
           if (i == cards.size()) {
             cards.push_back(card);
             Fragment f{};
-            f.position = f.radiance = f.albedo = f.variance = Eigen::Vector3f::Zero();
+            f.position = f.radiance = f.direct = f.albedo = f.direct_variance = f.indirect_variance = Eigen::Vector3f::Zero();
             f.normal = card ? Eigen::Vector3f(Eigen::Vector3f::UnitZ()) : Eigen::Vector3f(Eigen::Vector3f::Zero());
             f.middle.setZero();
             f.spread.setZero();
             f.surroundings = !card;
             f.emits = card && card->lamp;
+            f.lambertian = card;
             view.fragments.push_back(f);
           }
           Fragment& f = view.fragments[first_fragment + i];

@@ -25,9 +25,9 @@ PicturePlane picture(int width, int height) {
 }
 
 /// A lamp that fills the half of a card right of x = `edge_px` pixels from the middle, 2 m away, before nothing.
-FlatScene half_lamp(double edge_px) {
+FlatScene half_lamp(double edge_px, double radiance = lamp_radiance) {
   const double z = -2.0, edge = edge_px * slope * 2.0;
-  return FlatScene({{z, edge, 9.0, -9.0, 9.0, [](double, double) { return lamp_radiance; }, true},
+  return FlatScene({{z, edge, 9.0, -9.0, 9.0, [radiance](double, double) { return radiance; }, true},
                     {z, -9.0, edge, -9.0, 9.0, [](double, double) { return 0.1; }}});
 }
 
@@ -101,7 +101,20 @@ TEST(Lamps, PassesStepsAreThoseOfTheManyPoints) {
   EXPECT_EQ(few.lamp_pixels, 0);
   EXPECT_GT(many.lamp_pixels, 16 * 4);        // each row has the dark half of the blur at least: 4 px
   EXPECT_LT(many.lamp_pixels, 16 * (4 + 4));  // and the margin, rounded up, and the sharp pixel
-  EXPECT_EQ(many.rays, 64 * (32 * 16 + 16 * many.lamp_pixels));
+  EXPECT_EQ(many.rays, 64 * (32 * 16 + 16 * many.lamp_pixels + 256 * many.bright_lamp_pixels));
+}
+
+TEST(Lamps, VeryBrightLampsGetStillMorePasses) {
+  // A lamp 4e5 times as bright as all else fills a 1070th of the blur of these pixels: 1024 points meet it not at all, once or twice, and a
+  // row of such pixels would be lamps and gaps. After at least 4 that meet it, or 16384, the pixel is known to a quarter.
+  const double radiance = 4e4, radius = 4.0, edge = -0.25;
+  PassCounters counters;
+  const Image image = by_passes(half_lamp(edge, radiance), field_with_blur(radius), 16, &counters);
+  const double expected = filled(11.0, 16.0 + edge, radius) * radiance + 0.1;
+  EXPECT_LT(expected, radiance / 1024);
+  for (int y = 0; y < 16; ++y) EXPECT_NEAR(image.at(11, y)[0] / expected, 1.0, 0.25) << y;
+  EXPECT_GE(counters.bright_lamp_pixels, 16);
+  EXPECT_LT(counters.bright_lamp_pixels, counters.lamp_pixels / 2);  // most of the rim is met by 4 of 1024
 }
 
 TEST(Lamps, PassesDoNotMixALampWithWhatSharesItsPixelAndPlane) {
@@ -128,6 +141,16 @@ TEST(Lamps, LayeredLampsLeakAsLittleBlurMakesThem) {
     const double tolerance = 1.0 / 64 / 8 * 2.0 / (pi * radius);
     EXPECT_NEAR((image.at(15, 8)[0] - 0.1) / (lamp_radiance - 0.1), leak, tolerance) << radius;
     EXPECT_NEAR((image.at(16, 8)[0] - 0.1) / (lamp_radiance - 0.1), 1.0 - leak, tolerance) << radius;
+  }
+}
+
+TEST(Lamps, LayeredLampsKeepTheirWidthInAnyBlur) {
+  // Cells of 1/n of a pixel; the tolerance is that of LayeredLampsLeakAsLittleBlurMakesThem, inside and outside of the lamp's pixel.
+  const double edge = 0.25;
+  for (const auto& [radius, n] : {std::pair{2.5, 4}, std::pair{9.0, 2}}) {
+    const double tolerance = 2.0 / (n * n) / 8 * 2.0 / (pi * radius);
+    const SightField field = field_with_blur(radius, 64);
+    EXPECT_LT(worst(by_layers(half_lamp(edge), field), 8, edge, radius), tolerance) << radius;
   }
 }
 

@@ -6,10 +6,8 @@
 #include <numbers>
 
 #include "conoid/flat_scene.h"
-#include "conoid/fragment_filter.h"
 #include "conoid/layered_predictor.h"
 #include "conoid/pupil_passes.h"
-#include "support/a_trous_noise.h"
 
 namespace sturm {
 namespace {
@@ -239,112 +237,6 @@ TEST(PredictedPictures, RefusesAViewThatDoesNotCoverThePicture) {
   const FragmentImage view = scene.sharp_view(field);
   EXPECT_THROW(predict_by_passes(view, 2, field, scene.seen(), scene.shader()), std::invalid_argument);
   EXPECT_THROW(predict_by_layers(view, 2, field, {}), std::invalid_argument);
-}
-
-/// Two planes that meet in the middle; what they receive is 1 left and 3 right, with noise of a given size.
-FragmentImage two_planes(int size, float noise, float left_albedo) {
-  FragmentImage view{size, size, {0}, {}};
-  std::uint32_t random = 12345;
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      random = random * 1664525u + 1013904223u;
-      const float u = noise * (static_cast<float>(random >> 8) / 8388608.0f - 1.0f);
-      const bool left = x < size / 2;
-      Fragment f{};
-      f.position = {0.01f * static_cast<float>(x - size / 2), 0.01f * static_cast<float>(y),
-                    left ? -1.0f : -1.0f + 0.01f * static_cast<float>(x - size / 2)};
-      f.normal = left ? Eigen::Vector3f(0.0f, 0.0f, 1.0f) : Eigen::Vector3f(-0.70710678f, 0.0f, 0.70710678f);
-      const float albedo = left ? left_albedo * (x % 2 ? 1.0f : 0.5f) : 0.5f;
-      f.albedo = Eigen::Vector3f::Constant(albedo);
-      f.radiance = Eigen::Vector3f::Constant(albedo * ((left ? 1.0f : 3.0f) + u));
-      f.variance = Eigen::Vector3f::Constant(albedo * albedo * noise * noise / 3.0f);
-      f.share = 1.0f;
-      view.fragments.push_back(f);
-      view.first.push_back(static_cast<std::uint32_t>(view.fragments.size()));
-    }
-  return view;
-}
-
-TEST(FragmentFilter, LeavesWhatHasNoNoise) {
-  const FragmentImage view = two_planes(32, 0.0f, 0.8f), smooth = filtered(view, 0.01, Vector3d::Zero());
-  for (std::size_t i = 0; i < view.fragments.size(); ++i)
-    EXPECT_NEAR(smooth.fragments[i].radiance.x(), view.fragments[i].radiance.x(), 1e-5f);
-}
-
-/// Part of the variance of what two planes receive that the filter leaves, away from the crease and the borders.
-double noise_left(const FilterSettings& settings) {
-  constexpr int size = 200, border = 14;
-  const FragmentImage view = two_planes(size, 0.3f, 0.8f), smooth = filtered(view, 0.01, Vector3d::Zero(), settings);
-  double before = 0.0, after = 0.0;
-  for (int y = border; y < size - border; ++y)
-    for (int x = border; x < size - border; ++x) {
-      if (std::abs(x - size / 2) < border) continue;
-      const Fragment &raw = view.at(x, y)[0], &f = smooth.at(x, y)[0];
-      const double truth = x < size / 2 ? 1.0 : 3.0;
-      before += std::pow(raw.radiance.x() / raw.albedo.x() - truth, 2);
-      after += std::pow(f.radiance.x() / f.albedo.x() - truth, 2);
-    }
-  return after / before;
-}
-
-constexpr double measured_pixels = 172.0 * (172.0 - 27.0);  // of noise_left
-
-TEST(FragmentFilter, VarianceFallsAsTheKernelsNormSays) {
-  FilterSettings settings;
-  settings.tolerance = 1e3;  // no edge stopping
-  for (settings.levels = 1; settings.levels <= 3; ++settings.levels) {
-    const double norm = testing::squared_norm(settings.levels);
-    // Of neighbours that are correlated over 1/norm pixels each way: 4σ of the χ² of the independent ones.
-    EXPECT_NEAR(noise_left(settings) / (norm * norm), 1.0, 4.0 * std::sqrt(2.0 / (measured_pixels * norm * norm))) << settings.levels;
-  }
-}
-
-TEST(FragmentFilter, ToleranceLeavesWhatItsWidthSays) {
-  FilterSettings settings;
-  settings.levels = 1;
-  for (const double tolerance : {1.5, 2.5, 5.0}) {
-    settings.tolerance = tolerance;
-    const double expected = testing::left_with_edge_stopping(tolerance / std::sqrt(2.0));  // exp(−d²/tolerance²)
-    EXPECT_NEAR(noise_left(settings) / expected, 1.0, 4.0 * std::sqrt(2.0 / (measured_pixels * 0.0748))) << tolerance;
-  }
-}
-
-TEST(FragmentFilter, TakesNoiseAndKeepsTexturesAndCreases) {
-  const FragmentImage view = two_planes(48, 0.3f, 0.8f), smooth = filtered(view, 0.01, Vector3d::Zero());
-  double before = 0.0, after = 0.0, left = 0.0;
-  for (int y = 8; y < 40; ++y)
-    for (int x = 8; x < 40; ++x) {
-      const Fragment &raw = view.at(x, y)[0], &f = smooth.at(x, y)[0];
-      const double truth = x < 24 ? 1.0 : 3.0;
-      before += std::pow(raw.radiance.x() / raw.albedo.x() - truth, 2);
-      after += std::pow(f.radiance.x() / f.albedo.x() - truth, 2);
-      if (x < 24) left += f.radiance.x() / f.albedo.x() / (16 * 32);
-    }
-  // One level alone leaves that share (ToleranceLeavesWhatItsWidthSays); further ones take more, also beside the crease, where there are
-  // fewer taps.
-  EXPECT_LT(after, testing::left_with_edge_stopping(FilterSettings{}.tolerance / std::sqrt(2.0)) * before);
-  EXPECT_NEAR(left, 1.0, 0.03);  // nothing of the bright plane: 0.3/√3/√512 = 0.008 of noise
-}
-
-TEST(FragmentFilter, NothingComesAcrossACrease) {
-  // Whatever the other plane receives: right at the crease it is nearer than the tolerance of a plane, so that normals have to tell.
-  FilterSettings settings;
-  settings.tolerance = 1e3;
-  FragmentImage view = two_planes(48, 0.3f, 0.8f);
-  const FragmentImage smooth = filtered(view, 0.01, Vector3d::Zero(), settings);
-  for (Fragment& f : view.fragments)
-    if (f.position.x() >= 0.0f) f.radiance *= 7.0f;
-  const FragmentImage other = filtered(view, 0.01, Vector3d::Zero(), settings);
-  for (int y = 0; y < 48; ++y)
-    for (int x = 0; x < 24; ++x) EXPECT_EQ(smooth.at(x, y)[0].radiance, other.at(x, y)[0].radiance) << x;
-}
-
-TEST(FragmentFilter, DoesNotTouchLampsAndMirrors) {
-  FragmentImage view = two_planes(16, 0.3f, 0.8f);
-  for (std::size_t i = 0; i < view.fragments.size(); i += 2) view.fragments[i].emits = true;
-  for (std::size_t i = 1; i < view.fragments.size(); i += 2) view.fragments[i].albedo.setZero();
-  const FragmentImage smooth = filtered(view, 0.01, Vector3d::Zero());
-  for (std::size_t i = 0; i < view.fragments.size(); ++i) EXPECT_EQ(smooth.fragments[i].radiance, view.fragments[i].radiance);
 }
 
 }  // namespace

@@ -25,10 +25,10 @@ inline double squared_norm(int levels) {
   return sum;
 }
 
-/// Part of the variance that one level leaves of uniform noise where a tap that differs by d standard deviations counts
-/// exp(−d²/(2·width²)) of its weight: the mean over draws of 25 taps. Without limit on the taps the middle value x keeps x/(1 + width²) (a
-/// normal density times the weight has its mean there), which is what edge stopping adds to the norm of the kernel: 1/(1 + width²)².
-inline double left_with_edge_stopping(double width, int draws = 50000) {
+/// Part of the variance that one level leaves of uniform noise where a tap that differs by d standard deviations counts `falloff`(d²) of its
+/// weight: the mean over draws of 25 taps.
+template <class Falloff>
+double left_by_falloff(const Falloff& falloff, int draws = 50000) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> noise(-std::sqrt(3.0), std::sqrt(3.0));
   double squares = 0.0;
@@ -37,13 +37,19 @@ inline double left_with_edge_stopping(double width, int draws = 50000) {
     double sum = 0.0, weights = 0.0;
     for (int tap = 0; tap < 25; ++tap) {
       const double value = tap == 12 ? own : noise(random), d = value - own;
-      const double weight = b3_taps[tap % 5] * b3_taps[tap / 5] * std::exp(-d * d / (2.0 * width * width));
+      const double weight = b3_taps[tap % 5] * b3_taps[tap / 5] * falloff(d * d);
       sum += weight * value;
       weights += weight;
     }
     squares += sum * sum / (weights * weights) / draws;
   }
   return squares;
+}
+
+/// The same for the falloff exp(−d²/(2·width²)). Without limit on the taps the middle value x keeps x/(1 + width²) (a normal density times
+/// the weight has its mean there), which is what edge stopping adds to the norm of the kernel: 1/(1 + width²)².
+inline double left_with_edge_stopping(double width) {
+  return left_by_falloff([width](double d2) { return std::exp(-d2 / (2.0 * width * width)); });
 }
 
 }  // namespace sturm::testing
