@@ -165,7 +165,7 @@ bool place_of_family(Json& report, const std::string& statistic, double value) {
     agreement({{"parts", {{{"ssim_display", {{"value", value}}}}}}});
   else if (family == "agreement_ssim_without_noise")
     agreement({{"similarity_loss", {{"method", 1.0 - value}}}});
-  else if (family == "agreement_times_faster_min")
+  else if (family == "agreement_times_faster" || family == "agreement_times_faster_min")
     agreement({{"times_faster", value}});
   else
     return false;
