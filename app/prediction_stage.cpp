@@ -104,6 +104,7 @@ class PredictionRun {
     result_.counters["unseen_rays"] = c.unseen_rays;
     result_.counters["unseen_places"] = c.unseen_places;
     result_.counters["lamp_pixels"] = c.lamp_pixels;
+    result_.counters["bright_lamp_pixels"] = c.bright_lamp_pixels;
     result_.counters["lost_pixels"] = c.lost_pixels;
     result_.counters["unseen_shading"] = counters_json(unseen_);
   }

@@ -131,32 +131,61 @@ std::array<AxisDeviation, 2> psf_deviations(const Json& psf) {
   return result;
 }
 
-/// Where the measured centroid is from the predicted one, which is the chief ray's: the first-order footprint of a pupil is centred on it.
-/// The spot lies in the middle of an even number of pixels, and both are symmetric about it: the grid has no share in the centroid.
-std::array<Number, 2> psf_centroid_z(const Json& psf) {
-  std::array<Number, 2> z;
-  for (int i = 0; i < 2; ++i) {
+/// Where a centroid is from its predicted place along one axis.
+struct Displacement {
+  double px, error_px;  ///< error_px > 0
+};
+
+/// The predicted place is the chief ray's: the first-order footprint of a pupil is centred on it. The spot lies in the middle of an even
+/// number of pixels, and both are symmetric about it: the grid has no share in the centroid.
+std::array<std::optional<Displacement>, 2> psf_displacements(const Json& psf) {
+  std::array<std::optional<Displacement>, 2> result;
+  const Number pixel = number_at(psf, "pixel_arcmin");
+  for (std::size_t i = 0; i < 2; ++i) {
     const std::string axis = std::to_string(i);
     const Number is = number_at(psf, "measured/centroid_arcmin/" + axis),
                  error = number_at(psf, "measured/centroid_standard_error_arcmin/" + axis);
-    if (is && error && *error > 0.0) z[static_cast<std::size_t>(i)] = std::abs(*is) / *error;
+    if (is && error && *error > 0.0 && pixel && *pixel > 0.0) result[i] = {*is / *pixel, *error / *pixel};
   }
-  return z;
+  return result;
 }
+
+/// The displacement that all spots have in common, as if every picture had slipped on its pixel grid: their mean in pixels, weighted with
+/// the inverse variances, over its standard error. Of n equally sharp spots it sees a slip √n times as clearly as one of them.
+class CommonDisplacement {
+ public:
+  void add(const std::optional<Displacement>& d) {
+    if (!d) return;
+    const double weight = 1.0 / (d->error_px * d->error_px);
+    weights_ += weight;
+    weighted_ += weight * d->px;
+  }
+
+  Number z() const { return weights_ > 0.0 ? Number(std::abs(weighted_) / std::sqrt(weights_)) : std::nullopt; }
+
+ private:
+  double weights_ = 0.0, weighted_ = 0.0;
+};
 
 void add_psfs(const Json& report, Statistics& out) {
   Extreme z, relative, centroid_z;
+  std::array<CommonDisplacement, 2> common;
   for (const Json& psf : array_at(report, "psfs")) {
     if (text_at(psf, "ray_model") != "power_matrix") continue;
     const auto deviations = psf_deviations(psf);
-    for (const Number& of_axis : psf_centroid_z(psf)) centroid_z.add(of_axis, text_at(psf, "id"));
-    for (int i = 0; i < 2; ++i) {
+    const auto displacements = psf_displacements(psf);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::optional<Displacement>& d = displacements[i];
+      centroid_z.add(d ? Number(std::abs(d->px) / d->error_px) : std::nullopt, text_at(psf, "id"));
+      common[i].add(d);
       const std::string name = text_at(psf, "id") + (i == 0 ? ", major axis" : ", minor axis");
       z.add(deviations[i].z, name);
       // A short minor axis has no relative error by design; a PSF without numbers, or too small as a whole, shows in its major axis.
       if (i == 0 || deviations[i].resolved) relative.add(deviations[i].relative, name);
     }
   }
+  if (centroid_z.result().cases > 0)
+    for (std::size_t i = 0; i < 2; ++i) centroid_z.add(common[i].z(), i == 0 ? "all spots together, x" : "all spots together, y");
   out["psf_matrix_axis_max_z"] = z.result();
   out["psf_matrix_axis_max_relative"] = relative.result();
   out["psf_matrix_centroid_max_z"] = centroid_z.result();
@@ -172,7 +201,7 @@ void add_images(const Json& report, Statistics& out) {
     if (model != "power_matrix") continue;
     const Number ssim = number_at(image, "metrics/ssim_display/value"), uncertainty = number_at(image, "metrics/ssim_display/uncertainty");
     const Number floor = number_at(image, "noise_floor/ssim_display");
-    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id, degrees_of_image(report, id)};
+    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id, degrees_of_metric(report, id, value_at(image, "metrics/ssim_display"))};
     lowest.add(ssim, id, uncertainty);
     over_floor.add(rmse_over_floor, id);
     const Number ratio = number_at(image, "metrics/light_ratio/value");

@@ -31,7 +31,7 @@ struct Statistic {
 /// | sin2_vs_conoid_min_relative_difference_ratio, …_max_… | there: measured relative difference ÷ that of the closed form |
 /// | psf_matrix_axis_max_z | PSFs of `power_matrix` along the predicted axes; the error includes the pixel grid's |
 /// | psf_matrix_axis_max_relative | there: relative error of axes of at least 4 px |
-/// | psf_matrix_centroid_max_z | there: largest deviation of the centroid from the chief ray's place, x or y |
+/// | psf_matrix_centroid_max_z | there: largest deviation of the centroid from the chief ray's place, x or y, of a spot or of all together |
 /// | image_ssim_display/ID | prediction and `power_matrix` image ID, SSIM in display space |
 /// | image_ssim_display_min | the smallest of them |
 /// | image_ssim_below_noise_floor_max | largest SSIM of two halves of the samples minus SSIM of the prediction |

@@ -69,11 +69,11 @@ void add_images(const Json& report, Quantities& out) {
       if (const std::optional<double> target = target_of(key)) q.better = Better::Nearer, q.target = target;
       if (metric.is_object()) {
         q.standard_error = number_at(metric, "uncertainty");
-        q.degrees = degrees_of_image(report, id);
+        q.degrees = degrees_of_metric(report, id, metric);
       }
       out[name + key] = q;
     }
-    const auto degrees = degrees_of_image(report, id);
+    const auto degrees = degrees_of_metric(report, id, Json());
     add_noise_floor(image, name, degrees ? std::optional(*degrees + 1.0) : std::nullopt, out);
   }
 }
@@ -108,7 +108,8 @@ void add_noise_floor(const Json& entry, const std::string& name, std::optional<d
                                            .better = key.starts_with("ssim") ? Better::More : Better::Less};
 }
 
-std::optional<double> degrees_of_image(const Json& report, const std::string& id) {
+std::optional<double> degrees_of_metric(const Json& report, const std::string& id, const Json& metric) {
+  if (const auto stated = number_at(metric, "degrees"); stated && *stated > 0.0) return stated;
   for (const Json& image : array_at(report, "spec/images"))
     if (text_at(image, "id") == id) return degrees_of(number_at(image, "replicates"));
   return std::nullopt;

@@ -34,8 +34,8 @@ void add_study_quantities(const Json& report, std::map<std::string, Quantity>& o
 /// standard errors where it has `noise_floor_uncertainty`, whose two halves of `replicates` pictures have one degree of freedom less each.
 void add_noise_floor(const Json& entry, const std::string& name, std::optional<double> replicates, std::map<std::string, Quantity>& out);
 
-/// Degrees of freedom of the standard errors of image `id`: its replicates, as the report's experiment states them, less one. None where
-/// the report does not say.
-std::optional<double> degrees_of_image(const Json& report, const std::string& id);
+/// Degrees of freedom of the standard error of one metric of image `id`: those that it states, else the image's replicates, as the report's
+/// experiment states them, less one. None where the report does not say.
+std::optional<double> degrees_of_metric(const Json& report, const std::string& id, const Json& metric);
 
 }  // namespace sturm

@@ -11,23 +11,29 @@ namespace {
 using Eigen::Vector3f;
 
 /// Three channels of direct light and three of indirect light, each followed by a zero: one vector register.
-using Channels = Eigen::Array<float, 8, 1>;
+using Channels = float __attribute__((vector_size(32)));
 
 Channels channels(const Vector3f& direct, const Vector3f& indirect) {
-  Channels c;
-  c << direct, 0.0f, indirect, 0.0f;
-  return c;
+  return Channels{direct.x(), direct.y(), direct.z(), 0.0f, indirect.x(), indirect.y(), indirect.z(), 0.0f};
+}
+Vector3f direct_of(const Channels& c) {
+  return {c[0], c[1], c[2]};
+}
+Vector3f indirect_of(const Channels& c) {
+  return {c[4], c[5], c[6]};
 }
 
-/// The larger ones of the direct and of the indirect channels, in all places of either.
-Channels larger_ones(const Channels& c) {
-  Channels m;
-  m.head<4>().setConstant(c.head<4>().maxCoeff());
-  m.tail<4>().setConstant(c.tail<4>().maxCoeff());
-  return m;
+Channels larger(const Channels& a, const Channels& b) {
+  return a > b ? a : b;
 }
 
-/// What one fragment receives: radiance over albedo, and its variance.
+/// The largest one of the direct and of the indirect channels, in all places of either.
+Channels largest(const Channels& c) {
+  const Channels pairs = larger(c, __builtin_shufflevector(c, c, 1, 0, 3, 2, 5, 4, 7, 6));
+  return larger(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1, 6, 7, 4, 5));
+}
+
+/// What is filtered of one fragment: radiance over `divisor`, and its variance.
 struct Light {
   Channels value, variance;
 };
@@ -39,16 +45,18 @@ struct Plane {
   Vector3f position;  ///< from the eye [m]
   float pixel_size;   ///< there [m]
   float share;
+  Vector3f albedo;
+  bool lambertian;
   std::uint32_t fragment;  ///< of the view
 };
 
-/// Below this albedo a division would blow up noise; such a fragment is divided by this.
-Vector3f divisor(const Vector3f& albedo) {
-  return albedo.cwiseMax(1e-3f);
+/// What radiance is divided by: below 1e-3 a division would blow up noise. Light that a glossy surface reflects at once knows no albedo.
+Vector3f divisor(const Fragment& f) {
+  return f.lambertian ? Vector3f(f.albedo.cwiseMax(1e-3f)) : Vector3f(Vector3f::Ones());
 }
 
 bool takes_part(const Fragment& f) {
-  return !f.surroundings && !f.emits && f.albedo.maxCoeff() > 0.0f;
+  return !f.surroundings && !f.emits;
 }
 
 class Wavelet {
@@ -64,8 +72,8 @@ class Wavelet {
           if (!takes_part(f)) continue;
           const Vector3f position = f.position - eye;
           planes_.push_back({f.normal, f.normal.dot(position), position, static_cast<float>(pixel_slope) * position.norm(), f.share,
-                             static_cast<std::uint32_t>(&f - view.fragments.data())});
-          const Vector3f by = divisor(f.albedo).cwiseInverse(), by_squared = by.cwiseAbs2();
+                             f.albedo, f.lambertian, static_cast<std::uint32_t>(&f - view.fragments.data())});
+          const Vector3f by = divisor(f).cwiseInverse(), by_squared = by.cwiseAbs2();
           light_.push_back({channels(f.direct.cwiseProduct(by), (f.radiance - f.direct).cwiseProduct(by)),
                             channels(f.direct_variance.cwiseProduct(by_squared), f.indirect_variance.cwiseProduct(by_squared))});
         }
@@ -84,10 +92,11 @@ class Wavelet {
     FragmentImage result = view_;
     for (std::size_t i = 0; i < light_.size(); ++i) {
       Fragment& f = result.fragments[planes_[i].fragment];
-      f.direct = light_[i].value.head<3>().matrix().cwiseProduct(divisor(f.albedo));
-      f.radiance = f.direct + light_[i].value.segment<3>(4).matrix().cwiseProduct(divisor(f.albedo));
-      f.direct_variance = light_[i].variance.head<3>().matrix().cwiseProduct(divisor(f.albedo).cwiseAbs2());
-      f.indirect_variance = light_[i].variance.segment<3>(4).matrix().cwiseProduct(divisor(f.albedo).cwiseAbs2());
+      const Vector3f albedo = divisor(f), squared = albedo.cwiseAbs2();
+      f.direct = direct_of(light_[i].value).cwiseProduct(albedo);
+      f.radiance = f.direct + indirect_of(light_[i].value).cwiseProduct(albedo);
+      f.direct_variance = direct_of(light_[i].variance).cwiseProduct(squared);
+      f.indirect_variance = indirect_of(light_[i].variance).cwiseProduct(squared);
     }
     return result;
   }
@@ -109,10 +118,12 @@ class Wavelet {
   std::uint32_t continued(int x, int y, const Plane& f, int step) const {
     if (x < 0 || y < 0 || x >= view_.width || y >= view_.height) return none;
     constexpr float same_way = 0.97f;  // cos 14°
+    constexpr float same_albedo = 0.06f;
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
     for (std::uint32_t j = first_[pixel]; j < first_[pixel + 1]; ++j) {
       const Plane& g = planes_[j];
-      if (g.normal.dot(f.normal) < same_way) continue;
+      if (g.normal.dot(f.normal) < same_way || g.lambertian != f.lambertian) continue;
+      if (!f.lambertian && (g.albedo - f.albedo).cwiseAbs().maxCoeff() > same_albedo) continue;
       if (std::abs(f.normal.dot(g.position) - f.offset) <= 0.5f * static_cast<float>(step) * f.pixel_size) return j;
     }
     return none;
@@ -121,7 +132,7 @@ class Wavelet {
   /// Squares of the differences that count as noise. Variances estimated from few samples are noisy themselves: the mean over 3 × 3 pixels.
   /// Where all are alike to the last bit, rounding is noise.
   Channels tolerance(int x, int y, std::uint32_t i) const {
-    Channels sum = Channels::Zero();
+    Channels sum{};
     int count = 0;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
@@ -129,16 +140,15 @@ class Wavelet {
         if (j != none) sum += light_[j].variance, ++count;
       }
     const auto squared = [](double v) { return static_cast<float>(v * v); };
-    Channels factors;
-    factors.head<4>().setConstant(squared(settings_.direct_tolerance));
-    factors.tail<4>().setConstant(squared(settings_.indirect_tolerance));
-    return factors * sum / static_cast<float>(count) + 1e-12f * light_[i].value.square() + 1e-30f;
+    const float d = squared(settings_.direct_tolerance), r = squared(settings_.indirect_tolerance);
+    const Channels factors{d, d, d, d, r, r, r, r}, own = light_[i].value;
+    return factors * sum / static_cast<float>(count) + 1e-12f * own * own + 1e-30f;
   }
 
   Light smoothed(int x, int y, std::uint32_t i, int step) const {
     constexpr float b3[3] = {3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f};
     const Channels own = light_[i].value, tolerance = tolerance_[i];
-    Channels sum = Channels::Zero(), variance = Channels::Zero(), weights = Channels::Zero();
+    Channels sum{}, variance{}, weights{};
     for (int dy = -2; dy <= 2; ++dy)
       for (int dx = -2; dx <= 2; ++dx) {
         const std::uint32_t j = dx == 0 && dy == 0 ? i : continued(x + dx * step, y + dy * step, planes_[i], 2 * step);
@@ -146,14 +156,14 @@ class Wavelet {
         const Light& other = light_[j];
         // (1 − x/4)⁴ is exp(−x) to 0.06, and ends at 4. The mean of both tolerances: who sees another is seen by it, and a rare bright
         // sample is neither left alone by its neighbours nor lost in them.
-        const Channels off = (other.value - own).square() / (2.0f * (tolerance + tolerance_[j]));
-        const Channels near = (1.0f - larger_ones(off)).max(0.0f);
-        const Channels weight = planes_[j].share * b3[std::abs(dx)] * b3[std::abs(dy)] * near.square().square();
+        const Channels difference = other.value - own, off = difference * difference / (2.0f * (tolerance + tolerance_[j]));
+        const Channels near = larger(1.0f - largest(off), Channels{}), square = near * near;
+        const Channels weight = planes_[j].share * b3[std::abs(dx)] * b3[std::abs(dy)] * square * square;
         sum += weight * other.value;
         weights += weight;
-        variance += weight.square() * other.variance;
+        variance += weight * weight * other.variance;
       }
-    return {sum / weights, variance / weights.square()};
+    return {sum / weights, variance / (weights * weights)};
   }
 
   const FragmentImage& view_;

@@ -11,11 +11,11 @@ struct FilterSettings {
 };
 
 /// The view with less noise: edge-avoiding à-trous wavelet filter [Dammertz2010] on what Lambertian fragments receive (radiance divided by
-/// albedo, so that textures stay), direct and indirect light each by itself, guided by each fragment's plane and normal and by the
-/// variances of both ends of a difference, so that rare bright samples keep their light. A fragment counts by its share of the pixel.
-/// Fragments that emit, and those whose colour may change with the direction, stay as they are. It trades noise for bias: gradients sharper
-/// than the noise allows to see become softer. Variances are those of independent neighbours, as in [Schied2017]. The same bits for any
-/// number of threads.
+/// albedo, so that textures stay) and on the radiance of others, among those of about the same albedo; direct and indirect light each by
+/// itself, guided by each fragment's plane and normal and by the variances of both ends of a difference, so that rare bright samples keep
+/// their light. A fragment counts by its share of the pixel. Lamps and the surroundings stay as they are. It trades noise for bias:
+/// gradients sharper than the noise allows to see become softer. Variances are those of independent neighbours, as in [Schied2017]. The
+/// same bits for any number of threads.
 FragmentImage filtered(const FragmentImage& view, double pixel_slope, const Eigen::Vector3d& eye_position,
                        const FilterSettings& settings = {});
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 
@@ -21,14 +22,15 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// The most that one ray which meets a lamp may be of what its pixel has: beyond it, the lamp's rim shows steps.
-constexpr double coarsest_step = 1.0 / 32.0;
+/// The most that one ray which meets a lamp may be of what its pixel has: beyond it, the lamp's rim shows steps. Of very bright lamps much
+/// more would take too many rays, so that their many passes are left alone sooner.
+constexpr double coarsest_step = 1.0 / 32.0, coarsest_step_of_many = 0.25;
 
 /// One ray that met what the sharp view does not show.
 struct Unseen {
   UnseenCell cell;
   std::uint32_t pixel;
-  std::uint32_t pass;  ///< beyond those of all pixels: of the passes at lamps
+  std::uint32_t pass;  ///< counted through all stages
   auto operator<=>(const Unseen&) const = default;
 };
 
@@ -37,22 +39,44 @@ struct PixelSum {
   double unseen = 0.0;
 };
 
-/// Interleaved passes with their weights, which add up to 1 in each of the 16 sets.
-struct PassSets {
-  std::vector<std::vector<PupilPass>> points;
-  std::vector<std::vector<double>> weights;
+/// Interleaved passes with their weights, which add up to 1 in each of the 16 sets. Made when they are first asked for.
+class PassSets {
+ public:
+  PassSets(int count, std::uint32_t first, const Eye& eye) : count_(count), first_(first), eye_(eye) {}
 
-  PassSets(int count, const Eye& eye) : points(interleaved_passes(count)) {
-    const double a = eye.pupil_radius_m;
-    for (const auto& set : points) {
-      std::vector<double>& of_set = weights.emplace_back();
-      double sum = 0.0;
-      for (const PupilPass& pass : set)
-        sum += of_set.emplace_back(std::pow(10.0, -eye.stiles_crawford_per_m2 * a * a * static_cast<double>(pass.pupil.squaredNorm())));
-      for (double& w : of_set) w /= sum;
-    }
+  int count() const { return count_; }
+  std::uint32_t first() const { return first_; }  ///< pass of all stages
+  std::uint32_t end() const { return first_ + static_cast<std::uint32_t>(count_); }
+
+  const std::vector<PupilPass>& points(std::size_t set) const { return made().points[set]; }
+  const std::vector<double>& weights(std::size_t set) const { return made().weights[set]; }
+
+ private:
+  struct Made {
+    std::vector<std::vector<PupilPass>> points;
+    std::vector<std::vector<double>> weights;
+  };
+
+  const Made& made() const {
+    std::call_once(once_, [this] {
+      const double a = eye_.pupil_radius_m;
+      made_.points = interleaved_passes(count_);
+      for (const auto& set : made_.points) {
+        std::vector<double>& of_set = made_.weights.emplace_back();
+        double sum = 0.0;
+        for (const PupilPass& pass : set)
+          sum += of_set.emplace_back(std::pow(10.0, -eye_.stiles_crawford_per_m2 * a * a * static_cast<double>(pass.pupil.squaredNorm())));
+        for (double& w : of_set) w /= sum;
+      }
+    });
+    return made_;
   }
-  int count() const { return static_cast<int>(points.front().size()); }
+
+  int count_;
+  std::uint32_t first_;
+  const Eye& eye_;
+  mutable std::once_flag once_;
+  mutable Made made_;
 };
 
 class Passes {
@@ -66,8 +90,9 @@ class Passes {
         oversampling_(oversampling),
         width_(field.plane().width),
         height_(field.plane().height),
-        everywhere_(settings.passes, field.eye()),
-        at_lamps_(settings.passes * settings.lamp_factor, field.eye()) {
+        everywhere_(settings.passes, 0, field.eye()),
+        at_lamps_(settings.passes * settings.lamp_factor, everywhere_.end(), field.eye()),
+        at_bright_lamps_(at_lamps_.count() * settings.lamp_factor, at_lamps_.end(), field.eye()) {
     if (view.width != width_ * oversampling || view.height != height_ * oversampling)
       throw std::invalid_argument("passes: the sharp view does not cover the picture");
     if (settings.passes < 1 || settings.rays_per_place < 1 || settings.lamp_factor < 1)
@@ -91,6 +116,7 @@ class Passes {
       counters.rays += row.rays;
       counters.lost_pixels += row.lost_pixels;
       counters.lamp_pixels += row.lamp_pixels;
+      counters.bright_lamp_pixels += row.bright_lamp_pixels;
     }
     counters.unseen_rays = static_cast<long long>(all.size());
     return all;
@@ -116,9 +142,34 @@ class Passes {
   }
 
   double weight_of(const Unseen& u) const {
-    const auto common = static_cast<std::uint32_t>(everywhere_.count());
-    return u.pass < common ? everywhere_.weights[set_of(u.pixel)][u.pass] : at_lamps_.weights[set_of(u.pixel)][u.pass - common];
+    const PassSets& stage = stage_of(u.pass);
+    return stage.weights(set_of(u.pixel))[u.pass - stage.first()];
   }
+  /// The part of its sharp pixel that a lamp fills at about this distance, whatever stands before it.
+  float lamp_share(const UnseenCell& cell) const {
+    constexpr int rows = 16;
+    const auto depth = static_cast<float>(cell.distance());
+    const float nearest = 0.97f * depth, farthest = 1.03f * depth;  // twice the step of a cell's distance either way
+    static_assert(rows % RayPacket::lanes == 0);
+    int met = 0;
+    for (int k = 0; k < rows * rows; k += RayPacket::lanes) {
+      UnseenPlaces::Ray rays[RayPacket::lanes];
+      int count = 0;
+      for (int lane = 0; lane < RayPacket::lanes; ++lane) {
+        const Vector2d within(((k + lane) % rows + 0.5) / rows, ((k + lane) / rows + 0.5) / rows);
+        const auto chief = field_.chief_ray((Vector2d(cell.x, cell.y) + within) / oversampling_);
+        if (chief) rays[count++] = {chief->origin.cast<float>(), chief->direction.cast<float>()};
+      }
+      RayPacket packet;
+      packet.trace(scene_.embree, rays, count, nearest);
+      for (int i = 0; i < count; ++i) {
+        const float distance = packet.distance(i) * rays[i].direction.norm();
+        if (distance <= farthest && scene_.emits(packet.hit(i), rays[i].direction)) ++met;
+      }
+    }
+    return static_cast<float>(met) / static_cast<float>(rows * rows);
+  }
+
   Vector2d place_of(const UnseenCell& cell) const { return {(cell.x + 0.5) / oversampling_, (cell.y + 0.5) / oversampling_}; }
 
  private:
@@ -130,6 +181,10 @@ class Passes {
     return y % 4 * 4 + x % 4;
   }
 
+  const PassSets& stage_of(std::uint32_t pass) const {
+    return pass < everywhere_.end() ? everywhere_ : pass < at_lamps_.end() ? at_lamps_ : at_bright_lamps_;
+  }
+
   void trace_pixel(int x, int y, PixelSum& sum, std::vector<Unseen>& unseen, PassCounters& counters) const {
     const auto pixel = static_cast<std::uint32_t>(index(x, y));
     PixelRays rays(field_, {x + 0.5, y + 0.5});
@@ -139,21 +194,28 @@ class Passes {
     }
     if (!field_.seeks_focus()) rays.bend(0.0);
     const std::size_t before = unseen.size();
-    send(everywhere_, 0, rays, pixel, sum, unseen);
-    counters.rays += everywhere_.count();
+    const auto send_all = [&](const PassSets& stage) {
+      unseen.resize(before);
+      sum = {};
+      send(stage, rays, pixel, sum, unseen);
+      counters.rays += stage.count();
+    };
     const double lamp = settings_.lamp_factor > 1 ? static_cast<double>(*lamps_.at(x, y)) : 0.0;
-    if (!(lamp > coarsest_step * everywhere_.count() * sum.radiance.maxCoeff())) return;
-    unseen.resize(before);
-    sum = {};
-    send(at_lamps_, static_cast<std::uint32_t>(everywhere_.count()), rays, pixel, sum, unseen);
-    counters.rays += at_lamps_.count();
+    const auto shows_steps = [&](const PassSets& stage, double coarsest) {
+      return lamp > coarsest * stage.count() * sum.radiance.maxCoeff();
+    };
+    send_all(everywhere_);
+    if (!shows_steps(everywhere_, coarsest_step)) return;
+    send_all(at_lamps_);
     ++counters.lamp_pixels;
+    if (!shows_steps(at_lamps_, coarsest_step_of_many)) return;
+    send_all(at_bright_lamps_);
+    ++counters.bright_lamp_pixels;
   }
 
-  void send(const PassSets& sets, std::uint32_t first_pass, PixelRays& rays, std::uint32_t pixel, PixelSum& sum,
-            std::vector<Unseen>& unseen) const {
-    const auto& points = sets.points[set_of(pixel)];
-    const auto& weights = sets.weights[set_of(pixel)];
+  void send(const PassSets& stage, PixelRays& rays, std::uint32_t pixel, PixelSum& sum, std::vector<Unseen>& unseen) const {
+    const auto& points = stage.points(set_of(pixel));
+    const auto& weights = stage.weights(set_of(pixel));
     UnseenPlaces::Ray bent[RayPacket::lanes];
     RayPacket packet;
     for (std::size_t first = 0; first < points.size(); first += RayPacket::lanes) {
@@ -168,7 +230,7 @@ class Passes {
           sum.radiance += weights[pass] * known->cast<double>();
         } else {
           sum.unseen += weights[pass];
-          unseen.push_back({cell, pixel, first_pass + static_cast<std::uint32_t>(pass)});
+          unseen.push_back({cell, pixel, stage.first() + static_cast<std::uint32_t>(pass)});
         }
       }
     }
@@ -204,12 +266,12 @@ class Passes {
   }
 
   UnseenPlaces::Ray ray_of(const Unseen& u) const {
-    const auto w = static_cast<std::uint32_t>(width_), common = static_cast<std::uint32_t>(everywhere_.count());
+    const auto w = static_cast<std::uint32_t>(width_);
     PixelRays rays(field_, {u.pixel % w + 0.5, u.pixel / w + 0.5});
     if (!field_.seeks_focus()) rays.bend(0.0);
-    const std::size_t set = set_of(u.pixel);
+    const PassSets& stage = stage_of(u.pass);
     UnseenPlaces::Ray ray;
-    bent_rays(rays, u.pass < common ? &everywhere_.points[set][u.pass] : &at_lamps_.points[set][u.pass - common], 1, &ray);
+    bent_rays(rays, &stage.points(set_of(u.pixel))[u.pass - stage.first()], 1, &ray);
     return ray;
   }
 
@@ -218,7 +280,7 @@ class Passes {
   PassSettings settings_;
   SharpLookup lookup_;
   int oversampling_, width_, height_;
-  PassSets everywhere_, at_lamps_;
+  PassSets everywhere_, at_lamps_, at_bright_lamps_;
   Image lamps_;  ///< lamp_reach; empty without passes for lamps
 };
 
@@ -261,8 +323,10 @@ std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampli
     const UnseenCell& cell = unseen[begins[k]].cell;
     const auto chief = field.chief_ray(passes.place_of(cell));
     if (!chief) continue;
+    // The rays that found a lamp are those that met it, so that they cannot tell how much of the pixel it is.
+    const float share = cell.kind == UnseenCell::lamp ? passes.lamp_share(cell) : 1.0f;
     // What t is along the chief ray differs from the distance by the blur's obliquity at most.
-    pieces.push_back({passes.place_of(cell), chief->direction.norm() / cell.distance(), shaded[k]});
+    if (share > 0.0f) pieces.push_back({passes.place_of(cell), chief->direction.norm() / cell.distance(), shaded[k], share});
   }
   return pieces;
 }

@@ -8,16 +8,18 @@ namespace sturm {
 
 struct PassSettings {
   int passes = 64;       ///< displacement vectors in the pupil, ≥ 1
-  int lamp_factor = 16;  ///< ≥ 1: so many times more of them in pixels where a ray that meets a lamp would be a 32nd of the pixel's light
+  int lamp_factor = 16;  ///< ≥ 1: so many times more of them in pixels where a ray that meets a lamp would be a 32nd of the pixel's light,
+                         ///< and as many times more again where it would still be a quarter
   int rays_per_place = 16;  ///< at most so many of the rays that found an unseen place go to the shader
 };
 
 struct PassCounters {
-  long long rays = 0;           ///< through pupil points, all pixels and passes
-  long long unseen_rays = 0;    ///< those whose surface the sharp view does not show
-  long long unseen_places = 0;  ///< shaded for them
-  long long lamp_pixels = 0;    ///< that got more passes because of a lamp
-  long long lost_pixels = 0;    ///< whose chief ray spectacles stop: black
+  long long rays = 0;                ///< through pupil points, all pixels and passes
+  long long unseen_rays = 0;         ///< those whose surface the sharp view does not show
+  long long unseen_places = 0;       ///< shaded for them
+  long long lamp_pixels = 0;         ///< that got more passes because of a lamp
+  long long bright_lamp_pixels = 0;  ///< those of them that got still more
+  long long lost_pixels = 0;         ///< whose chief ray spectacles stop: black
 };
 
 struct PassPrediction {
@@ -38,7 +40,7 @@ struct PassPrediction {
 ///
 /// N points cut the rim of a lamp of radiance L into steps of L/N, and a lamp that is smaller than the blur over √N into as many single
 /// lamps. Where a lamp's rim is within reach (conoid/lamp_reach.h) and L/N is more than 1/32 of what the pixel has, the pixel is traced
-/// anew with `lamp_factor` times as many points.
+/// anew with `lamp_factor` times as many points, and where L/N still is more than a quarter, with as many times more again.
 ///
 /// What it is not: lens sampling. No light path starts in the pupil except those of unseen places; shading is that of the chief ray, so
 /// highlights and reflections stay where the pupil's centre sees them; rays are first order in the pupil; N points stand for the disc.
@@ -54,6 +56,8 @@ struct UnseenPiece {
   Eigen::Vector2d place;  ///< its chief place in the picture [px]; may lie outside
   double vergence_D;      ///< 1/t along its chief ray; 0 for the surroundings
   Eigen::Vector3f radiance;
+  float share =
+      1.0f;  ///< of its sharp pixel that a lamp fills, from 256 chief rays that pass what stands before it; of all else unknown: 1
 };
 std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
                                        const PlaceShader& shade, const PassSettings& settings, PassCounters& counters);

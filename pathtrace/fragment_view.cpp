@@ -50,7 +50,8 @@ SeenSurface seen_surface(const SurfacePoint& point, const Vector3f& origin, cons
   seen.point = point.position;
   seen.normal = point.normal.dot(direction) > 0.0f ? Vector3f(-point.normal) : point.normal;
   seen.emits = point.emitter >= 0 && point.normal.dot(direction) < 0.0f;
-  if (std::holds_alternative<Diffuse>(point.material->surface)) seen.albedo = point.albedo;
+  seen.lambertian = std::holds_alternative<Diffuse>(point.material->surface);
+  seen.albedo = point.albedo;
   seen.pixel_size = static_cast<float>(pixel_slope) * (point.position - origin).norm();
   return seen;
 }
@@ -123,7 +124,8 @@ class FragmentRenderer {
  private:
   static constexpr std::uint32_t outline_samples = 256;
 
-  void trace(int x, int y, std::uint32_t first, int count, const PixelSequence& sequence, ChiefBlock& block, RenderCounters& counters) const {
+  void trace(int x, int y, std::uint32_t first, int count, const PixelSequence& sequence, ChiefBlock& block,
+             RenderCounters& counters) const {
     CameraHits& hits = block.hits;
     for (int i = 0; i < count; ++i) {
       const auto film = sequence.pair(first + static_cast<std::uint32_t>(i), dimension::film);

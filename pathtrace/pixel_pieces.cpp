@@ -33,7 +33,8 @@ void PixelPieces::Piece::cover_with(const SeenSurface& seen) {
 
 void PixelPieces::add(const SeenSurface& seen) {
   Piece* piece = existing(seen);
-  if (!piece) piece = &pieces_.emplace_back(Piece{seen.point, seen.normal, seen.pixel_size, seen.surroundings, seen.emits});
+  if (!piece)
+    piece = &pieces_.emplace_back(Piece{seen.point, seen.normal, seen.pixel_size, seen.surroundings, seen.emits, seen.lambertian});
   const Vector3d direct = seen.direct.cast<double>(), indirect = seen.radiance.cast<double>() - direct;
   piece->normals += seen.normal.cast<double>();
   piece->albedo += seen.albedo.cast<double>();
@@ -90,6 +91,7 @@ Fragment PixelPieces::Piece::fragment(int samples) const {
   f.spread = Vector3f(static_cast<float>(spread(0, 0)), static_cast<float>(spread(0, 1)), static_cast<float>(spread(1, 1)));
   f.surroundings = surroundings;
   f.emits = emits;
+  f.lambertian = lambertian;
   return f;
 }
 

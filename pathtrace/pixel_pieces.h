@@ -12,7 +12,7 @@ struct SeenSurface {
   Eigen::Vector3f radiance{0.0f, 0.0f, 0.0f}, direct{0.0f, 0.0f, 0.0f}, albedo{0.0f, 0.0f, 0.0f};  ///< as of a Fragment
   Eigen::Vector2d place{0.5, 0.5};                                                                 ///< within the pixel
   float pixel_size = 0.0f;                                                                         ///< there [m]
-  bool surroundings = false, emits = false;
+  bool surroundings = false, emits = false, lambertian = false;
 };
 
 /// The pieces of one pixel of a sharp view, sample by sample.
@@ -33,7 +33,7 @@ class PixelPieces {
   struct Piece {
     Eigen::Vector3f point, normal;
     float pixel_size;
-    bool surroundings, emits;
+    bool surroundings, emits, lambertian;
     Eigen::Vector3d position{0.0, 0.0, 0.0}, normals{0.0, 0.0, 0.0}, albedo{0.0, 0.0, 0.0};
     Eigen::Vector3d direct{0.0, 0.0, 0.0}, direct_squares{0.0, 0.0, 0.0}, indirect{0.0, 0.0, 0.0}, indirect_squares{0.0, 0.0, 0.0};
     Eigen::Vector2d places{0.0, 0.0};

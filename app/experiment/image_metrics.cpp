@@ -1,17 +1,19 @@
 #include "app/experiment/image_metrics.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "app/experiment/noise_floor_error.h"
 #include "app/json_values.h"
+#include "compare/jackknife.h"
 #include "compare/metrics/displacement.h"
 #include "compare/metrics/relative_mse.h"
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
+#include "compare/part_jackknife.h"
 #include "io/tone_map.h"
 
 namespace sturm {
@@ -35,17 +37,37 @@ class Jackknife {
   void add(std::optional<double> value) { values_.push_back(value); }
 
   Json json() const {
-    const std::size_t n = values_.size() - 1;
-    double mean = 0.0, squares = 0.0;
-    for (const std::optional<double>& v : values_)
+    std::vector<double> left_out;
+    for (const std::optional<double>& v : values_) {
       if (!v) return {{"value", nullptr}, {"uncertainty", nullptr}};
-    for (std::size_t r = 1; r <= n; ++r) mean += *values_[r] / static_cast<double>(n);
-    for (std::size_t r = 1; r <= n; ++r) squares += (*values_[r] - mean) * (*values_[r] - mean);
-    return {{"value", *values_[0]}, {"uncertainty", std::sqrt(squares * (static_cast<double>(n) - 1.0) / static_cast<double>(n))}};
+      left_out.push_back(*v);
+    }
+    left_out.erase(left_out.begin());
+    return {{"value", *values_[0]}, {"uncertainty", jackknife_standard_error(left_out)}};
   }
 
  private:
   std::vector<std::optional<double>> values_;
+};
+
+/// The mean of a similarity map, in the same order.
+class SimilarityJackknife {
+ public:
+  void add(const Ssim& similarity) {
+    if (shares_.empty()) mean_ = similarity.mean;
+    shares_.push_back(shares_of_mean(similarity.map, least_part_px));
+  }
+
+  Json json() const {
+    const PartError error = jackknife_by_parts(std::span(shares_).subspan(1));
+    return {{"value", mean_}, {"uncertainty", error.standard_error}, {"degrees", error.degrees}};
+  }
+
+ private:
+  static constexpr int least_part_px = 48;  // four windows of SSIM and more: a tenth of the variance lies across the borders
+
+  double mean_ = 0.0;
+  std::vector<std::vector<double>> shares_;
 };
 
 double sum_of(const Image& image) {
@@ -63,10 +85,11 @@ std::optional<double> light_ratio(const Pair& pair) {
 
 Json image_metrics_json(const Replicates& predicted, const Replicates& traced) {
   const Pair whole(predicted.mean(), traced.mean());
-  Jackknife ssim_display, ssim_linear, light, shift_x, shift_y;
+  SimilarityJackknife ssim_display, ssim_linear;
+  Jackknife light, shift_x, shift_y;
   const auto measure = [&](const Pair& pair) {
-    ssim_display.add(ssim(pair.predicted_shown, pair.traced_shown).mean);
-    ssim_linear.add(ssim(clamped(pair.predicted), clamped(pair.traced)).mean);
+    ssim_display.add(ssim(pair.predicted_shown, pair.traced_shown));
+    ssim_linear.add(ssim(clamped(pair.predicted), clamped(pair.traced)));
     light.add(light_ratio(pair));
     const std::optional<Eigen::Vector2d> shift = displacement_px(pair.predicted_shown, pair.traced_shown);
     shift_x.add(shift ? std::optional(shift->x()) : std::nullopt);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -101,6 +102,9 @@ TEST(BenchSection, StatisticsOfGates) {
   EXPECT_NEAR(s.at("bench/v/b/error/rmse").value.value(), 0.0625, rounding);
   EXPECT_NEAR(s.at("bench/v/b/error_ratio/rmse").value.value(), 0.5, rounding);
   EXPECT_NEAR(s.at("bench/v/b/time_ratio/rmse").value.value(), 0.5, rounding);
+  // Each error: relative standard error of the mean square 0.1·√(2/6), of its root half of that; two of them; twice as much of a time.
+  EXPECT_NEAR(s.at("bench/v/b/error_ratio/rmse").uncertainty.value(), 0.5 * 0.05 * std::sqrt(4.0 / 6.0), rounding);
+  EXPECT_NEAR(s.at("bench/v/b/time_ratio/rmse").uncertainty.value(), 0.05 * std::sqrt(4.0 / 6.0), rounding);
   EXPECT_NEAR(s.at("bench/v/a/seconds/rmse/0.25").value.value(), 16.0, rounding);
   EXPECT_FALSE(s.at("bench/v/b/times_faster/rmse").value);
   EXPECT_FALSE(s.at("bench/v/b/seconds/one_minus_ssim/0.005").value.has_value() && s.at("bench/v/a/seconds/one_minus_ssim/0.005").value);

@@ -62,7 +62,7 @@ TEST(GateStatistics, OfTheHealthyReportByHand) {
   EXPECT_NEAR(*s.at("image_sin2_rmse_over_noise_floor_min").value, 2.0, 1e-12);
   EXPECT_EQ(s.at("image_sin2_rmse_over_noise_floor_min").cases, 1u);
   EXPECT_NEAR(*s.at("psf_matrix_centroid_max_z").value, 1.5, 1e-12);
-  EXPECT_EQ(s.at("psf_matrix_centroid_max_z").cases, 2u);  // x and y of one spot
+  EXPECT_EQ(s.at("psf_matrix_centroid_max_z").cases, 4u);  // x and y of one spot, and of all together
   EXPECT_NEAR(*s.at("image_light_max_deviation").value, 0.0005, 1e-12);
   EXPECT_EQ(s.at("image_light_max_deviation").uncertainty, 0.0004);
   EXPECT_NEAR(*s.at("image_shift_max_px").value, 0.05, 1e-12);
@@ -89,6 +89,38 @@ TEST(GateStatistics, PsfIsMeasuredAlongThePredictedAxes) {
   round["psfs"][0]["predicted"] = {{"semi_axes_arcmin", {8.0, 8.0}}, {"orientation_deg", nullptr}};
   round["psfs"][0]["measured"] = {{"semi_axes_arcmin", {8.02, 7.98}}, {"orientation_deg", 77.0}, {"standard_error_arcmin", {0.02, 0.02}}};
   EXPECT_LT(*statistics_of(round).at("psf_matrix_axis_max_z").value, 1.01);
+}
+
+TEST(GateStatistics, WhatAllSpotsHaveInCommonCountsToo) {
+  // A pixel of 0.5 arcmin: +3 px ± 2 px and +5 px ± 2 px are 1.5 σ and 2.5 σ each, and 4 px ± √2 px together.
+  Json report = healthy_report();
+  report["psfs"].push_back(report["psfs"][0]);
+  report["psfs"][1]["id"] = "other";
+  for (Json& psf : report["psfs"]) {
+    psf["measured"]["centroid_standard_error_arcmin"] = {1.0, 1.0};
+    psf["measured"]["centroid_arcmin"] = {1.5, 0.0};
+  }
+  report["psfs"][1]["measured"]["centroid_arcmin"] = {2.5, 0.0};
+  const Statistic together = statistics_of(report).at("psf_matrix_centroid_max_z");
+  EXPECT_NEAR(*together.value, 4.0 / std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(together.worst_case, "all spots together, x");
+  EXPECT_EQ(together.cases, 6u);
+  // In opposite directions they have nothing in common (+3 px and −5 px: −1 px), and the worse one alone counts.
+  report["psfs"][1]["measured"]["centroid_arcmin"] = {-2.5, 0.0};
+  EXPECT_NEAR(*statistics_of(report).at("psf_matrix_centroid_max_z").value, 2.5, 1e-12);
+  // An error twice as large has a quarter of the weight: (3 + 5/4)/(5/4) px ± 2/√(5/4) px; downwards as upwards.
+  report["psfs"][1]["measured"]["centroid_arcmin"] = {0.0, 2.5};
+  report["psfs"][1]["measured"]["centroid_standard_error_arcmin"] = {2.0, 2.0};
+  report["psfs"][0]["measured"]["centroid_arcmin"] = {0.0, 1.5};
+  const double down = (3.0 + 5.0 / 4.0) / (5.0 / 4.0) / (2.0 / std::sqrt(5.0 / 4.0));
+  EXPECT_NEAR(*statistics_of(report).at("psf_matrix_centroid_max_z").value, down, 1e-12);
+  // Spots with larger pixels are displaced by fewer of them: 1.5 arcmin are 1.5 px ± 1 px there, four times the weight.
+  report["psfs"][1] = report["psfs"][0];
+  report["psfs"][1]["pixel_arcmin"] = 1.0;
+  EXPECT_NEAR(*statistics_of(report).at("psf_matrix_centroid_max_z").value, (3.0 / 4.0 + 1.5) / std::sqrt(1.0 / 4.0 + 1.0), 1e-12);
+  // A spot without a number leaves none.
+  report["psfs"][1]["measured"]["centroid_arcmin"] = nullptr;
+  EXPECT_FALSE(statistics_of(report).at("psf_matrix_centroid_max_z").value);
 }
 
 TEST(GateStatistics, ShortAxisOfAPsfHasAZButNoRelativeError) {
@@ -285,6 +317,22 @@ TEST(Gates, BaselineTellsARegressionFromNoise) {
   EXPECT_TRUE(passes(measured_by(4, 0.97 + 12.0 * std::sqrt(2.0) * 0.001, 0.001), before));
   // The same run again.
   EXPECT_EQ(evaluated(spec, before, &before)["value"], 0.0);
+}
+
+TEST(Gates, BaselineTakesTheDegreesThatAnImageStates) {
+  // Four replicates whose error is known from many parts of the picture: 5 standard errors of the difference with 90 degrees of freedom are
+  // a normal deviate of 4.68, a regression.
+  const GateSpec spec = gate("image_ssim_display/cornell", Comparison::Baseline, 4.0, "σ");
+  Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
+  before["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;
+  // Known so well on one side alone: Satterthwaite's 4/(1/45 + 1/3) = 11.25 degrees, a deviate of 3.556.
+  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.556, 0.001);
+  fallen["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;
+  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 4.68, 0.005);
+  EXPECT_EQ(evaluated(spec, fallen, &before)["passed"], false);
+  // Zero degrees say that there was no noise to measure: the replicates count.
+  for (Json* report : {&before, &fallen}) (*report)["images"][0]["metrics"]["ssim_display"]["degrees"] = 0.0;
+  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.03, 0.005);
 }
 
 TEST(Gates, BaselineThatIsMissingOrHasOtherImagesFails) {

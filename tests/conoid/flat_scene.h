@@ -92,6 +92,7 @@ class FlatScene {
             f.spread.setZero();
             f.surroundings = !card;
             f.emits = card && card->lamp;
+            f.lambertian = card;
             view.fragments.push_back(f);
           }
           Fragment& f = view.fragments[first_fragment + i];

@@ -48,6 +48,7 @@ FragmentImage two_planes(int size, const ReceivedAt& received_at) {
       f.direct_variance = Vector3f::Constant(r.albedo * r.albedo * r.direct_noise * r.direct_noise / 3.0f);
       f.indirect_variance = Vector3f::Constant(r.albedo * r.albedo * r.indirect_noise * r.indirect_noise / 3.0f);
       f.share = 1.0f;
+      f.lambertian = true;
       view.fragments.push_back(f);
       view.first.push_back(static_cast<std::uint32_t>(view.fragments.size()));
     }
@@ -210,12 +211,38 @@ TEST(FragmentFilter, NothingComesAcrossACrease) {
     for (int x = 0; x < 24; ++x) EXPECT_EQ(smooth.at(x, y)[0].radiance, other.at(x, y)[0].radiance) << x;
 }
 
-TEST(FragmentFilter, DoesNotTouchLampsAndMirrors) {
+TEST(FragmentFilter, DoesNotTouchLampsAndSurroundings) {
   FragmentImage view = bright_and_dark(16, 0.3f, 0.3f);
   for (std::size_t i = 0; i < view.fragments.size(); i += 2) view.fragments[i].emits = true;
-  for (std::size_t i = 1; i < view.fragments.size(); i += 2) view.fragments[i].albedo.setZero();
+  for (std::size_t i = 1; i < view.fragments.size(); i += 2) view.fragments[i].surroundings = true;
   const FragmentImage smooth = smooth_of(view);
   for (std::size_t i = 0; i < view.fragments.size(); ++i) EXPECT_EQ(smooth.fragments[i].radiance, view.fragments[i].radiance);
+}
+
+TEST(FragmentFilter, GlossyFragmentsAreFilteredAsTheyAre) {
+  // The same light on a chequered albedo, once divided by it and once not: of a glossy surface the light is the radiance itself.
+  FragmentImage view = bright_and_dark(48, 0.2f, 0.2f), plain = view;
+  for (Fragment& f : view.fragments) f.lambertian = false;
+  for (Fragment& f : plain.fragments) f.albedo.setOnes();
+  for (std::size_t i = 0; i < view.fragments.size(); ++i) view.fragments[i].albedo.setConstant(0.3f);
+  const FragmentImage smooth = smooth_of(view), expected = smooth_of(plain);
+  for (std::size_t i = 0; i < view.fragments.size(); ++i) EXPECT_EQ(smooth.fragments[i].radiance, expected.fragments[i].radiance);
+}
+
+TEST(FragmentFilter, GlossyFragmentsOfAnotherAlbedoAndLambertianOnesStayOut) {
+  // Columns in turn: glossy of one albedo, glossy of another, Lambertian. What the other two have makes no difference to the first.
+  const auto view_with = [](float others) {
+    FragmentImage view = two_planes(36, [](int, int) { return Received{1.0f, 0.5f, 0.2f, 0.2f}; });
+    for (std::size_t i = 0; i < view.fragments.size(); ++i) {
+      Fragment& f = view.fragments[i];
+      f.lambertian = i % 3 == 2;
+      f.albedo.setConstant(i % 3 == 1 ? 0.37f : 0.3f);
+      if (i % 3 != 0) f.direct *= others, f.radiance *= others;
+    }
+    return view;
+  };
+  const FragmentImage once = smooth_of(view_with(1.0f), without_edge_stopping), often = smooth_of(view_with(5.0f), without_edge_stopping);
+  for (std::size_t i = 0; i < once.fragments.size(); i += 3) EXPECT_EQ(once.fragments[i].radiance, often.fragments[i].radiance) << i;
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ PicturePlane picture(int width, int height) {
 }
 
 /// A lamp that fills the half of a card right of x = `edge_px` pixels from the middle, 2 m away, before nothing.
-FlatScene half_lamp(double edge_px) {
+FlatScene half_lamp(double edge_px, double radiance = lamp_radiance) {
   const double z = -2.0, edge = edge_px * slope * 2.0;
-  return FlatScene({{z, edge, 9.0, -9.0, 9.0, [](double, double) { return lamp_radiance; }, true},
+  return FlatScene({{z, edge, 9.0, -9.0, 9.0, [radiance](double, double) { return radiance; }, true},
                     {z, -9.0, edge, -9.0, 9.0, [](double, double) { return 0.1; }}});
 }
 
@@ -101,7 +101,20 @@ TEST(Lamps, PassesStepsAreThoseOfTheManyPoints) {
   EXPECT_EQ(few.lamp_pixels, 0);
   EXPECT_GT(many.lamp_pixels, 16 * 4);        // each row has the dark half of the blur at least: 4 px
   EXPECT_LT(many.lamp_pixels, 16 * (4 + 4));  // and the margin, rounded up, and the sharp pixel
-  EXPECT_EQ(many.rays, 64 * (32 * 16 + 16 * many.lamp_pixels));
+  EXPECT_EQ(many.rays, 64 * (32 * 16 + 16 * many.lamp_pixels + 256 * many.bright_lamp_pixels));
+}
+
+TEST(Lamps, VeryBrightLampsGetStillMorePasses) {
+  // A lamp 4e5 times as bright as all else fills a 1070th of the blur of these pixels: 1024 points meet it not at all, once or twice, and a
+  // row of such pixels would be lamps and gaps. After at least 4 that meet it, or 16384, the pixel is known to a quarter.
+  const double radiance = 4e4, radius = 4.0, edge = -0.25;
+  PassCounters counters;
+  const Image image = by_passes(half_lamp(edge, radiance), field_with_blur(radius), 16, &counters);
+  const double expected = filled(11.0, 16.0 + edge, radius) * radiance + 0.1;
+  EXPECT_LT(expected, radiance / 1024);
+  for (int y = 0; y < 16; ++y) EXPECT_NEAR(image.at(11, y)[0] / expected, 1.0, 0.25) << y;
+  EXPECT_GE(counters.bright_lamp_pixels, 16);
+  EXPECT_LT(counters.bright_lamp_pixels, counters.lamp_pixels / 2);  // most of the rim is met by 4 of 1024
 }
 
 TEST(Lamps, PassesDoNotMixALampWithWhatSharesItsPixelAndPlane) {
@@ -131,11 +144,36 @@ TEST(Lamps, LayeredLampsLeakAsLittleBlurMakesThem) {
   }
 }
 
+TEST(Lamps, LayeredLampsKeepTheirWidthInAnyBlur) {
+  // Cells of 1/n of a pixel; the tolerance is that of LayeredLampsLeakAsLittleBlurMakesThem, inside and outside of the lamp's pixel.
+  const double edge = 0.25;
+  for (const auto& [radius, n] : {std::pair{2.5, 4}, std::pair{9.0, 2}}) {
+    const double tolerance = 2.0 / (n * n) / 8 * 2.0 / (pi * radius);
+    const SightField field = field_with_blur(radius, 64);
+    EXPECT_LT(worst(by_layers(half_lamp(edge), field), 8, edge, radius), tolerance) << radius;
+  }
+}
+
 TEST(Lamps, APartOfAPixelIsSpreadFromWhereItIs) {
   // The lamp fills the right quarter of its pixel; with 0.1 px of blur nothing reaches the next pixel on the left.
   const Image near = by_layers(half_lamp(0.75), field_with_blur(0.1));
   EXPECT_NEAR(near.at(15, 8)[0], 0.1f, 1e-4f);
   EXPECT_NEAR((near.at(16, 8)[0] - 0.1) / (lamp_radiance - 0.1), 0.25, 2.0 / 64 / 8 * 2.0 / (pi * 0.1));  // in and out
+}
+
+TEST(Lamps, ALampThatTheSharpViewMissesIsAsLargeAsItIs) {
+  // Fifths of a pixel, between the 4 × 4 places that the sharp view looks at. The rays that find it all meet it: without a measure of its own
+  // it would be a whole pixel of lamp, 25 times too much light.
+  const double z = -2.0, pixel = slope * 2.0, half = 0.1 * pixel, x = 0.5 * pixel, y = -0.5 * pixel, radiance = 4e3;
+  const FlatScene scene({{z, x - half, x + half, y - half, y + half, [radiance](double, double) { return radiance; }, true},
+                         {2 * z, -9.0, 9.0, -9.0, 9.0, [](double, double) { return 0.1; }}});
+  const SightField field = field_with_blur(4.0);
+  for (const Fragment& f : scene.sharp_view(field).fragments) ASSERT_FALSE(f.emits);
+  double light = 0.0;
+  for (const float value : by_layers(scene, field).pixels) light += (static_cast<double>(value) - 0.1) / 3.0;
+  // 256 chief rays count a fifth of 16 columns and rows to one: (3/16)² … (4/16)² for 1/25.
+  EXPECT_GE(light, radiance * 9.0 / 256 * 0.99);
+  EXPECT_LE(light, radiance * 16.0 / 256 * 1.01);
 }
 
 TEST(Lamps, ReachIsTheBlurOfTheRim) {

@@ -55,8 +55,8 @@ class Predictions(FolderTest):
     def test_what_lies_beside(self):
         self.assertIn("unseen.Y", channel_names(read_header(self.render(prediction("multipass", passes=16), "a"))[0]))
         counters = strict_json((self.folder / "a.manifest.json").read_text())["counters"]
-        # 16 times 16 more where the rim of the ceiling's lamp is within reach.
-        self.assertEqual(counters["pupil_rays"], (48 * 48 + 16 * counters["lamp_pixels"]) * 16)
+        # 16 times 16 more where the rim of the ceiling's lamp is within reach, and 256 times where the lamp would still come in steps.
+        self.assertEqual(counters["pupil_rays"], (48 * 48 + 16 * counters["lamp_pixels"] + 256 * counters["bright_lamp_pixels"]) * 16)
         self.assertGreater(counters["lamp_pixels"], 0)
         self.assertLess(counters["lamp_pixels"], 0.1 * 48 * 48)
         self.assertGreater(counters["unseen_places"], 0)

@@ -67,6 +67,10 @@ class Sin2Study(StudyTest):
         pole = case("-1.00", "metalstigmatism")
         self.assertEqual((pole["status"], pole["rays_dropped"], pole["error_D"]), ("pole", pole["rays"], ""))
         self.assertEqual(case("+0.00", "metalstigmatism", state="relaxed")["status"], "undefined")
+        # Powers 0 … −2 D, −1 D on a meridian between them: no second moments exist although hardly a ray meets the pole.
+        between = case("+0.00 -2.00 × 30", "metalstigmatism")
+        self.assertEqual((between["status"], between["error_D"]), ("pole", ""))
+        self.assertLess(float(between["rays_dropped"]), float(between["rays"]))
         # +1.00 at its focus: slope −1/(1 + 1) D in place of +1 D, seen from 1 m.
         self.assertAlmostEqual(float(case("+1.00", "metalstigmatism")["semi_major_arcmin"]), 0.5 * 2 * mrad, delta=1e-7)
         for row in rows:
@@ -78,6 +82,8 @@ class Sin2Study(StudyTest):
         study = self.study("out")
         self.assertEqual({row["ray_model"]: row["cases"] for row in study["models"]},
                          {model: eyes * 8 for model in ("metalstigmatism", "sin2_radial", "power_matrix")})
+        poles = [row for row in rows if row["status"] == "pole"]
+        self.assertEqual({row["ray_model"]: row["pole"] for row in study["models"]}, {"metalstigmatism": len(poles), "sin2_radial": 0, "power_matrix": 0})
         worst = [row for row in study["population"] if row["ray_model"] == "sin2_radial" and row["accommodation"] is None]
         self.assertEqual([row["eyes"] for row in worst], [2])
         self.assertGreater(worst[0]["error_D"]["max"], 0.25)
