@@ -35,11 +35,13 @@ std::string machine_facts(const Json& machine) {
 }
 
 std::string header(const Json& report) {
-  const auto passed = boolean_at(report, "verdict/passed");
+  // Without a requirement nothing was passed.
+  const bool asked = !array_at(report, "requirements").empty(), passed = boolean_at(report, "verdict/passed").value_or(false);
+  const std::string word = asked ? (passed ? "Passed" : "Failed") : "Measured";
   return element("header", "id=\"verdict\"",
                  element("p", "class=\"kind\"", "Sturm: run time against error") + element("h1", "", text_html(text_at(report, "title"))) +
-                     element("div", std::string("class=\"verdict ") + (passed.value_or(false) ? "pass" : "fail") + "\" role=\"status\"",
-                             element("p", "class=\"word\"", passed.value_or(false) ? "Passed" : "Failed") +
+                     element("div", std::string("class=\"verdict") + (asked ? (passed ? " pass" : " fail") : "") + "\" role=\"status\"",
+                             element("p", "class=\"word\"", word) +
                                  element("p", "class=\"sentence\"", text_html(text_at(report, "verdict/sentence")))) +
                      element("dl", "class=\"facts\"",
                              fact("Command", "<code>" + text_html(text_at(report, "command")) + "</code>") +
