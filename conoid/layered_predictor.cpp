@@ -103,7 +103,7 @@ class Layers {
                  y = static_cast<std::int32_t>(std::floor(unseen[i].place.y() * n_));
       std::size_t end = i;
       for (; end < unseen.size() && unseen[end].place == unseen[i].place; ++end)
-        sources_.push_back({x, y, unseen[end].vergence_D, 1.0f, unseen[end].radiance});
+        sources_.push_back({x, y, unseen[end].vergence_D, unseen[end].share, unseen[end].radiance});
       complete_sheets(first, true);
       counters_.hidden_pixels += static_cast<long long>(end - i);
       i = end;
@@ -111,7 +111,7 @@ class Layers {
   }
 
   /// The sources of one pixel from `first` on: pieces of about the same depth are one sheet, and a sheet goes on behind what is nearer.
-  /// `unknown_shares`: nothing is known of the pieces but that they are there.
+  /// `unknown_shares`: nothing is known of the pieces but that they are there, except for lamps.
   void complete_sheets(std::size_t first, bool unknown_shares = false) {
     const auto begin = sources_.begin() + static_cast<std::ptrdiff_t>(first);
     std::stable_sort(begin, sources_.end(), [](const Source& a, const Source& b) { return a.vergence_D > b.vergence_D; });
@@ -120,7 +120,7 @@ class Layers {
       auto end = sheet;
       float own = 0.0f;
       for (; end != sources_.end() && sheet->vergence_D - end->vergence_D <= sheet_D_; ++end) own += end->coverage;
-      const float scale = unknown_shares ? 1.0f / own : (nearer + own) / own;
+      const float scale = unknown_shares ? 1.0f / std::max(own, 1.0f) : (nearer + own) / own;
       for (auto s = sheet; s != end; ++s) s->coverage *= scale;
       nearer += own;
       sheet = end;

@@ -145,6 +145,31 @@ class Passes {
     const PassSets& stage = stage_of(u.pass);
     return stage.weights(set_of(u.pixel))[u.pass - stage.first()];
   }
+  /// The part of its sharp pixel that a lamp fills at about this distance, whatever stands before it.
+  float lamp_share(const UnseenCell& cell) const {
+    constexpr int rows = 16;
+    const auto depth = static_cast<float>(cell.distance());
+    const float nearest = 0.97f * depth, farthest = 1.03f * depth;  // twice the step of a cell's distance either way
+    static_assert(rows % RayPacket::lanes == 0);
+    int met = 0;
+    for (int k = 0; k < rows * rows; k += RayPacket::lanes) {
+      UnseenPlaces::Ray rays[RayPacket::lanes];
+      int count = 0;
+      for (int lane = 0; lane < RayPacket::lanes; ++lane) {
+        const Vector2d within(((k + lane) % rows + 0.5) / rows, ((k + lane) / rows + 0.5) / rows);
+        const auto chief = field_.chief_ray((Vector2d(cell.x, cell.y) + within) / oversampling_);
+        if (chief) rays[count++] = {chief->origin.cast<float>(), chief->direction.cast<float>()};
+      }
+      RayPacket packet;
+      packet.trace(scene_.embree, rays, count, nearest);
+      for (int i = 0; i < count; ++i) {
+        const float distance = packet.distance(i) * rays[i].direction.norm();
+        if (distance <= farthest && scene_.emits(packet.hit(i), rays[i].direction)) ++met;
+      }
+    }
+    return static_cast<float>(met) / static_cast<float>(rows * rows);
+  }
+
   Vector2d place_of(const UnseenCell& cell) const { return {(cell.x + 0.5) / oversampling_, (cell.y + 0.5) / oversampling_}; }
 
  private:
@@ -298,8 +323,10 @@ std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampli
     const UnseenCell& cell = unseen[begins[k]].cell;
     const auto chief = field.chief_ray(passes.place_of(cell));
     if (!chief) continue;
+    // The rays that found a lamp are those that met it, so that they cannot tell how much of the pixel it is.
+    const float share = cell.kind == UnseenCell::lamp ? passes.lamp_share(cell) : 1.0f;
     // What t is along the chief ray differs from the distance by the blur's obliquity at most.
-    pieces.push_back({passes.place_of(cell), chief->direction.norm() / cell.distance(), shaded[k]});
+    if (share > 0.0f) pieces.push_back({passes.place_of(cell), chief->direction.norm() / cell.distance(), shaded[k], share});
   }
   return pieces;
 }

@@ -56,6 +56,8 @@ struct UnseenPiece {
   Eigen::Vector2d place;  ///< its chief place in the picture [px]; may lie outside
   double vergence_D;      ///< 1/t along its chief ray; 0 for the surroundings
   Eigen::Vector3f radiance;
+  float share =
+      1.0f;  ///< of its sharp pixel that a lamp fills, from 256 chief rays that pass what stands before it; of all else unknown: 1
 };
 std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
                                        const PlaceShader& shade, const PassSettings& settings, PassCounters& counters);

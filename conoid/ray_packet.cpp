@@ -4,7 +4,7 @@
 
 namespace sturm {
 
-void RayPacket::trace(RTCScene scene, const UnseenPlaces::Ray* rays, int count) {
+void RayPacket::trace(RTCScene scene, const UnseenPlaces::Ray* rays, int count, float from_m) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -19,7 +19,7 @@ void RayPacket::trace(RTCScene scene, const UnseenPlaces::Ray* rays, int count) 
     packet_.ray.dir_x[i] = ray.direction.x();
     packet_.ray.dir_y[i] = ray.direction.y();
     packet_.ray.dir_z[i] = ray.direction.z();
-    packet_.ray.tnear[i] = 0.0f;
+    packet_.ray.tnear[i] = from_m > 0.0f ? from_m / ray.direction.norm() : 0.0f;
     packet_.ray.tfar[i] = infinity;
     packet_.ray.time[i] = 0.0f;
     packet_.ray.mask[i] = ~0u;

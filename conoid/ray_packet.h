@@ -5,12 +5,12 @@
 
 namespace sturm {
 
-/// First hits of up to 8 rays at once.
+/// First hits of up to 8 rays at once, `from_m` metres or more from their origins.
 class RayPacket {
  public:
   static constexpr int lanes = 8;
 
-  void trace(RTCScene scene, const UnseenPlaces::Ray* rays, int count);
+  void trace(RTCScene scene, const UnseenPlaces::Ray* rays, int count, float from_m = 0.0f);
 
   /// In units of the ray's direction; ∞ for nothing.
   float distance(int lane) const { return distance_[lane]; }

@@ -47,7 +47,8 @@ std::optional<Vector3f> SharpLookup::find(const MetPoint& point) const {
   const float pixel = pixel_slope_ * point.distance;
   const Kind kind = kind_of(point.surroundings, point.emits);
   const auto off_plane = [&](const Known& f) {  // the surroundings have no normal: zero
-    return f.kind == kind ? std::abs(f.normal.dot(point.position) - f.offset) : std::numeric_limits<float>::infinity();
+    const bool fits = f.kind == kind || (!tell_lamps_ && kind == Kind::surface && f.kind == Kind::lamp);
+    return fits ? std::abs(f.normal.dot(point.position) - f.offset) : std::numeric_limits<float>::infinity();
   };
   const std::size_t index = static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(at.x());
   const std::uint32_t first = first_[index], end = first_[index + 1];
@@ -70,7 +71,7 @@ UnseenCell SharpLookup::cell_of(const MetPoint& point) const {
   const Eigen::Vector2i at = pixel_of(point.place);
   const float step = std::floor(static_cast<float>(steps_per_e) * std::log(point.distance));
   return {at.x(), at.y(), point.surroundings ? UnseenCell::at_infinity : static_cast<std::int32_t>(step),
-          tell_lamps_ && point.emits ? 1 : 0};
+          point.emits ? UnseenCell::lamp : 0};
 }
 
 }  // namespace sturm

@@ -13,9 +13,10 @@ namespace sturm {
 /// A pixel-sized place of the world that a sharp view does not show: where it would be in the sharp view, and about how far.
 struct UnseenCell {
   static constexpr std::int32_t nowhere = std::numeric_limits<std::int32_t>::min();  ///< no chief ray goes there; x, y: of the picture
+  static constexpr std::int32_t lamp = 1;
   static constexpr std::int32_t at_infinity = std::numeric_limits<std::int32_t>::max();
   std::int32_t x, y, depth;
-  std::int32_t kind = 0;  ///< 1: a lamp; `nowhere`
+  std::int32_t kind = 0;  ///< `lamp`; `nowhere`
   auto operator<=>(const UnseenCell&) const = default;
 
   std::uint64_t key() const;
@@ -33,8 +34,8 @@ struct MetPoint {
 /// Finds what a sharp view knows of a point. Keeps what that takes of each fragment: the view may go.
 class SharpLookup {
  public:
-  /// `pixel_slope`: of the picture, of which the view has `oversampling` pixels along each side. With `tell_lamps` light comes from
-  /// fragments that emit alone, and from those only where the ray met what emits: a lamp and the ceiling around it share planes and pixels.
+  /// `pixel_slope`: of the picture, of which the view has `oversampling` pixels along each side. A ray that met a lamp finds fragments that
+  /// emit alone. With `tell_lamps` no other ray finds these: a lamp and the ceiling around it share planes and pixels.
   SharpLookup(const FragmentImage& view, int oversampling, double pixel_slope, bool tell_lamps);
 
   /// Radiance of the fragment in the pixel of the point's place on whose plane it lies to a pixel's size; none if there is no such.
@@ -51,9 +52,7 @@ class SharpLookup {
     Kind kind;
   };
 
-  Kind kind_of(bool surroundings, bool emits) const {
-    return surroundings ? Kind::surroundings : tell_lamps_ && emits ? Kind::lamp : Kind::surface;
-  }
+  static Kind kind_of(bool surroundings, bool emits) { return surroundings ? Kind::surroundings : emits ? Kind::lamp : Kind::surface; }
   Eigen::Vector2i pixel_of(const Eigen::Vector2d& place) const;
 
   int width_, height_, oversampling_;

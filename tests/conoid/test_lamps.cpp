@@ -161,6 +161,21 @@ TEST(Lamps, APartOfAPixelIsSpreadFromWhereItIs) {
   EXPECT_NEAR((near.at(16, 8)[0] - 0.1) / (lamp_radiance - 0.1), 0.25, 2.0 / 64 / 8 * 2.0 / (pi * 0.1));  // in and out
 }
 
+TEST(Lamps, ALampThatTheSharpViewMissesIsAsLargeAsItIs) {
+  // Fifths of a pixel, between the 4 × 4 places that the sharp view looks at. The rays that find it all meet it: without a measure of its own
+  // it would be a whole pixel of lamp, 25 times too much light.
+  const double z = -2.0, pixel = slope * 2.0, half = 0.1 * pixel, x = 0.5 * pixel, y = -0.5 * pixel, radiance = 4e3;
+  const FlatScene scene({{z, x - half, x + half, y - half, y + half, [radiance](double, double) { return radiance; }, true},
+                         {2 * z, -9.0, 9.0, -9.0, 9.0, [](double, double) { return 0.1; }}});
+  const SightField field = field_with_blur(4.0);
+  for (const Fragment& f : scene.sharp_view(field).fragments) ASSERT_FALSE(f.emits);
+  double light = 0.0;
+  for (const float value : by_layers(scene, field).pixels) light += (static_cast<double>(value) - 0.1) / 3.0;
+  // 256 chief rays count a fifth of 16 columns and rows to one: (3/16)² … (4/16)² for 1/25.
+  EXPECT_GE(light, radiance * 9.0 / 256 * 0.99);
+  EXPECT_LE(light, radiance * 16.0 / 256 * 1.01);
+}
+
 TEST(Lamps, ReachIsTheBlurOfTheRim) {
   const FlatScene scene = half_lamp(0.0);
   const SightField field = field_with_blur(4.0);
