@@ -58,6 +58,13 @@ std::optional<double> target_of(const std::string& metric) {
   return std::nullopt;
 }
 
+/// As the report's experiment states them.
+std::optional<double> replicates_of_image(const Json& report, const std::string& id) {
+  for (const Json& image : array_at(report, "spec/images"))
+    if (text_at(image, "id") == id) return number_at(image, "replicates");
+  return std::nullopt;
+}
+
 void add_images(const Json& report, Quantities& out) {
   for (const Json& image : array_at(report, "images")) {
     const std::string id = text_at(image, "id"), name = "image " + id + ", " + text_at(image, "ray_model") + ": ";
@@ -73,8 +80,7 @@ void add_images(const Json& report, Quantities& out) {
       }
       out[name + key] = q;
     }
-    const auto degrees = degrees_of_metric(report, id, Json());
-    add_noise_floor(image, name, degrees ? std::optional(*degrees + 1.0) : std::nullopt, out);
+    add_noise_floor(image, name, replicates_of_image(report, id), out);
   }
 }
 
@@ -110,9 +116,7 @@ void add_noise_floor(const Json& entry, const std::string& name, std::optional<d
 
 std::optional<double> degrees_of_metric(const Json& report, const std::string& id, const Json& metric) {
   if (const auto stated = number_at(metric, "degrees"); stated && *stated > 0.0) return stated;
-  for (const Json& image : array_at(report, "spec/images"))
-    if (text_at(image, "id") == id) return degrees_of(number_at(image, "replicates"));
-  return std::nullopt;
+  return degrees_of(replicates_of_image(report, id));
 }
 
 std::map<std::string, Quantity> quantities_of(const Json& report) {

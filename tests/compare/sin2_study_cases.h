@@ -18,7 +18,7 @@ inline Sin2StudySpec sin2_spec() {
                {"toric", {.cylinder_D = -2.0, .axis_deg = 30.0}},
                {"same toric", {.cylinder_D = -2.0, .axis_deg = 90.0}},
                {"A OD", {.sphere_D = -2.5, .cylinder_D = -3.25, .axis_deg = 35.0}},
-               {"A OS", {.sphere_D = 0.5, .cylinder_D = -0.5, .axis_deg = 100.0}}};
+               {"A OS", {.sphere_D = 0.5}}};
   spec.grid_eyes = 3;
   spec.spheres_D = {0.0, 1.0};
   spec.cylinders_D = {0.0, -2.0};

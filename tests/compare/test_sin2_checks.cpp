@@ -143,10 +143,10 @@ TEST(Sin2Checks, EmmetropeFocusedAsPrintedSeesInfinity) {
   EXPECT_NEAR(value_of("emmetrope_focused_at_infinity_max_deviation", cases), 0.02, rounding);
   cases.push_back(seen(nearer, at_half_a_metre, focus_half_a_metre));
   EXPECT_NEAR(value_of("emmetrope_focused_at_infinity_max_deviation", cases), 0.03, rounding);
-  // Elsewhere than at its focus, without one, at infinity, through a cylinder or by another model nobody is asked.
+  // Elsewhere than at its focus, without one, at infinity, with any prescription or by another model nobody is asked.
   StudyCase toric = near, sphere = near, other = near;
   toric.eye = toric_eye;
-  sphere.eye = first_real_eye;
+  sphere.eye = second_real_eye;
   other.model = sin2_radial;
   EXPECT_EQ(check("emmetrope_focused_at_infinity_max_deviation",
                   {seen(near, at_half_a_metre, focus_1_m), seen(near, at_1_m, relaxed), seen(near, far, focus_far),
