@@ -26,14 +26,34 @@ std::string number_text(const std::optional<double>& number) {
 std::string word_for(const RunChange& change) {
   if (change.is_regression()) return "WORSE";
   if (change.kind == RunChange::Kind::New) return "new";
+  if (change.kind == RunChange::Kind::Missing) return "gone";
   if (change.kind == RunChange::Kind::WithoutUncertainty) return "differs";
   return change.direction == RunChange::Direction::Better ? "better" : "changed";
 }
 
+const char* heading_of(const RunChange& change) {
+  if (change.is_regression()) return "Worse:";
+  switch (change.kind) {
+    case RunChange::Kind::BeyondUncertainty:
+      return "Changed beyond uncertainty:";
+    case RunChange::Kind::WithoutUncertainty:
+      return "No uncertainty is known of these, so chance or the machine may be all there is to it:";
+    case RunChange::Kind::Verdict:
+      return "Judged otherwise by gates:";
+    case RunChange::Kind::New:
+    case RunChange::Kind::Missing:
+      return "In one of the runs only:";
+  }
+  return "";
+}
+
+/// Changes come in groups already.
 void print_table(const RunComparison& comparison) {
+  std::string heading;
   for (const RunChange& c : comparison.changes) {
+    if (heading != heading_of(c)) std::printf("%s\n", (heading = heading_of(c)).c_str());
     const std::string z = c.z ? "  z = " + plain_number(*c.z, 3) : "";
-    std::printf("%-8s %s  %s -> %s%s\n", word_for(c).c_str(), c.name.c_str(), number_text(c.before).c_str(), number_text(c.after).c_str(),
+    std::printf("  %-8s %s  %s -> %s%s\n", word_for(c).c_str(), c.name.c_str(), number_text(c.before).c_str(), number_text(c.after).c_str(),
                 z.c_str());
   }
 }

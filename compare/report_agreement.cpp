@@ -1,23 +1,15 @@
-#include <algorithm>
-#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "compare/agreement_reasons.h"
-#include "compare/false_colour.h"
+#include "compare/report_agreement_pictures.h"
 #include "compare/report_json.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
-#include "compare/report_pictures.h"
 #include "compare/report_sections.h"
-#include "io/error.h"
-#include "io/tone_map.h"
 
 namespace sturm {
 
 namespace {
-
-constexpr double error_limit = 0.1;  ///< of the difference pictures, luma in display space
-constexpr double byte_budget = 6e6;  ///< that all pictures may take as uncompressed base64
-constexpr double bytes_per_pixel = 4.0;
 
 std::string measured_cell(const Json& value) {
   return measured_html(number_at(value, "value"), number_at(value, "uncertainty"));
@@ -82,39 +74,9 @@ std::string reasons(const Json& entry) {
   return items.empty() ? "" : element("ul", "class=\"reasons\"", items);
 }
 
-std::string picture(const Image& display, const std::string& title) {
-  return element("figure", "",
-                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) + "\" height=\"" +
-                     std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
-}
-
-/// The path-traced picture, and each prediction with its difference.
-std::string pictures(const Json& entry, const std::filesystem::path& run_folder, double budget) {
-  try {
-    const Image traced = to_display(main_layer(run_folder / text_at(entry, "files/path_traced")), 1.0);
-    const auto kinds = static_cast<double>(array_at(entry, "predictions").size());
-    const double pixels = static_cast<double>(traced.width) * traced.height * (1.0 + 2.0 * kinds);
-    const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels * bytes_per_pixel / budget))));
-    std::string html = picture(shrunk(traced, factor), "Path traced");
-    for (const Json& prediction : array_at(entry, "predictions")) {
-      const std::string kind = escaped(text_at(prediction, "kind"));
-      const Image predicted = to_display(main_layer(run_folder / text_at(prediction, "files/predicted")), 1.0);
-      Image difference = luma_image(predicted);
-      const Image luma = luma_image(traced);
-      if (difference.pixels.size() != luma.pixels.size()) return element("p", "class=\"missing\"", "No pictures: they differ in size");
-      for (std::size_t i = 0; i < luma.pixels.size(); ++i) difference.pixels[i] -= luma.pixels[i];
-      html += picture(shrunk(predicted, factor), "Predicted, " + kind) +
-              picture(diverging_false_colour(shrunk(difference, factor), error_limit), kind + " − path traced, ±0.1");
-    }
-    return element("div", "class=\"three\"", html);
-  } catch (const InputError& error) {
-    return element("p", "class=\"missing\"", "No pictures: " + escaped(error.what()));
-  }
-}
-
 }  // namespace
 
-std::string agreement_section(const Json& report, const std::filesystem::path& run_folder) {
+std::string agreement_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   const Json& entries = array_at(report, "agreement");
   if (entries.empty()) return "";
   std::string html =
@@ -127,16 +89,18 @@ std::string agreement_section(const Json& report, const std::filesystem::path& r
           "tracing the same mean squared error; how its error and its time depend on their number was measured with an eighth of them. "
           "Asked for are an SSIM of 0.98 and 20 times the speed. Regions, which may overlap: blur of at most one pixel, blurred, within "
           "reach of an edge of depth, display white, surfaces whose colour changes with the direction, and within reach of a lamp's "
-          "rim. In the sentences each pixel counts once: lamp rims, then specular, then edges, then the rest.") +
+          "rim. In the sentences each pixel counts once: lamp rims, then specular, then edges, then the rest. Maps below are of the "
+          "pictures that are shown, the noise of both included.") +
       summary_table(entries);
-  for (const Json& entry : entries) {
+  const std::vector<std::string> pictures = agreement_pictures(entries, run_folder, payload);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Json& entry = entries[i];
     const std::string note = text_at(entry, "note");
-    html +=
-        element("article", "",
-                element("h3", "",
-                        text_html(text_at(entry, "id")) + " <small>" + text_html(text_at(entry, "scene")) + " · gaze " +
-                            text_html(text_at(entry, "gaze")) + (note.empty() ? "" : " · " + text_html(note)) + "</small>") +
-                    pictures(entry, run_folder, byte_budget / static_cast<double>(entries.size())) + reasons(entry) + region_table(entry));
+    html += element("article", "",
+                    element("h3", "",
+                            text_html(text_at(entry, "id")) + " <small>" + text_html(text_at(entry, "scene")) + " · gaze " +
+                                text_html(text_at(entry, "gaze")) + (note.empty() ? "" : " · " + text_html(note)) + "</small>") +
+                        pictures[i] + reasons(entry) + region_table(entry));
   }
   return element("section", "id=\"agreement\"", html);
 }

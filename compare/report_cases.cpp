@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "compare/lens_study_errors.h"
 #include "compare/report_json.h"
 #include "compare/report_markup.h"
 #include "compare/report_numbers.h"
@@ -75,6 +76,7 @@ std::vector<Case> cases_of(const Json& report) {
   add_agreement_cases(report, cases);
   add_sampling_cases(report, cases);
   add_sin2_study_cases(report, cases);
+  add_lens_study_cases(report, cases);
   for (Case& c : cases)
     for (const Json& gate : array_at(report, "gates"))
       if (decided(gate, c)) c.status = Status::Failed;
@@ -88,7 +90,7 @@ std::string table_of(const std::vector<Case>& cases) {
   HtmlTable table("All cases, failures first", "cases sortable filterable",
                   {{"Case", false},
                    {"Status", false},
-                   {"Ray model or prediction", false},
+                   {"Ray model, prediction or method", false},
                    {"What is compared", false},
                    {"Value"},
                    {"Largest |z| [σ]"}});
@@ -118,7 +120,10 @@ std::string case_section(const Json& report) {
                              "pupil samplings, whether |z| is above what chance alone exceeds in one report of a hundred, counting "
                              "every one of them; for images and predictions, whether the RMSE is above the path tracer's own noise "
                              "floor; for point spreads, whether the distance from theory is above 1.5 times that of two runs of "
-                             "theory. Some ray models are here because they differ. <i>Measured</i>: no test of the single case.") +
+                             "theory; for spectacles, whether the error from real rays is anywhere above " +
+                                 plain_number(defocus_that_matters_D) +
+                                 " D, a fifth of the smallest step that lenses are ordered in. Some ray models are here because they "
+                                 "differ. <i>Measured</i>: no test of the single case.") +
                      table_of(cases));
 }
 

@@ -39,7 +39,7 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
                                    {"figures", "Figures", figure_section(report, run_folder)},
                                    {"psfs", "Point-spread functions", psf_section(report, run_folder, payload)},
                                    {"images", "Images", image_section(report, run_folder, payload)},
-                                   {"agreement", "Predictions", agreement_section(report, run_folder)},
+                                   {"agreement", "Predictions", agreement_section(report, run_folder, payload)},
                                    {"ellipses", "All ellipses", ellipse_section(report)},
                                    {"provenance", "Provenance", provenance_section(report)}};
   std::string body = verdict_section(report) + navigation(parts);

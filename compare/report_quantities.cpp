@@ -58,6 +58,13 @@ std::optional<double> target_of(const std::string& metric) {
   return std::nullopt;
 }
 
+/// As the report's experiment states them.
+std::optional<double> replicates_of_image(const Json& report, const std::string& id) {
+  for (const Json& image : array_at(report, "spec/images"))
+    if (text_at(image, "id") == id) return number_at(image, "replicates");
+  return std::nullopt;
+}
+
 void add_images(const Json& report, Quantities& out) {
   for (const Json& image : array_at(report, "images")) {
     const std::string id = text_at(image, "id"), name = "image " + id + ", " + text_at(image, "ray_model") + ": ";
@@ -73,6 +80,7 @@ void add_images(const Json& report, Quantities& out) {
       }
       out[name + key] = q;
     }
+    add_noise_floor(image, name, replicates_of_image(report, id), out);
   }
 }
 
@@ -96,11 +104,19 @@ void add_lens_study(const Json& report, Quantities& out) {
 
 }  // namespace
 
+void add_noise_floor(const Json& entry, const std::string& name, std::optional<double> replicates, std::map<std::string, Quantity>& out) {
+  const Json& floor = value_at(entry, "noise_floor");
+  if (!floor.is_object()) return;
+  for (const auto& [key, value] : floor.items())
+    out[name + "noise floor of " + key] = {.value = number_at(value, ""),
+                                           .standard_error = number_at(entry, "noise_floor_uncertainty/" + key),
+                                           .degrees = replicates && *replicates > 3.0 ? std::optional(*replicates - 2.0) : std::nullopt,
+                                           .better = key.starts_with("ssim") ? Better::More : Better::Less};
+}
+
 std::optional<double> degrees_of_metric(const Json& report, const std::string& id, const Json& metric) {
   if (const auto stated = number_at(metric, "degrees"); stated && *stated > 0.0) return stated;
-  for (const Json& image : array_at(report, "spec/images"))
-    if (text_at(image, "id") == id) return degrees_of(number_at(image, "replicates"));
-  return std::nullopt;
+  return degrees_of(replicates_of_image(report, id));
 }
 
 std::map<std::string, Quantity> quantities_of(const Json& report) {

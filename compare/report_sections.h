@@ -22,7 +22,7 @@ std::string sampling_section(const Json& report, const std::filesystem::path& ru
 std::string figure_section(const Json& report, const std::filesystem::path& run_folder);
 std::string psf_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 std::string image_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
-std::string agreement_section(const Json& report, const std::filesystem::path& run_folder);
+std::string agreement_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 std::string ellipse_section(const Json& report);
 std::string provenance_section(const Json& report);
 

@@ -27,6 +27,7 @@ Subject subject_of(const std::string& statistic) {
   if (starts("agreement_")) return {"agreement", statistic.substr(statistic.rfind('/') + 1)};
   if (starts("sampling_")) return {"sampling_study", ""};
   if (starts("sin2_study/gallery_")) return {"sin2_study", about("repaired") ? "repaired" : "sin2_radial"};
+  if (starts("lens_")) return {"lens_study", about("published") ? "published" : about("previous") ? "previous" : "ray_transfer"};
   if (starts("sin2_study/")) return {"sin2_study", ""};
   const std::string model = about("thin_lens") ? "thin_lens" : about("sin2") && !about("matrix") ? "sin2_radial" : "power_matrix";
   return {starts("psf_") ? "psfs" : starts("image_") ? "images" : "ellipses", model};
@@ -39,6 +40,7 @@ bool decided(const Json& gate, const ReportCase& item) {
   const std::string statistic = text_at(gate, "statistic"), worst = text_at(gate, "worst_case");
   const Subject subject = subject_of(statistic);
   if (item.section != subject.section || (!subject.model.empty() && item.ray_model != subject.model)) return false;
+  if (item.section == "lens_study" && worst.starts_with(item.id + "|")) return true;  // a view of the lens
   return worst == item.id || worst.starts_with(item.id + ",") || statistic == "sin2_study/" + item.id;
 }
 

@@ -106,22 +106,29 @@ const std::vector<std::string>& viewer_maps() {
   return keys;
 }
 
+std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics,
+                                            std::size_t most) {
+  using Scale = ViewerCase::Map::Scale;
+  std::vector<ViewerCase::Map> maps = {
+      {"difference", "Predicted − path traced (luma, display space)", difference, difference_limit, Scale::Signed}};
+  for (const std::string& key : viewer_maps()) {
+    const auto metric = std::find_if(metrics.begin(), metrics.end(), [&](const ImageMetric& m) { return m.key == key; });
+    if (maps.size() >= most || metric == metrics.end() || metric->map.pixels.empty()) continue;
+    const bool squares = key == "rmse_linear";  // whose map holds what is averaged under the root
+    maps.push_back({key, squares ? "Squared error, linear" : metric->title, on_the_picture(*metric), scale_end(*metric),
+                    metric->map_is_similarity ? Scale::Similarity : Scale::Error});
+  }
+  return maps;
+}
+
 ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file, const std::string& predicted_file,
                           const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics, int factor) {
-  using Scale = ViewerCase::Map::Scale;
   ViewerCase shown;
   shown.title = title;
   shown.pictures = {{"path_traced", "Path traced", path_traced_file}, {"predicted", "Predicted", predicted_file}};
-  shown.maps = {{"difference", "Predicted − path traced (luma, display space)", difference, difference_limit, Scale::Signed}};
+  shown.maps = maps_of_images(difference, difference_limit, metrics, 1 + viewer_maps().size());
   shown.factor = factor;
-  shown.quantity = "pictures in linear Rec. 709 radiance, maps at exposure 0";
-  for (const std::string& key : viewer_maps()) {
-    const auto metric = std::find_if(metrics.begin(), metrics.end(), [&](const ImageMetric& m) { return m.key == key; });
-    if (metric == metrics.end() || metric->map.pixels.empty()) continue;
-    const bool squares = key == "rmse_linear";  // whose map holds what is averaged under the root
-    shown.maps.push_back({key, squares ? "Squared error, linear" : metric->title, on_the_picture(*metric), scale_end(*metric),
-                          metric->map_is_similarity ? Scale::Similarity : Scale::Error});
-  }
+  shown.quantity = viewer_radiance;
   return shown;
 }
 
@@ -140,6 +147,7 @@ std::size_t ViewerPayload::add_case(const ViewerCase& shown) {
     const Image values = shrunk(map.values, shown.factor);
     Json json = density ? scaled_pixels_json(values) : pixels_json(values);
     json.update({{"key", map.key}, {"title", map.title}, {"end", map.end}, {"scale", name_of(map.scale)}});
+    if (!map.of.empty()) json["of"] = map.of;
     maps.push_back(std::move(json));
   }
   Json item = {{"title", shown.title},   {"kind", density ? "density" : "radiance"}, {"quantity", shown.quantity},

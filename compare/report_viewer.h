@@ -9,7 +9,8 @@
 
 namespace sturm {
 
-/// What the viewer shows together: pictures and maps of one size, one layer each, in this order.
+/// What the viewer shows together: pictures and maps of one size, one layer each, in this order. Maps of several pictures take turns: the
+/// viewer has those of one picture at a time among its layers.
 struct ViewerCase {
   /// Radiance: linear Rec. 709 pictures of three channels, with exposure and tones. Density: pictures of one channel ≥ 0 in false colour,
   /// linear or logarithmic, on one scale for the whole case.
@@ -27,6 +28,7 @@ struct ViewerCase {
     Image values;  ///< one channel, before shrinking; NaN: no value there
     double end;    ///< > 0
     Scale scale;
+    std::string of{};  ///< key of the picture whose errors these are; "": of the case's only prediction
   };
 
   std::string title;
@@ -59,11 +61,18 @@ class ViewerPayload {
   std::vector<std::string> cases_;               ///< JSON texts
 };
 
+/// What the numbers of a case of pictures in linear light are.
+inline constexpr const char* viewer_radiance = "pictures in linear Rec. 709 radiance, maps at exposure 0";
+
 /// Keys of the metrics whose maps the viewer shows, in its order.
 const std::vector<std::string>& viewer_maps();
 
-/// A path-traced and a predicted picture, the signed difference of their luma in display space (its colours end at ±`difference_limit`),
-/// and the maps of `metrics` that the viewer shows.
+/// The signed difference of the luma in display space of a prediction from path tracing (its colours end at ±`difference_limit`), and the
+/// maps of `metrics` that the viewer shows; no more than `most` ≥ 1.
+std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics,
+                                            std::size_t most);
+
+/// A path-traced and a predicted picture, and all their maps.
 ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file, const std::string& predicted_file,
                           const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics, int factor);
 

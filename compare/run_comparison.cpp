@@ -56,7 +56,10 @@ void compare_numbers(const Json& before, const Json& after, RunComparison& resul
   for (const auto& [name, old] : a) {
     const auto found = b.find(name);
     if (found == b.end() || (old.value && !found->second.value)) {
-      if (old.value) result.changes.push_back({name, Kind::Missing, Direction::Worse, old.value, std::nullopt, std::nullopt, std::nullopt});
+      const bool by_chance = old.may_vanish && found != b.end();  // the case itself is still there
+      if (old.value)
+        result.changes.push_back(
+            {name, Kind::Missing, by_chance ? Direction::Neither : Direction::Worse, old.value, std::nullopt, std::nullopt, std::nullopt});
       continue;
     }
     const Quantity& now = found->second;

@@ -15,7 +15,7 @@ struct RunChange {
     WithoutUncertainty,  ///< the numbers differ, and nothing says what that means
     Verdict,             ///< a gate passed in one run only
     New,                 ///< only in the later run
-    Missing              ///< only in the earlier run: evidence that is gone
+    Missing              ///< only in the earlier run: evidence that is gone, unless the number may vanish by chance
   };
   enum class Direction { Neither, Better, Worse };
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/experiment/noise_floor_error.h"
 #include "app/experiment/replicates.h"
 #include "app/experiment/sections.h"
 #include "app/image_files.h"
@@ -41,6 +42,14 @@ struct Pictures {
     if (seconds.empty() || total < seconds.at("total")) seconds = std::move(parts);
   }
 };
+
+double similarity_shown(const Image& a, const Image& b) {
+  return ssim(to_display(a, exposure), to_display(b, exposure)).mean;
+}
+
+double rmse_shown(const Image& a, const Image& b) {
+  return rmse(to_display(a, exposure), to_display(b, exposure));
+}
 
 Json measured(const ReplicateMean& mean) {
   return {{"value", mean.value}, {"uncertainty", mean.uncertainty}};
@@ -128,8 +137,15 @@ class Case {
   /// SSIM and error of two halves of the replicates: what noise alone makes of a comparison with half of the samples each.
   Json noise_floor() const {
     const Replicates all{traced_linear_};
-    const Image a = to_display(all.first_half(), exposure), b = to_display(all.second_half(), exposure);
-    return {{"ssim_display", ssim(a, b).mean}, {"rmse_display", rmse(a, b)}};
+    const Image a = all.first_half(), b = all.second_half();
+    return {{"ssim_display", similarity_shown(a, b)}, {"rmse_display", rmse_shown(a, b)}};
+  }
+
+  /// Its standard errors; null with fewer than four replicates.
+  Json noise_floor_uncertainty() const {
+    const Replicates all{traced_linear_};
+    const auto similarity = noise_floor_error(all, similarity_shown), error = noise_floor_error(all, rmse_shown);
+    return similarity && error ? Json{{"ssim_display", *similarity}, {"rmse_display", *error}} : Json(nullptr);
   }
 
  private:
@@ -249,6 +265,7 @@ Json agreement_entry(const AgreementCase& spec, const SceneDescription& descript
           {"seconds_path_traced", view.seconds_path_traced()},
           {"path_tracing", view.path_tracing()},
           {"noise_floor", view.noise_floor()},
+          {"noise_floor_uncertainty", view.noise_floor_uncertainty()},
           {"predictions", std::move(predictions)}};
 }
 

@@ -83,7 +83,8 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
                          {"predicted_total", predicted.times.sharp_view_seconds + predicted.times.spreading_seconds}}},
                        {"samples_per_pixel", spec.samples_per_pixel * static_cast<std::uint64_t>(spec.replicates)},
                        {"metrics", image_metrics_json(predicted.predictions, traced)},
-                       {"noise_floor", image_noise_floor_json(traced)}});
+                       {"noise_floor", image_noise_floor_json(traced)},
+                       {"noise_floor_uncertainty", image_noise_floor_uncertainty_json(traced)}});
     if (const std::string own = spec.id + "/" + spec.ray_models[k]; view->made_for != own) entries.back()["same_view_as"] = view->made_for;
   }
   add_mutated(entries, all_traced, spec.eye, predicted, mutations_named(experiment.mutations));

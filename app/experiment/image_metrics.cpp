@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "app/experiment/noise_floor_error.h"
 #include "app/json_values.h"
 #include "compare/jackknife.h"
 #include "compare/metrics/displacement.h"
@@ -105,11 +107,31 @@ Json image_metrics_json(const Replicates& predicted, const Replicates& traced) {
           {"relative_mse", relative_mse(whole.predicted, whole.traced).plain}};
 }
 
+namespace {
+
+using Measure = double (*)(const Image&, const Image&);
+
+/// What a noise floor has, by the metric's key.
+constexpr std::pair<const char*, Measure> noise_floor_measures[] = {
+    {"ssim_display",
+     [](const Image& a, const Image& b) { return ssim(to_display(a, metrics_exposure), to_display(b, metrics_exposure)).mean; }},
+    {"rmse_linear", [](const Image& a, const Image& b) { return rmse(a, b); }},
+    {"relative_mse", [](const Image& a, const Image& b) { return relative_mse(a, b).plain; }}};
+
+}  // namespace
+
 Json image_noise_floor_json(const Replicates& traced) {
   const Image a = traced.first_half(), b = traced.second_half();
-  return {{"ssim_display", ssim(to_display(a, metrics_exposure), to_display(b, metrics_exposure)).mean},
-          {"rmse_linear", rmse(a, b)},
-          {"relative_mse", relative_mse(a, b).plain}};
+  Json result;
+  for (const auto& [key, measure] : noise_floor_measures) result[key] = measure(a, b);
+  return result;
+}
+
+Json image_noise_floor_uncertainty_json(const Replicates& traced) {
+  Json result;
+  for (const auto& [key, measure] : noise_floor_measures)
+    if (const auto error = noise_floor_error(traced, measure)) result[key] = *error;
+  return result;
 }
 
 }  // namespace sturm

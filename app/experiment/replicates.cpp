@@ -35,11 +35,11 @@ ProgressFunction part_of(const ProgressFunction& progress, int index, int count)
 Image Replicates::mean(int left_out) const {
   return mean_of(images, 0, images.size(), left_out);
 }
-Image Replicates::first_half() const {
-  return mean_of(images, 0, images.size() / 2, -1);
+Image Replicates::first_half(int left_out) const {
+  return mean_of(images, 0, images.size() / 2, left_out);
 }
-Image Replicates::second_half() const {
-  return mean_of(images, images.size() / 2, images.size(), -1);
+Image Replicates::second_half(int left_out) const {
+  return mean_of(images, images.size() / 2, images.size(), left_out);
 }
 
 Image Replicates::variance_of_mean() const {

@@ -12,9 +12,9 @@ struct Replicates {
   /// Mean of all, or of all but number `left_out`.
   Image mean(int left_out = -1) const;
 
-  /// Mean of the first half and of the second half of the images.
-  Image first_half() const;
-  Image second_half() const;
+  /// Mean of the first half and of the second half of the images, or of all of them but number `left_out`.
+  Image first_half(int left_out = -1) const;
+  Image second_half(int left_out = -1) const;
 
   /// Variance of the mean of each pixel and channel, from the scatter between the replicates (at least two).
   Image variance_of_mean() const;

@@ -29,9 +29,11 @@ function floatsOf(address, exponent) {
 
 // What can be shown of a case: a picture (scale "radiance" or "density", `end` of a density: its peak) or a map ("signed", "error",
 // "similarity"), with values() and at(x, y). Exposure acts on pictures, and on the maps of densities, which are their differences.
+// `name`: without the picture `of` which a map has the errors; "" where the case has one prediction only.
 class Layer {
-  constructor(key, title, scale, end, pixels, exposed) {
-    Object.assign(this, { key, title, scale, end, pixels, exposed, width: pixels.width, height: pixels.height, channels: pixels.channels });
+  constructor(key, name, of, scale, end, pixels, exposed) {
+    const title = of ? of + ": " + name : name;
+    Object.assign(this, { key, name, title, of, scale, end, pixels, exposed, width: pixels.width, height: pixels.height, channels: pixels.channels });
     this.decoded = null;
   }
   values() {
@@ -44,7 +46,8 @@ class Layer {
   }
 }
 
-// { layers by case, colours } or null where the page has no pictures.
+// { cases, colours } or null where the page has no pictures. A case has layers for its pictures and maps; `compared`: keys of the pictures
+// that have maps of their own.
 function readPayload() {
   const holder = document.getElementById("viewer-payload");
   if (!holder) return null;
@@ -52,10 +55,9 @@ function readPayload() {
   const table = (address) => Uint8Array.from(bytesOf(address), (c) => c.charCodeAt(0));
   const cases = payload.cases.map((item) => ({
     ...item,
-    layers: [
-      ...item.pictures.map((picture) => new Layer(picture.key, picture.title, item.kind, item.peak, payload.pictures[picture.file], true)),
-      ...item.maps.map((map) => new Layer(map.key, map.title, map.scale, map.end, map, item.kind === "density")),
-    ],
+    pictures: item.pictures.map((picture) => new Layer(picture.key, picture.title, "", item.kind, item.peak, payload.pictures[picture.file], true)),
+    maps: item.maps.map((map) => new Layer(map.key, map.title, map.of || "", map.scale, map.end, map, item.kind === "density")),
+    compared: Array.from(new Set(item.maps.map((map) => map.of).filter(Boolean))),
   }));
   return { cases, colours: { sequential: table(payload.colours.sequential), diverging: table(payload.colours.diverging) } };
 }

@@ -10,7 +10,8 @@ const PANEL_GAP = 8;  // CSS pixels between panels side by side
 
 class Viewer {
   constructor(place, item, colours) {
-    Object.assign(this, { place, item, colours, layers: item.layers, active: 0, behind: 1, pixel: null, linked: true });
+    Object.assign(this, { place, item, colours, active: 0, behind: 1, pixel: null, linked: true });
+    this.compare(item.compared[0] || "");
     this.own = freshState(common[item.kind].display.tone);
     buildPanel(this);
     listen(this);
@@ -31,10 +32,29 @@ class Viewer {
     });
   }
 
+  // Takes the maps of one picture among the layers, which keep their places.
+  compare(of) {
+    this.compared = of;
+    this.layers = [...this.item.pictures, ...this.item.maps.filter((map) => map.of === of)];
+    [this.active, this.behind] = [this.active, this.behind].map((number) => Math.min(number, this.layers.length - 1));
+  }
+
+  // The same, and shows it.
+  showMapsOf(of) {
+    this.compare(of);
+    fillLayers(this);
+    updatePanel(this);
+    updateReadout(this);
+    this.draw();
+  }
+
+  // The maps follow the prediction that is looked at.
   show(number) {
     if (!this.layers[number]) return;
     if (number === this.behind) this.behind = this.active;
     this.active = number;
+    const key = this.layers[number].key;
+    if (number < this.item.pictures.length && key !== this.compared && this.item.compared.includes(key)) this.showMapsOf(key);
     updatePanel(this);
     this.draw();
   }
@@ -48,7 +68,8 @@ class Viewer {
   // Numbers of the layers that have a panel.
   shown() {
     if (this.state().layout.mode !== "side") return [this.active];
-    return this.active > 1 ? [0, 1, this.active] : [0, 1];
+    const partner = Math.max(1, this.item.pictures.findIndex((picture) => picture.key === this.compared));
+    return Array.from(new Set([0, partner, this.active]));
   }
 
   // Panels in CSS pixels with their layers: one, or several of one size side by side.

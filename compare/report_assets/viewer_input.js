@@ -75,7 +75,13 @@ const keys = {
   "e": (viewer) => expose(viewer, EXPOSURE_STEP),
   "E": (viewer) => expose(viewer, -EXPOSURE_STEP),
   "l": nextTone,
+  "m": nextCompared,
 };
+
+function nextCompared(viewer) {
+  const all = viewer.item.compared;
+  if (all.length > 1) viewer.showMapsOf(all[(all.indexOf(viewer.compared) + 1) % all.length]);
+}
 
 function nextTone(viewer) {
   const display = viewer.state().display, tones = TONES[viewer.item.kind].map(([tone]) => tone);

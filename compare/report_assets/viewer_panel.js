@@ -26,16 +26,31 @@ function slider(label, name, low, high, step) {
   return [make("label", {}, label + " ", input, output), input, output];
 }
 
-function buildPanel(viewer) {
-  const parts = (viewer.parts = {});
+// The digit key of a layer as a mark before its name; the tenth and later ones have none.
+function keyMark(i) {
+  return i < 9 ? [make("kbd", {}, String(i + 1)), " "] : [];
+}
+
+// The buttons of the layers: pictures, the choice whose error maps follow, and the maps.
+function fillLayers(viewer) {
+  const parts = viewer.parts, pictures = viewer.item.pictures.length;
   parts.layers = viewer.layers.map((layer, i) => {
-    const button = make("button", { type: "button", title: "key " + (i + 1) }, make("kbd", {}, String(i + 1)), " " + layer.title);
+    const button = make("button", { type: "button", title: i < 9 ? "key " + (i + 1) : layer.title }, ...keyMark(i), layer.name);
     button.addEventListener("click", () => viewer.show(i));
     return button;
   });
-  let layout, behind, tone, link, exposure, split;
+  parts.layerBar.replaceChildren(...parts.layers.slice(0, pictures), ...parts.comparedChoice, ...parts.layers.slice(pictures));
+  parts.behind.replaceChildren(...viewer.layers.map((layer, i) => make("option", { value: i }, layer.title)));
+}
+
+function buildPanel(viewer) {
+  const parts = (viewer.parts = {}), compared = viewer.item.compared;
+  let layout, behind, tone, link, exposure, split, maps;
+  [maps, parts.compared] = choice("Errors of", "compared", compared.map((of) => [of, of]));
+  parts.comparedChoice = compared.length > 1 ? [maps] : [];
+  parts.layerBar = make("div", { class: "layers", role: "group", "aria-label": "Layer" });
   [layout, parts.layout] = choice("Layout", "layout", LAYOUTS);
-  [behind, parts.behind] = choice("Right of the split", "behind", viewer.layers.map((layer, i) => [i, layer.title]));
+  [behind, parts.behind] = choice("Right of the split", "behind", []);
   [split, parts.split] = slider("Split", "split", 0, 1, 0.01);
   [exposure, parts.exposure, parts.exposureText] = slider("Exposure", "exposure", -MOST_STOPS, MOST_STOPS, 0.25);
   [tone, parts.tone] = choice(viewer.item.kind === "density" ? "Scale" : "Tones", "tone", TONES[viewer.item.kind]);
@@ -47,11 +62,13 @@ function buildPanel(viewer) {
   viewer.canvas = make("canvas", { tabindex: 0, role: "img", "aria-label": viewer.item.title + ": arrow keys choose a pixel" });
   parts.legend = make("p", { class: "legend" });
   viewer.readout = make("div", { class: "readout" });
-  const help = "Keys: 1 … 9 layer, arrows pixel (Shift: 10), + − 0 zoom, [ ] split, e E exposure, l next tones or scale. Mouse: drag, wheel (after a click), double click.";
+  const help = "Keys: 1 … 9 layer, " + (compared.length > 1 ? "m errors of the next prediction, " : "") +
+    "arrows pixel (Shift: 10), + − 0 zoom, [ ] split, e E exposure, l next tones or scale. Mouse: drag, wheel (after a click), double click.";
   viewer.place.append(
-    make("div", { class: "layers", role: "group", "aria-label": "Layer" }, ...parts.layers),
+    parts.layerBar,
     make("div", { class: "controls" }, layout, behind, split, exposure, tone, parts.whole, link),
     viewer.canvas, parts.legend, viewer.readout, make("p", { class: "help" }, help));
+  fillLayers(viewer);
   wirePanel(viewer);
   updatePanel(viewer);
   updateReadout(viewer);
@@ -65,6 +82,7 @@ function wirePanel(viewer) {
   set(parts.exposure, "input", (state) => { state.display.stops = Number(parts.exposure.value); });
   set(parts.tone, "change", (state) => { state.display.tone = parts.tone.value; });
   set(parts.whole, "click", (state) => { Object.assign(state.viewpoint, wholePicture()); });
+  parts.compared.addEventListener("change", () => viewer.showMapsOf(parts.compared.value));
   set(parts.behind, "change", () => { viewer.behind = Number(parts.behind.value); });
   parts.link.addEventListener("change", () => {
     const { viewpoint, display, layout } = viewer.state();
@@ -79,6 +97,7 @@ function updatePanel(viewer) {
   const parts = viewer.parts, { display, layout } = viewer.state();
   parts.layers.forEach((button, i) => button.setAttribute("aria-pressed", String(i === viewer.active)));
   parts.layout.value = layout.mode;
+  parts.compared.value = viewer.compared;
   parts.behind.value = String(viewer.behind);
   parts.split.value = String(layout.split);
   parts.exposure.value = String(display.stops);

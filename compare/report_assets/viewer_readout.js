@@ -25,7 +25,7 @@ function updateReadout(viewer) {
     const values = pixel ? layer.at(pixel.x, pixel.y) : [];
     const cells = channels.map((c) =>
       c < values.length ? make("td", { "data-value": values[c] }, numberText(values[c])) : make("td", {}, pixel ? "" : "–"));
-    return make("tr", { "data-layer": layer.key }, make("th", { scope: "row" }, make("kbd", {}, String(i + 1)), " " + layer.title), ...cells);
+    return make("tr", { "data-layer": layer.key }, make("th", { scope: "row" }, ...keyMark(i), layer.title), ...cells);
   });
   const heads = (item.kind === "density" ? ["Layer", "Value"] : ["Layer", "R, or value", "G", "B"]).map((text) => make("th", { scope: "col" }, text));
   viewer.readout.replaceChildren(

@@ -20,6 +20,7 @@ inline nlohmann::json agreement_report(double ssim, double mean_square, int repl
              {"spectacles", false},
              {"replicates", replicates},
              {"noise_floor", {{"rmse_display", 0.01}}},
+             {"noise_floor_uncertainty", nullptr},
              {"predictions", {{{"kind", "layered"}, {"seconds", {{"total", 1.0}}}, {"parts", {part}}}}}}}}};
 }
 

@@ -5,6 +5,7 @@
 #include "compare/report_cases.h"
 #include "compare/report_sections.h"
 #include "compare/study_reports.h"
+#include "compare/synthetic_lens_study.h"
 
 namespace sturm {
 namespace {
@@ -58,6 +59,25 @@ TEST(ReportCases, ChecksNameTheirWorstCaseAndPointSpreadsTheirNoise) {
   EXPECT_EQ(cases[1].status, CaseStatus::Differs);
 }
 
+TEST(ReportCases, SpectaclesHaveARowPerLensAndMethod) {
+  Json study = {{"lenses", {{{"id", "A"}}, {{"id", "B"}}}},
+                {"views", {test::study_view("A", 0.0, 0.01), test::study_view("A", 20.0, 0.3), test::study_view("B", 20.0, 0.0, false)}}};
+  study["views"][1]["pupils"][1]["ray_transfer"] = nullptr;  // rays lost
+  std::vector<ReportCase> cases;
+  add_lens_study_cases({{"lens_study", study}}, cases);
+  ASSERT_EQ(cases.size(), 6u);
+  EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Agrees, CaseStatus::Differs, CaseStatus::Differs, CaseStatus::Agrees,
+                                         CaseStatus::NoResult, CaseStatus::Differs));
+  EXPECT_EQ(cases[0].ray_model, "ray_transfer");
+  EXPECT_DOUBLE_EQ(*cases[0].value, 0.036);  // 1e-3 D/mm² at 6 mm, straight ahead
+  EXPECT_THAT(cases[0].measure, HasSubstr("(0°|0.5 m, pupil 6 mm); above 0.05 D in 0 of 3 views and pupils; none in 1"));
+  EXPECT_EQ(cases[1].ray_model, "published");
+  EXPECT_EQ(*cases[1].value, 0.3);
+  EXPECT_THAT(cases[1].measure, HasSubstr("(20° 0°|0.5 m, pupil 1 mm); above 0.05 D in 2 of 4 views and pupils"));
+  EXPECT_EQ(cases[4].id, "B");
+  EXPECT_THAT(cases[4].measure, HasSubstr("none in 2"));
+}
+
 TEST(ReportCases, TheCaseThatDecidedAFailedGateComesFirst) {
   const auto first_row = [](Json report, const char* statistic, const char* worst) {
     report["gates"] = {{{"id", "g"}, {"passed", false}, {"statistic", statistic}, {"worst_case", worst}}};
@@ -79,6 +99,14 @@ TEST(ReportCases, TheCaseThatDecidedAFailedGateComesFirst) {
   const std::string spread = first_row(testing::sin2_report(1e-15, 0.4), "sin2_study/gallery_repaired_over_noise_max", "circle");
   EXPECT_THAT(spread, HasSubstr("data-status=\"failed\""));
   EXPECT_THAT(spread, HasSubstr("repaired"));
+  const Json lenses = {
+      {"lens_study",
+       {{"lenses", {{{"id", "A"}}, {{"id", "A2"}}}}, {"views", {test::study_view("A", 20.0, 0.3), test::study_view("A2", 0.0, 0.3)}}}}};
+  const std::string lens = first_row(lenses, "lens_order_max_deviation", "A2|0°|0.5 m");
+  EXPECT_THAT(lens, HasSubstr("data-status=\"failed\""));
+  EXPECT_THAT(lens, HasSubstr("A2"));
+  EXPECT_THAT(lens, HasSubstr("ray_transfer"));
+  EXPECT_THAT(first_row(lenses, "lens_published_revolution_max_D", "A|20° 0°|0.5 m"), HasSubstr("published"));
 }
 
 }  // namespace

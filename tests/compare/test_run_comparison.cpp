@@ -89,6 +89,73 @@ TEST(RunComparison, APredictionsErrorIsHeldAgainstItsUncertainty) {
   EXPECT_TRUE(compare_runs(agreement_report(0.97, 4e-4, 3), agreement_report(0.97, 6e-4, 3), 0.01).changes.empty());
 }
 
+TEST(RunComparison, OfTimesNoUncertaintyIsKnown) {
+  const auto report = [](Json times_faster) {
+    Json made = testing::agreement_report(0.97, 4e-4);
+    made["agreement"][0]["predictions"][0]["times_faster"] = std::move(times_faster);
+    return made;
+  };
+  const auto only_change = [&](const Json& before, const Json& after) {
+    const RunComparison c = compare_runs(report(before), report(after), 0.01);
+    EXPECT_EQ(c.regressions(), 0u);
+    EXPECT_EQ(c.changes.size(), 1u);
+    return c.changes.at(0);
+  };
+  const RunChange slower = only_change(20.0, 2.0);
+  EXPECT_EQ(slower.name, "prediction box, layered: times faster");
+  EXPECT_EQ(slower.kind, Kind::WithoutUncertainty);
+  EXPECT_EQ(slower.direction, Direction::Worse);
+  EXPECT_EQ(only_change(2.0, 20.0).direction, Direction::Better);
+  // A smaller error, below the noise of the reference, has none: that is no evidence that got lost.
+  EXPECT_EQ(only_change(20.0, nullptr).kind, Kind::Missing);
+  EXPECT_EQ(only_change(20.0, nullptr).direction, Direction::Neither);
+  Json gone = report(20.0);
+  gone["agreement"][0]["predictions"] = Json::array();                  // but this is
+  EXPECT_EQ(compare_runs(report(20.0), gone, 0.01).regressions(), 3u);  // with SSIM and mean square error
+}
+
+TEST(RunComparison, NoiseFloorsAreHeldAgainstTheirUncertainty) {
+  const auto report = [](double floor, double uncertainty, int replicates) {
+    Json made = testing::agreement_report(0.97, 4e-4, replicates);
+    made["agreement"][0]["noise_floor"] = {{"rmse_display", floor}};
+    made["agreement"][0]["noise_floor_uncertainty"] = {{"rmse_display", uncertainty}};
+    return made;
+  };
+  // Standard errors 6e-5 and 8e-5: 1e-4 of the difference. Three numbers at 1 % together: |z| > 2.934.
+  EXPECT_TRUE(compare_runs(report(0.01, 6e-5, 1000000), report(0.01025, 8e-5, 1000000), 0.01).changes.empty());
+  const RunComparison c = compare_runs(report(0.01, 6e-5, 1000000), report(0.0105, 8e-5, 1000000), 0.01);
+  ASSERT_EQ(c.changes.size(), 1u);
+  EXPECT_EQ(c.changes[0].name, "prediction box: noise floor of rmse_display");
+  EXPECT_NEAR(*c.changes[0].z, 5.0, 1e-3);
+  EXPECT_EQ(c.changes[0].direction, Direction::Worse);
+  EXPECT_EQ(compare_runs(report(0.0105, 8e-5, 1000000), report(0.01, 6e-5, 1000000), 0.01).changes.at(0).direction, Direction::Better);
+  // Four pictures are two degrees of freedom in each run, four together: t = 5 has p = 0.7 %, of three numbers too much.
+  EXPECT_TRUE(compare_runs(report(0.01, 7e-5, 4), report(0.010495, 7e-5, 4), 0.01).changes.empty());
+  // Without a known uncertainty the floor says nothing, however far it moved.
+  Json before = report(0.01, 0.0, 4), after = report(0.05, 0.0, 4);
+  before["agreement"][0]["noise_floor_uncertainty"] = after["agreement"][0]["noise_floor_uncertainty"] = nullptr;
+  EXPECT_EQ(compare_runs(before, after, 0.01).changes.at(0).kind, Kind::WithoutUncertainty);
+}
+
+TEST(RunComparison, RadiiMayMoveByTheNoiseOfBothRuns) {
+  const auto report = [](double radius) {
+    Json made = testing::sin2_report(0.0, 0.4);
+    for (Json& model : made["sin2_study"]["gallery"][0]["models"])
+      model.update({{"radius_50_arcmin", 3.0}, {"radius_50_error_of_independent_rays_arcmin", 0.01}});
+    made["sin2_study"]["gallery"][0]["models"][1]["radius_50_arcmin"] = radius;
+    return made;
+  };
+  // Four errors of 0.01 in each run: 0.08.
+  EXPECT_TRUE(compare_runs(report(3.0), report(3.079), 0.01).changes.empty());
+  for (const double moved : {2.919, 3.081}) {
+    const RunComparison c = compare_runs(report(3.0), report(moved), 0.01);
+    ASSERT_EQ(c.changes.size(), 1u);
+    EXPECT_EQ(c.changes[0].name, "sin² study, point spread circle, repaired: radius_50 [arcmin]");
+    EXPECT_EQ(c.changes[0].kind, Kind::BeyondUncertainty);
+    EXPECT_EQ(c.changes[0].direction, Direction::Neither);
+  }
+}
+
 TEST(RunComparison, ABiasThatComesUpIsWorse) {
   using testing::sampling_report;
   const Json before = sampling_report(1e-6, 0.5, 0.1);

@@ -48,12 +48,18 @@ class CompareStudies(FolderTest):
 
     def test_another_seed_changes_nothing_beyond_uncertainty(self):
         comparison, status = self.compare("first", "other")
-        self.assertEqual((comparison["changes"], status), ([], 0))
+        self.assertEqual(status, 0)
+        # Times are of one machine in one hour: they differ, and nothing says what that means.
+        self.assertEqual({(change["name"], change["kind"]) for change in comparison["changes"]},
+                         {(f"prediction box, {kind}: times faster", "without_uncertainty") for kind in ("ellipses", "layered")})
+        table = sturm("compare-runs", self.folder / "first", self.folder / "other").stdout
+        self.assertTrue(table.startswith("No uncertainty is known"), table)
+        self.assertNotIn("Changed beyond", table)
         parts = sum(len(p["parts"]) for p in self.reports["first"]["agreement"][0]["predictions"])
-        # Two numbers of each part of a prediction (an SSIM may be missing in small ones), bias and noise of 8 samplings.
-        self.assertGreater(comparison["tests"], parts + 2 * 8)
-        # 17 checks, 5 numbers of 3 models, 6 of some rows of the population, 3 point spreads.
-        self.assertGreater(comparison["bounded"], 17 + 5 * 3 + 3)
+        # Two numbers of each part of a prediction (an SSIM may be missing in small ones), two noise floors, bias and noise of 8 samplings.
+        self.assertGreater(comparison["tests"], parts + 2 + 2 * 8)
+        # 17 checks, 5 numbers of 3 models, 6 of some rows of the population, 3 point spreads with theirs and theory's two radii.
+        self.assertGreater(comparison["bounded"], 17 + 5 * 3 + 3 + 2 * 4)
         self.succeed("validate", self.write("comparison.json", comparison))
         # They did move: it is the uncertainty that explains it.
         first, other = (self.reports[name]["agreement"][0]["predictions"][1]["parts"][0]["mean_square_display"]["value"] for name in ("first", "other"))
@@ -82,6 +88,26 @@ class CompareStudies(FolderTest):
 
         comparison, status = self.changed(moved)
         self.assertEqual((comparison["changes"], status), ([], 0))
+
+    def test_a_noisier_reference_is_found(self):
+        def noisier(report):
+            entry = report["agreement"][0]
+            entry["noise_floor"]["rmse_display"] += 100.0 * entry["noise_floor_uncertainty"]["rmse_display"]
+
+        comparison, status = self.changed(noisier)
+        change, = comparison["changes"]
+        self.assertEqual((change["name"], change["kind"], change["direction"], status),
+                         ("prediction box: noise floor of rmse_display", "beyond_uncertainty", "worse", FAILED))
+
+    def test_a_wider_point_spread_is_found(self):
+        def wider(report):
+            spread = report["sin2_study"]["gallery"][0]["models"][1]
+            spread["radius_80_arcmin"] += 9.0 * spread["radius_80_error_of_independent_rays_arcmin"]  # beyond 4 of either run
+
+        comparison, status = self.changed(wider)
+        change, = comparison["changes"]
+        self.assertEqual((change["kind"], change["direction"], status), ("beyond_uncertainty", "neither", 0))
+        self.assertTrue(change["name"].endswith(": radius_80 [arcmin]"), change["name"])
 
     def test_a_bias_that_comes_up_is_found(self):
         def biased(report):

@@ -1,4 +1,4 @@
-"""report.html in browsers: tables that sort and filter, and the viewer of images and point spreads, whose numbers are those of the EXR files."""
+"""report.html in browsers: tables that sort and filter, and the viewer of images, predictions and point spreads, whose numbers are those of the EXR files."""
 import base64
 import json
 import math
@@ -7,12 +7,13 @@ import tempfile
 import unittest
 
 import documents
+from agreement_viewer import HALF, PREDICTIONS, AgreementViewer, agreement_case
 from exr_header import float_pixels
 from marionette import Firefox, firefox
-from sturm_process import sturm
+from srgb import srgb_byte
+from sturm_process import CORNELL_BOX, sturm
 from webdriver import KEYS, Browser
 
-HALF = 2.0**-11  # relative error of rounding to binary16
 CASES = "table.cases"
 VIEWER = "#images .viewer"
 SPREADS = "#psfs .viewer"
@@ -39,12 +40,6 @@ COLOURS = PIXELS + """
     Array.from(copy.getImageData(Math.floor(left + (x + 0.5) * scale), Math.floor(top + (y + 0.5) * scale), 1, 1).data).slice(0, 3));"""
 
 
-def srgb_byte(linear):
-    """255 times the transfer function of sRGB, not yet rounded to a byte."""
-    linear = min(1.0, max(0.0, linear))
-    return 255.0 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055)
-
-
 def setUpModule():
     """The page that all browsers open."""
     global FOLDER, RUN_FOLDER
@@ -54,6 +49,7 @@ def setUpModule():
     RUN_FOLDER = FOLDER / "out"
     experiment = documents.experiment()
     experiment["images"][0]["ray_models"] = ["power_matrix", "sin2_radial"]
+    experiment["agreement"] = [agreement_case(documents.view(), CORNELL_BOX)]
     (FOLDER / "experiment.json").write_text(documents.json_text(experiment))
     (FOLDER / "gates.json").write_text(documents.json_text(documents.gates()))
     process = sturm("run", FOLDER / "experiment.json", "--out", RUN_FOLDER, "--quiet")
@@ -66,8 +62,8 @@ def picture_of(name):
     return float_pixels((RUN_FOLDER / name).read_bytes())
 
 
-class ReportPage:
-    """The tests of the page; each browser has a class of its own below."""
+class ReportPage(AgreementViewer):
+    """The tests of the page, with those of its predicted pictures; each browser has a class of its own below."""
 
     @classmethod
     def setUpClass(cls):
@@ -123,11 +119,11 @@ class ReportPage:
 
     def test_cases_filter_by_text_and_status(self):
         everything = len(self.column(0))
-        self.assertEqual(everything, 4 * 4 + 2 + 2)  # ellipses x ray models, PSFs, images
+        self.assertEqual(everything, 4 * 4 + 2 + 2 + len(PREDICTIONS))  # ellipses x ray models, PSFs, images, predictions
         self.browser.type(".filters:has(+ .scroll > table.cases) input", "sin2 oblique")
         names = self.column(0)
         self.assertEqual(names, ["oblique|1 m|4 mm", "oblique|inf|4 mm"])
-        self.assertIn("2 of 20 rows", self.browser.text(".filters:has(+ .scroll > table.cases) output"))
+        self.assertIn("2 of 22 rows", self.browser.text(".filters:has(+ .scroll > table.cases) output"))
         self.browser.open(self.run_folder / "report.html")
         self.browser.run("""
           const list = document.querySelector('.filters:has(+ .scroll > table.cases) select');
