@@ -1,7 +1,9 @@
 #include "compare/bench/statistics.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
+#include "compare/bench/curve.h"
 #include "compare/bench/measured_view.h"
 #include "compare/report_json.h"
 #include "compare/report_numbers.h"
@@ -19,6 +21,23 @@ std::string prefix_of(const std::string& view, const std::string& method) {
   return "bench/" + view + "/" + method + "/";
 }
 
+/// A setting whose cost and error can be put on logarithmic axes.
+std::optional<CostPoint> point_on_curve(const Json& point, const std::string& error) {
+  const auto samples = number_at(point, "samples"), value = number_at(point, "errors/" + error + "/value");
+  if (!samples || !value || !(*samples > 0.0) || !(*value > 0.0)) return std::nullopt;
+  return CostPoint{*samples, 1.0, *value, number_at(point, "errors/" + error + "/standard_error")};
+}
+
+/// Slope of log error against log samples between the last two settings: whether more samples still help.
+Statistic last_slope(const Json& points, const std::string& error, const std::string& name) {
+  Statistic none{std::nullopt, std::nullopt, 1, name};
+  if (points.size() < 2) return none;
+  const auto before = point_on_curve(points[points.size() - 2], error), last = point_on_curve(points.back(), error);
+  if (!before || !last) return none;
+  const auto law = fit_power_law(std::array{*before, *last});
+  return law ? Statistic{law->slope, law->standard_error, 1, name} : none;
+}
+
 void add_method(const Json& method, const std::string& view, Statistics& out) {
   const std::string prefix = prefix_of(view, text_at(method, "id")), name = view + ", " + text_at(method, "id");
   for (const ErrorKind& kind : error_kinds) {
@@ -27,6 +46,7 @@ void add_method(const Json& method, const std::string& view, Statistics& out) {
     if (const Json& points = array_at(method, "points"); !points.empty()) {
       const Json& last = value_at(points.back(), "errors/" + error);
       out[prefix + "error/" + error] = statistic(last, "value", "standard_error", name);
+      out[prefix + "last_slope/" + error] = last_slope(points, error, name);
     }
   }
   for (const Json& time : array_at(method, "times")) {

@@ -137,7 +137,10 @@ bool place_in_bench(Json& report, const std::string& name, double value) {
   Json view = {{"id", parts[0]}, {"methods", Json::array()}, {"ratios", Json::array()}};
   if (parts[2] == "slope")
     view["methods"] = {{{"id", parts[1]}, {"slopes", {{parts[3], {{"slope", value}, {"standard_error", 0.01}}}}}}};
-  else if (parts[2] == "error_ratio" || parts[2] == "time_ratio")
+  else if (parts[2] == "last_slope") {  // 4 and 16 samples
+    const auto point = [&](double samples) { return Json{{"samples", samples}, {"errors", {{parts[3], {{"value", std::pow(samples, value)}}}}}}; };
+    view["methods"] = {{{"id", parts[1]}, {"points", {point(4.0), point(16.0)}}}};
+  } else if (parts[2] == "error_ratio" || parts[2] == "time_ratio")
     view["ratios"] = {{{"method", parts[1]}, {"error", parts[3]}, {parts[2], number}}};
   else
     return false;

@@ -99,6 +99,8 @@ TEST(BenchSection, StatisticsOfGates) {
   EXPECT_NEAR(s.at("bench/v/a/slope/rmse").value.value(), -0.5, rounding);
   EXPECT_NEAR(s.at("bench/v/a/slope/relative_mse").value.value(), -1.0, rounding);
   EXPECT_GT(s.at("bench/v/a/slope/rmse").uncertainty.value(), 0.0);
+  EXPECT_NEAR(s.at("bench/v/a/last_slope/rmse").value.value(), -0.5, rounding);
+  EXPECT_NEAR(s.at("bench/v/a/last_slope/relative_mse").value.value(), -1.0, rounding);
   EXPECT_NEAR(s.at("bench/v/b/error/rmse").value.value(), 0.0625, rounding);
   EXPECT_NEAR(s.at("bench/v/b/error_ratio/rmse").value.value(), 0.5, rounding);
   EXPECT_NEAR(s.at("bench/v/b/time_ratio/rmse").value.value(), 0.5, rounding);
@@ -116,6 +118,22 @@ TEST(BenchSection, StatisticsOfGates) {
   Statistics none;
   add_bench_statistics(Json::object(), none);
   EXPECT_TRUE(none.empty());
+}
+
+TEST(BenchSection, TheLastSlopeIsThatOfTheLastTwoSettings) {
+  Json report = report_with_bench();
+  Json& points = report["bench"]["views"][0]["methods"][0]["points"];
+  points[2]["errors"]["rmse"]["value"] = 0.5 * points[1]["errors"]["rmse"]["value"].get<double>();
+  Statistics s;
+  add_bench_statistics(report, s);
+  EXPECT_NEAR(s.at("bench/v/a/last_slope/rmse").value.value(), std::log(0.5) / std::log(4.0), rounding);
+  points[2]["errors"]["rmse"]["value"] = points[1]["errors"]["rmse"]["value"];
+  add_bench_statistics(report, s);
+  EXPECT_NEAR(s.at("bench/v/a/last_slope/rmse").value.value(), 0.0, rounding);
+  EXPECT_GT(s.at("bench/v/a/last_slope/rmse").uncertainty.value(), 0.0);
+  points[2]["samples"] = 1.5 * points[1]["samples"].get<double>();  // less than a factor of two
+  add_bench_statistics(report, s);
+  EXPECT_FALSE(s.at("bench/v/a/last_slope/rmse").value);
 }
 
 TEST(BenchSection, TheSentenceNamesWhoIsFirst) {
