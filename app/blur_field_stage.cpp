@@ -10,12 +10,12 @@
 
 #include "app/json_values.h"
 #include "app/stopwatch.h"
-#include "compare/ellipse_layers_svg.h"
-#include "compare/report_numbers.h"
+#include "io/formatted_text.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/scene_import.h"
+#include "reports/plots/ellipse_layers_svg.h"
 
 namespace sturm {
 

@@ -5,9 +5,9 @@
 
 #include "app/commands.h"
 #include "compare/report_json.h"
-#include "compare/report_numbers.h"
 #include "compare/run_comparison.h"
 #include "io/atomic_file.h"
+#include "io/formatted_text.h"
 #include "io/schema.h"
 
 namespace sturm {

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/comparison.h"
-#include "compare/false_colour.h"
 #include "io/atomic_file.h"
 #include "io/image_formats.h"
+#include "reports/markup/false_colour.h"
 
 namespace sturm {
 

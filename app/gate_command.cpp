@@ -6,12 +6,12 @@
 
 #include "app/commands.h"
 #include "compare/gates.h"
-#include "compare/junit.h"
-#include "compare/report_markdown.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/gate_spec.h"
 #include "io/schema.h"
+#include "reports/text/junit.h"
+#include "reports/text/markdown.h"
 
 namespace sturm {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/report_numbers.h"
 #include "conoid/as_worn.h"
 #include "conoid/spectacle_conoid.h"
 #include "io/error.h"
+#include "io/formatted_text.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
 #include "lensmodel/vertex_power.h"

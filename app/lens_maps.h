@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "compare/lens_map.h"
 #include "io/spectacles_spec.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/spectacles.h"
+#include "reports/plots/lens_map.h"
 
 namespace sturm {
 

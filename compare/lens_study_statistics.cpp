@@ -5,7 +5,7 @@
 #include <set>
 
 #include "compare/report_json.h"
-#include "compare/report_numbers.h"
+#include "io/formatted_text.h"
 
 namespace sturm {
 

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "compare/report_json.h"
-#include "compare/report_numbers.h"
+#include "io/formatted_text.h"
 
 namespace sturm {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "compare/report_json.h"
-#include "compare/report_numbers.h"
 #include "compare/report_quantities.h"
 #include "compare/sin2_study/shown_checks.h"
+#include "io/formatted_text.h"
 
 namespace sturm {
 

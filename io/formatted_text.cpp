@@ -14,4 +14,8 @@ std::string formatted(const char* format, ...) {
   return text;
 }
 
+std::string plain_number(double value, int significant) {
+  return formatted("%.*g", significant, value);
+}
+
 }  // namespace sturm

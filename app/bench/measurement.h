@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/experiment/run_folder.h"
-#include "compare/figure.h"
 #include "io/bench_spec.h"
+#include "reports/plots/figure.h"
 
 namespace sturm {
 

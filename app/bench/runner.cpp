@@ -4,10 +4,10 @@
 
 #include "app/bench/measurement.h"
 #include "app/stopwatch.h"
-#include "compare/bench/figures.h"
-#include "compare/bench/report_html.h"
 #include "io/atomic_file.h"
 #include "io/manifest.h"
+#include "reports/page/bench_page.h"
+#include "reports/sections/bench/bench_figures.h"
 
 namespace sturm {
 

@@ -2,12 +2,12 @@
 
 #include "app/blur_field_stage.h"
 #include "app/lens_maps.h"
-#include "compare/lens_map.h"
-#include "compare/sturm_conoid_svg.h"
 #include "conoid/spectacle_conoid.h"
 #include "io/error.h"
 #include "io/text_file.h"
 #include "lensmodel/gaze.h"
+#include "reports/plots/lens_map.h"
+#include "reports/plots/sturm_conoid_svg.h"
 
 namespace sturm {
 

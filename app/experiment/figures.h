@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "compare/figure.h"
 #include "io/figure_spec.h"
+#include "reports/plots/figure.h"
 
 namespace sturm {
 

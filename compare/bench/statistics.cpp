@@ -6,7 +6,7 @@
 #include "compare/bench/curve.h"
 #include "compare/bench/measured_view.h"
 #include "compare/report_json.h"
-#include "compare/report_numbers.h"
+#include "io/formatted_text.h"
 
 namespace sturm {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_numbers.h"
+#include "io/formatted_text.h"
 #include "io/json_numbers.h"
 
 namespace sturm {

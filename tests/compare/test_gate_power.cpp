@@ -6,7 +6,7 @@
 #include "compare/gate_power.h"
 #include "compare/gate_statistics.h"
 #include "compare/healthy_report.h"
-#include "compare/report_sections.h"
+#include "reports/sections/sections.h"
 
 namespace sturm {
 namespace {

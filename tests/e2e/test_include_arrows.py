@@ -12,7 +12,8 @@ ARROWS = {
     "pathtrace": {"lensmodel", "io"},
     "conoid": {"lensmodel", "io"},
     "compare": {"lensmodel", "io"},
-    "app": {"lensmodel", "io", "pathtrace", "conoid", "compare"},
+    "reports": {"lensmodel", "io", "compare"},
+    "app": {"lensmodel", "io", "pathtrace", "conoid", "compare", "reports"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
