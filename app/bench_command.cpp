@@ -2,9 +2,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/bench/runner.h"
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "experiments/bench/runner.h"
 
 namespace sturm {
 

@@ -2,14 +2,14 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/blur_field_stage.h"
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/stopwatch.h"
 #include "conoid/blur_field/field_exr.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/manifest.h"
+#include "stages/blur_field_stage.h"
+#include "stages/stopwatch.h"
 
 namespace sturm {
 

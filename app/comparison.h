@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "app/picture_view.h"
 #include "compare/metrics/slanted_edge.h"
 #include "compare/picture_comparison.h"
 #include "compare/psf/psf_comparison.h"
 #include "io/json.h"
+#include "stages/picture_view.h"
 
 namespace sturm {
 

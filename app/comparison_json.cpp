@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/comparison.h"
-#include "app/json_values.h"
+#include "stages/json_values.h"
 
 namespace sturm {
 

@@ -5,14 +5,14 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/lens_maps.h"
-#include "app/lens_stage.h"
+#include "experiments/figures/lens_maps.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/schema.h"
 #include "io/spectacles_spec.h"
 #include "lensmodel/units.h"
 #include "lensmodel/vertex_power.h"
+#include "stages/lens_stage.h"
 
 namespace sturm {
 

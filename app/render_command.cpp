@@ -5,13 +5,13 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/image_files.h"
-#include "app/progress.h"
-#include "app/render_stage.h"
+#include "experiments/run/progress.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/exr.h"
 #include "io/manifest.h"
+#include "stages/image_files.h"
+#include "stages/render_stage.h"
 
 namespace sturm {
 

@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/experiment/runner.h"
+#include "experiments/runner.h"
 
 namespace sturm {
 

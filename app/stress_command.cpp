@@ -3,8 +3,8 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/progress.h"
-#include "app/stress/report.h"
+#include "experiments/run/progress.h"
+#include "experiments/stress/report.h"
 
 namespace sturm {
 

@@ -13,11 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/render_stage.h"
 #include "bench/timing.h"
 #include "io/json.h"
 #include "io/render_spec.h"
 #include "pathtrace/scene_import.h"
+#include "stages/render_stage.h"
 
 namespace sturm::bench {
 namespace {

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "app/render_stage.h"
 #include "bench/timing.h"
+#include "stages/render_stage.h"
 
 namespace sturm::bench {
 namespace {

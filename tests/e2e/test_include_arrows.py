@@ -13,7 +13,9 @@ ARROWS = {
     "conoid": {"lensmodel", "io"},
     "compare": {"lensmodel", "io"},
     "reports": {"lensmodel", "io", "compare"},
-    "app": {"lensmodel", "io", "pathtrace", "conoid", "compare", "reports"},
+    "stages": {"lensmodel", "io", "pathtrace", "conoid", "compare"},
+    "experiments": {"lensmodel", "io", "pathtrace", "conoid", "compare", "reports", "stages"},
+    "app": {"lensmodel", "io", "pathtrace", "conoid", "compare", "reports", "stages", "experiments"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
