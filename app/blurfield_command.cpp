@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/configuration.h"
 #include "conoid/blur_field/field_exr.h"
+#include "experiments/figures/blur_field_layers.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/manifest.h"

@@ -4,16 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "experiments/run/run_options.h"
 #include "io/experiment_spec.h"
 
 namespace sturm {
-
-struct RunOptions {
-  std::filesystem::path folder;  ///< where the report goes
-  int threads = 0;               ///< for the provenance
-  bool resume = false;
-  bool quiet = false;
-};
 
 struct RunOutcome {
   bool passed = false;

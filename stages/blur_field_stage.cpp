@@ -8,12 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "io/formatted_text.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/scene_import.h"
-#include "reports/plots/ellipse_layers_svg.h"
 #include "stages/json_values.h"
 #include "stages/stopwatch.h"
 
@@ -146,11 +144,11 @@ BlurField compute_blur_field(const BlurFieldSpec& spec) {
   return field;
 }
 
-std::string layers_svg(const BlurFieldSpec& spec, const TracedDirections& directions, double drawn_scale) {
+std::vector<EllipseLayer> ellipse_layers(const BlurFieldSpec& spec, const TracedDirections& directions) {
   std::vector<EllipseLayer> layers;
   for (const double distance : spec.layers_m) {
     const double vergence = vergence_of(distance);
-    EllipseLayer layer{std::isinf(distance) ? "∞" : plain_number(100.0 * distance, 4) + " cm", {}};
+    EllipseLayer layer{distance, {}};
     for (const SpectacleConoid& conoid : directions.conoids) {
       if (conoid.status != LensStatus::ok || !(conoid.chief_ray.direction.z() < 0.0)) continue;
       const Eigen::Matrix2d slopes = spec.eye.slope_matrix(accommodation_through(conoid, spec.eye, vergence)).matrix();
@@ -160,8 +158,7 @@ std::string layers_svg(const BlurFieldSpec& spec, const TracedDirections& direct
     }
     layers.push_back(std::move(layer));
   }
-  return ellipse_layers_svg(layers, std::tan(0.5 * spec.hfov), std::tan(0.5 * spec.vfov), drawn_scale,
-                            "Blur ellipses over the field of view, one panel for each distance");
+  return layers;
 }
 
 }  // namespace sturm

@@ -3,11 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "conoid/blur_field/depth_analytic_field.h"
 #include "conoid/blur_field/voxel_fill.h"
 #include "io/blur_field_spec.h"
 #include "io/json.h"
+#include "lensmodel/ellipse_layer.h"
 
 namespace sturm {
 
@@ -26,8 +28,8 @@ BlurField compute_blur_field(const BlurFieldSpec& spec);
 /// The conoids of all lines of sight of a blur field alone.
 TracedDirections field_directions(const BlurFieldSpec& spec);
 
-/// The ellipses of all lines of sight at the distances of the spec, as an SVG document ([Kakimoto2010] fig. 12). Each stands where its
-/// chief ray goes, on the picture plane; `best` accommodation is that of each ellipse.
-std::string layers_svg(const BlurFieldSpec& spec, const TracedDirections& directions, double drawn_scale = 3.0);
+/// The ellipses of all lines of sight at the distances of the spec ([Kakimoto2010] fig. 12). Each stands where its chief ray goes, on the
+/// picture plane; `best` accommodation is that of each ellipse.
+std::vector<EllipseLayer> ellipse_layers(const BlurFieldSpec& spec, const TracedDirections& directions);
 
 }  // namespace sturm

@@ -7,6 +7,7 @@
 #include "conoid/layered_predictor.h"
 #include "conoid/multipass.h"
 #include "pathtrace/fragment_view.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/plan/render_plan.h"
 #include "stages/stopwatch.h"
 

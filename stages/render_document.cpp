@@ -3,6 +3,7 @@
 
 #include "pathtrace/scene_import.h"
 #include "stages/path_traced_layers.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/prediction_stage.h"
 #include "stages/render_stage.h"
 #include "stages/stopwatch.h"

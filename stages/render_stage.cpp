@@ -5,6 +5,7 @@
 
 #include "io/error.h"
 #include "pathtrace/camera_hits.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"
 
 namespace sturm {
@@ -33,10 +34,6 @@ double fixed_accommodation(const Eye& eye) {
 }
 
 }  // namespace
-
-CameraPose camera_pose(const CameraSpec& spec) {
-  return {spec.position, spec.look_at, spec.up, spec.vfov, spec.width, spec.height};
-}
 
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings,
                         const CameraSkips& skips) {

@@ -16,8 +16,6 @@ namespace sturm {
 
 using ProgressFunction = std::function<void(double fraction)>;
 
-CameraPose camera_pose(const CameraSpec& spec);
-
 /// Path traces one view. `accommodation` and focus distance come from the eye (relaxed or fixed).
 /// Throws InputError where metalstigmatism has no focus distance.
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings,

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "experiments/runner.h"
+#include "experiments/run/run_options.h"
 #include "io/bench_spec.h"
 
 namespace sturm {

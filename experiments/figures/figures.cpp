@@ -1,6 +1,7 @@
 #include "experiments/figures/figures.h"
 
 #include "conoid/spectacle_conoid.h"
+#include "experiments/figures/blur_field_layers.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/error.h"
 #include "io/text_file.h"

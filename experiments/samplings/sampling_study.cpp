@@ -8,6 +8,7 @@
 #include "experiments/run/replicates.h"
 #include "pathtrace/view_camera.h"
 #include "stages/image_files.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"
 
 namespace sturm {

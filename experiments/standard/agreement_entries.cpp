@@ -15,6 +15,7 @@
 #include "io/tone_map.h"
 #include "stages/image_files.h"
 #include "stages/json_values.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/prediction_stage.h"
 #include "stages/stopwatch.h"
 #include "stages/view_layers.h"

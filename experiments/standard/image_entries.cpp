@@ -4,6 +4,7 @@
 #include "experiments/run/sections.h"
 #include "experiments/standard/image_metrics.h"
 #include "stages/image_files.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"
 
 namespace sturm {

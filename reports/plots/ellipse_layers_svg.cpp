@@ -27,6 +27,10 @@ std::string degrees(int angle) {
   return (angle < 0 ? "−" : "") + std::to_string(std::abs(angle)) + "°";
 }
 
+std::string title_of(const EllipseLayer& layer) {
+  return std::isinf(layer.distance_m) ? "∞" : plain_number(100.0 * layer.distance_m, 4) + " cm";
+}
+
 }  // namespace
 
 std::string ellipse_layers_svg(const std::vector<EllipseLayer>& layers, double half_width, double half_height, double drawn_scale,
@@ -39,7 +43,7 @@ std::string ellipse_layers_svg(const std::vector<EllipseLayer>& layers, double h
     const std::string clip = "layer" + std::to_string(n);
     const std::string frame = "x=\"" + coordinate(x0) + "\" y=\"" + std::to_string(top) + "\" width=\"" + std::to_string(panel_width) +
                               "\" height=\"" + std::to_string(panel_height) + "\"";
-    body += "<clipPath id=\"" + clip + "\"><rect " + frame + "/></clipPath>" + svg_text(cx, top - 14, layers[n].title, "middle", 15);
+    body += "<clipPath id=\"" + clip + "\"><rect " + frame + "/></clipPath>" + svg_text(cx, top - 14, title_of(layers[n]), "middle", 15);
     for (const int angle : angle_ticks(half_width)) {
       const double x = cx + scale * std::tan(radians_per_degree * angle);
       body += "<path d=\"M" + coordinate(x) + " " + std::to_string(top) + "v" + std::to_string(panel_height) + "\" stroke=\"#e3e3e3\"/>" +

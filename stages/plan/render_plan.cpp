@@ -7,8 +7,8 @@
 #include "pathtrace/plan/sharp_cells.h"
 #include "pathtrace/plan/simplest_environment.h"
 #include "pathtrace/plan/unseen_emitters.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/plan/view_plan.h"
-#include "stages/render_stage.h"
 
 namespace sturm {
 

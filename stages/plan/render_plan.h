@@ -25,9 +25,6 @@ struct RenderPlan {
   double copied_below_px = 0.0;  ///< of a prediction
 };
 
-/// The camera's pose, `distance_m` to the right.
-CameraPose moved_sideways(const CameraPose& pose, double distance_m);
-
 /// Decides, and reduces `scene` to what the pictures need of it. Throws InputError for a scene that cannot be rendered.
 RenderPlan plan_render(const RenderSpec& spec, SceneDescription& scene);
 

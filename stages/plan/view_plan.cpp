@@ -102,14 +102,6 @@ std::string described(const SharpVergences& sharp) {
   return from + (sharp.farthest > 0.0 ? " to " + printed("%.4g m", 1.0 / sharp.farthest) : std::string(" on"));
 }
 
-CameraPose moved_sideways(const CameraPose& pose, double distance_m) {
-  CameraPose moved = pose;
-  const Eigen::Vector3d offset = distance_m * (pose.look_at - pose.position).cross(pose.up).normalized();
-  moved.position += offset;
-  moved.look_at += offset;
-  return moved;
-}
-
 ViewPlan plan_view(const RenderSpec& spec, const WornEye& worn, const CameraPose& pose, const SceneDescription& scene,
                    const std::string& view, WorkPlan& items) {
   ViewPlan plan;

@@ -9,6 +9,7 @@
 #include "conoid/spectacle_conoid.h"
 #include "lensmodel/ellipse.h"
 #include "lensmodel/gaze.h"
+#include "stages/plan/camera_pose.h"
 #include "stages/render_stage.h"
 #include "support/reference_file.h"
 #include "support/spot_moments.h"
