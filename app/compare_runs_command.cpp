@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "compare/findings/run_comparison.h"
 #include "compare/report_json.h"
-#include "compare/run_comparison.h"
 #include "io/atomic_file.h"
 #include "io/formatted_text.h"
 #include "io/schema.h"

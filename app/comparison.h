@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "compare/images/picture_comparison.h"
 #include "compare/metrics/slanted_edge.h"
-#include "compare/picture_comparison.h"
 #include "compare/psf/psf_comparison.h"
 #include "io/json.h"
 #include "stages/picture_view.h"

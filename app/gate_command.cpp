@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/gates.h"
+#include "compare/gates/gates.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
 #include "io/gate_spec.h"

@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "app/commands.h"
-#include "compare/sample_size.h"
+#include "compare/statistics/sample_size.h"
 #include "io/error.h"
 
 namespace sturm {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/gate_power.h"
-#include "compare/gates.h"
-#include "compare/sin2_study/summary.h"
+#include "compare/findings/gate_power.h"
+#include "compare/gates/gates.h"
+#include "compare/studies/sin2/summary.h"
 #include "experiments/bench/measurement.h"
 #include "experiments/figures/figures.h"
 #include "experiments/run/progress.h"

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "compare/regions.h"
+#include "compare/images/regions.h"
 #include "io/image.h"
 
 namespace sturm {

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "compare/bundle_moments.h"
+#include "compare/ellipses/bundle_moments.h"
 #include "io/ray_bundle_spec.h"
 #include "pathtrace/ray_model.h"
 #include "pathtrace/worn_lens.h"

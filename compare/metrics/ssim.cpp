@@ -5,7 +5,7 @@
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/luma.h"
 #include "compare/metrics/similarity_maps.h"
-#include "compare/statistics.h"
+#include "compare/statistics/statistics.h"
 #include "io/error.h"
 
 namespace sturm {

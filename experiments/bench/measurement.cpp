@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "compare/bench/evaluation.h"
+#include "compare/studies/bench/evaluation.h"
 #include "experiments/bench/reference.h"
 #include "experiments/run/progress.h"
 #include "experiments/run/replicates.h"

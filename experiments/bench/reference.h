@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "compare/bench/reference_image.h"
+#include "compare/studies/bench/reference_image.h"
 #include "io/bench_spec.h"
 
 namespace sturm {

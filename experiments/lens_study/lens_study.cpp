@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/accuracy_split.h"
+#include "compare/ellipses/accuracy_split.h"
 #include "conoid/previous.h"
 #include "conoid/published.h"
 #include "conoid/spectacle_conoid.h"

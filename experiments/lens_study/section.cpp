@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
+#include "compare/studies/lens/lens_study_statistics.h"
 #include "experiments/run/sections.h"
 
 namespace sturm {

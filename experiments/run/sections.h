@@ -11,7 +11,7 @@
 namespace sturm {
 
 /// Each section of a report is a function from the experiment to JSON (configs/schemas/report.schema.json); pictures go into `folder`.
-/// What mutations make of an entry stands in it under "mutated", by the mutation's id (compare/gate_power.h).
+/// What mutations make of an entry stands in it under "mutated", by the mutation's id (compare/findings/gate_power.h).
 
 /// The conoid and the closed form of sin² against independent numbers in the experiment's reference file.
 Json reference_agreement(const std::filesystem::path& reference_file);

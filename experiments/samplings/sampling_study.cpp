@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/jackknife.h"
-#include "compare/paired_bias.h"
+#include "compare/images/paired_bias.h"
+#include "compare/statistics/jackknife.h"
 #include "experiments/run/replicates.h"
 #include "pathtrace/view_camera.h"
 #include "stages/image_files.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/accuracy_split.h"
-#include "compare/ellipse_comparison.h"
-#include "compare/sin2_study/closed_forms.h"
+#include "compare/ellipses/accuracy_split.h"
+#include "compare/ellipses/ellipse_comparison.h"
+#include "compare/studies/sin2/closed_forms.h"
 #include "conoid/footprint.h"
 #include "experiments/sin2_study/pupil_trace.h"
 #include "experiments/sin2_study/sin2_study.h"

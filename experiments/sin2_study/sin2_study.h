@@ -1,13 +1,13 @@
 #pragma once
 #include <filesystem>
 
-#include "compare/sin2_study/study_case.h"
+#include "compare/studies/sin2/study_case.h"
 #include "stages/render_stage.h"
 
 namespace sturm {
 
 /// All cases of one group of eyes: traced rays of each model against wavefront theory (the conoid) and against the model's closed form. A
-/// list of rows (compare/sin2_study/study_case.h). Eyes are traced in parallel; the result does not depend on the number of threads.
+/// list of rows (compare/studies/sin2/study_case.h). Eyes are traced in parallel; the result does not depend on the number of threads.
 Json sin2_study_rows(const Sin2StudySpec& spec, const StudyEyeGroup& group, const ProgressFunction& progress);
 
 /// Point-spread functions of one gallery view by wavefront theory, sin², sin² with the tangential term and added focal distances: their

@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/agreement_measures.h"
-#include "compare/agreement_reasons.h"
-#include "compare/equal_error.h"
+#include "compare/images/regions.h"
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
-#include "compare/regions.h"
+#include "compare/statistics/equal_error.h"
+#include "compare/studies/agreement/agreement_measures.h"
+#include "compare/studies/agreement/agreement_reasons.h"
 #include "experiments/run/replicates.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/noise_floor_error.h"

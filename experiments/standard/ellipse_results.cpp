@@ -1,8 +1,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/ellipse_comparison.h"
-#include "compare/ellipse_measures.h"
+#include "compare/ellipses/ellipse_comparison.h"
+#include "compare/ellipses/ellipse_measures.h"
 #include "conoid/footprint.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/case_names.h"

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "compare/jackknife.h"
+#include "compare/images/part_jackknife.h"
 #include "compare/metrics/displacement.h"
 #include "compare/metrics/relative_mse.h"
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
-#include "compare/part_jackknife.h"
+#include "compare/statistics/jackknife.h"
 #include "experiments/standard/noise_floor_error.h"
 #include "io/tone_map.h"
 #include "stages/json_values.h"

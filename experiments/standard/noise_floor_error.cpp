@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compare/jackknife.h"
+#include "compare/statistics/jackknife.h"
 
 namespace sturm {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/ellipse_comparison.h"
-#include "compare/image_ellipse.h"
+#include "compare/ellipses/ellipse_comparison.h"
+#include "compare/ellipses/image_ellipse.h"
 #include "conoid/footprint.h"
 #include "experiments/run/replicates.h"
 #include "experiments/run/sections.h"

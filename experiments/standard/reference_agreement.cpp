@@ -3,7 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compare/ellipse_comparison.h"
+#include "compare/ellipses/ellipse_comparison.h"
 #include "conoid/footprint.h"
 #include "experiments/run/sections.h"
 #include "io/error.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/bench/measured_view.h"
 #include "compare/report_json.h"
+#include "compare/studies/bench/measured_view.h"
 #include "io/text_file.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"

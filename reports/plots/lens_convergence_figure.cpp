@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/lens_study_errors.h"
-#include "compare/lens_study_statistics.h"
 #include "compare/report_json.h"
+#include "compare/studies/lens/lens_study_errors.h"
+#include "compare/studies/lens/lens_study_statistics.h"
 #include "io/formatted_text.h"
 #include "lensmodel/units.h"
 #include "reports/plots/gnuplot.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/lens_study_errors.h"
 #include "compare/report_json.h"
+#include "compare/studies/lens/lens_study_errors.h"
 #include "io/formatted_text.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/markup.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "compare/lens_study_errors.h"
+#include "compare/studies/lens/lens_study_errors.h"
 #include "reports/plots/figure.h"
 
 namespace sturm {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/image_comparison.h"
+#include "compare/images/image_comparison.h"
 #include "compare/report_json.h"
 #include "io/error.h"
 #include "io/tone_map.h"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/lens_study_errors.h"
 #include "compare/report_json.h"
-#include "compare/test_family.h"
+#include "compare/statistics/test_family.h"
+#include "compare/studies/lens/lens_study_errors.h"
 #include "io/formatted_text.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "compare/image_comparison.h"
+#include "compare/images/image_comparison.h"
 #include "compare/report_json.h"
 #include "io/error.h"
 #include "io/formatted_text.h"

@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "compare/report_json.h"
-#include "compare/sin2_study/shown_checks.h"
-#include "compare/statistics.h"
-#include "compare/test_family.h"
+#include "compare/statistics/statistics.h"
+#include "compare/statistics/test_family.h"
+#include "compare/studies/sin2/shown_checks.h"
 #include "reports/sections/cases.h"
 
 namespace sturm {
@@ -60,7 +60,7 @@ void add_agreement_cases(const Json& report, std::vector<ReportCase>& cases) {
 
 void add_sampling_cases(const Json& report, std::vector<ReportCase>& cases) {
   const auto replicates = number_at(report, "sampling_study/conditions/replicates");
-  // z is close to Student's t with one degree of freedom less than there are pairs of replicates (compare/paired_bias.h).
+  // z is close to Student's t with one degree of freedom less than there are pairs of replicates (compare/images/paired_bias.h).
   const double degrees = replicates ? 0.5 * *replicates * (*replicates - 1.0) - 1.0 : 0.0;
   TestFamily family(case_family_level);
   const std::size_t first = cases.size();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/image_comparison.h"
+#include "compare/images/image_comparison.h"
 #include "io/image.h"
 
 namespace sturm {

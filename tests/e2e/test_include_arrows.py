@@ -63,7 +63,7 @@ class IncludeArrows(unittest.TestCase):
             ("conoid/deep/a.h", '  #  include "pathtrace/scene.h"'),
             ("compare/a.h", "#include <pathtrace/scene.h>"),
             ("lensmodel/a.h", '#include "io/json.h"'),
-            ("io/a.cpp", '#include "compare/gates.h"'),
+            ("io/a.cpp", '#include "compare/gates/gates.h"'),
             ("conoid/a.cpp", '#include "app/commands.h"'),
             ("conoid/a.cpp", '#include "../pathtrace/scene.h"'),
         ]:

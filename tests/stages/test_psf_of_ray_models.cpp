@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "compare/image_ellipse.h"
-#include "compare/statistics.h"
+#include "compare/ellipses/image_ellipse.h"
+#include "compare/statistics/statistics.h"
 #include "io/ellipse_query.h"
 #include "stages/ellipse_stage.h"
 #include "stages/ray_bundle.h"

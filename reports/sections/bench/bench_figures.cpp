@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/bench/measured_view.h"
 #include "compare/report_json.h"
+#include "compare/studies/bench/measured_view.h"
 #include "io/formatted_text.h"
 #include "reports/plots/gnuplot.h"
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report_json.h"
-#include "compare/sin2_study/summary.h"
+#include "compare/studies/sin2/summary.h"
 #include "io/formatted_text.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/false_colour.h"

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "compare/bench/evaluation.h"
-#include "compare/bench/requirements.h"
-#include "compare/bench/statistics.h"
-#include "compare/two_bench_methods.h"
+#include "compare/studies/bench/evaluation.h"
+#include "compare/studies/bench/requirements.h"
+#include "compare/studies/bench/statistics.h"
+#include "compare/studies/bench/two_bench_methods.h"
 #include "reports/markup/markup_defects.h"
 #include "reports/page/bench_page.h"
 #include "reports/sections/sections.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "compare/stored_images.h"
+#include "compare/metrics/stored_images.h"
 #include "io/exr.h"
 #include "reports/sections/agreement_pictures.h"
 #include "reports/viewer/viewer.h"

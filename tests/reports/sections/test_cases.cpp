@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/study_reports.h"
-#include "compare/synthetic_lens_study.h"
+#include "compare/findings/study_reports.h"
+#include "compare/studies/lens/synthetic_lens_study.h"
 #include "reports/sections/cases.h"
 #include "reports/sections/sections.h"
 

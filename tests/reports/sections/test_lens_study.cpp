@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "compare/gate_statistics.h"
-#include "compare/gates.h"
-#include "compare/lens_study_errors.h"
-#include "compare/synthetic_lens_study.h"
+#include "compare/findings/gate_statistics.h"
+#include "compare/gates/gates.h"
+#include "compare/studies/lens/lens_study_errors.h"
+#include "compare/studies/lens/synthetic_lens_study.h"
 #include "io/gate_spec.h"
 #include "io/schema.h"
 #include "reports/fixture_report.h"

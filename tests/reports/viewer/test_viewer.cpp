@@ -3,7 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compare/stored_images.h"
+#include "compare/metrics/stored_images.h"
 #include "io/half_pixels.h"
 #include "io/json.h"
 #include "reports/markup/pictures.h"
