@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "compare/findings/judged_report.h"
 #include "compare/gates/gates.h"
 #include "io/atomic_file.h"
 #include "io/error.h"

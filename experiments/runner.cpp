@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compare/findings/gate_power.h"
+#include "compare/findings/judged_report.h"
 #include "compare/gates/gates.h"
 #include "compare/studies/sin2/summary.h"
 #include "experiments/bench/measurement.h"

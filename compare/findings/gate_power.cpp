@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "compare/gates/gates.h"
+#include "compare/findings/judged_report.h"
 #include "compare/report_json.h"
 #include "io/json_numbers.h"
 

@@ -245,7 +245,7 @@ void add_gate_power(const Json& report, Statistics& out) {
 
 }  // namespace
 
-std::map<std::string, Statistic> statistics_of(const Json& report) {
+Statistics statistics_of(const Json& report) {
   Statistics out;
   add_reference(report, out);
   add_ellipses(report, out);

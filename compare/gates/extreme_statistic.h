@@ -3,12 +3,11 @@
 #include <optional>
 #include <string>
 
-#include "compare/findings/gate_statistics.h"
+#include "compare/gates/statistic.h"
 
 namespace sturm {
 
 using Number = std::optional<double>;
-using Statistics = std::map<std::string, Statistic>;
 
 /// The largest (or smallest) value over the cases; one case without a number leaves the whole statistic without.
 class Extreme {

@@ -110,13 +110,10 @@ std::string kind_of(Comparison comparison) {
 
 }  // namespace
 
-Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline) {
-  const Statistics now = statistics_of(report);
-  std::optional<Statistics> before;
-  if (baseline && !baseline->is_null()) before = statistics_of(*baseline);
+Json evaluate_gates(std::span<const GateSpec> gates, const Statistics& now, const Statistics* before) {
   Json results = Json::array();
   for (const GateSpec& gate : gates) {
-    const Statistic s = deciding(gate, now, before ? &*before : nullptr);
+    const Statistic s = deciding(gate, now, before);
     results.push_back({{"id", gate.id},
                        {"title", gate.title},
                        {"kind", kind_of(gate.comparison)},

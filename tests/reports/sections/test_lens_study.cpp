@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "compare/findings/gate_statistics.h"
-#include "compare/gates/gates.h"
+#include "compare/findings/judged_report.h"
 #include "compare/studies/lens/lens_study_errors.h"
 #include "compare/studies/lens/synthetic_lens_study.h"
 #include "io/gate_spec.h"

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compare/findings/gate_statistics.h"
 #include "compare/findings/healthy_report.h"
+#include "compare/findings/judged_report.h"
 #include "compare/gates/gates.h"
 
 namespace sturm {
