@@ -6,9 +6,9 @@
 #include "app/configuration.h"
 #include "conoid/blur_field/field_exr.h"
 #include "experiments/figures/blur_field_layers.h"
-#include "io/atomic_file.h"
-#include "io/error.h"
-#include "io/manifest.h"
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/json/manifest.h"
 #include "stages/blur_field_stage.h"
 #include "stages/stopwatch.h"
 

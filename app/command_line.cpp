@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "io/build_info.h"
-#include "io/error.h"
-#include "io/manifest.h"
+#include "io/files/build_info.h"
+#include "io/files/error.h"
+#include "io/json/manifest.h"
 
 namespace sturm {
 

@@ -5,10 +5,10 @@
 
 #include "app/commands.h"
 #include "compare/findings/run_comparison.h"
-#include "compare/report_json.h"
-#include "io/atomic_file.h"
-#include "io/formatted_text.h"
-#include "io/schema.h"
+#include "io/files/atomic_file.h"
+#include "io/files/formatted_text.h"
+#include "io/json/schema.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

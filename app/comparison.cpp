@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/exr.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
 #include "lensmodel/units.h"
 
 namespace sturm {

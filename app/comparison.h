@@ -8,7 +8,7 @@
 #include "compare/images/picture_comparison.h"
 #include "compare/metrics/slanted_edge.h"
 #include "compare/psf/psf_comparison.h"
-#include "io/json.h"
+#include "io/json/json.h"
 #include "stages/picture_view.h"
 
 namespace sturm {

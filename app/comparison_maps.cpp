@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/comparison.h"
-#include "io/atomic_file.h"
-#include "io/image_formats.h"
+#include "io/files/atomic_file.h"
+#include "io/images/image_formats.h"
 #include "reports/markup/false_colour.h"
 
 namespace sturm {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/comparison.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 
 namespace sturm {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm {
 

@@ -3,7 +3,7 @@
 
 #include "app/commands.h"
 #include "compare/statistics/sample_size.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

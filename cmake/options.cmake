@@ -23,12 +23,16 @@ if(STURM_SANITIZE)
   target_link_options(sturm_options INTERFACE -fsanitize=${STURM_SANITIZE})
 endif()
 
-# sturm_module(NAME DEPENDS target...): one library per folder, made of all its .cpp files.
+# sturm_module(NAME [EXCLUDE pattern] DEPENDS target... [PRIVATE target...]): one library per folder, made of all its .cpp files but main.cpp
+# and those whose path matches the pattern.
 # Sources are listed by the folder itself: one concept, one .cpp; a new file needs no edit here.
 function(sturm_module name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXCLUDE" "DEPENDS;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "(/main|/imageformats)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(ARG_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "${ARG_EXCLUDE}")
+  endif()
   add_library(sturm_${name} STATIC ${sources})
   add_library(sturm::${name} ALIAS sturm_${name})
   set_target_properties(sturm_${name} PROPERTIES EXPORT_NAME ${name})

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

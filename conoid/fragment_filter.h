@@ -1,5 +1,5 @@
 #pragma once
-#include "io/fragment_image.h"
+#include "io/images/fragment_image.h"
 
 namespace sturm {
 

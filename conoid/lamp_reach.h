@@ -1,7 +1,7 @@
 #pragma once
 #include "conoid/sight_field.h"
-#include "io/fragment_image.h"
-#include "io/image.h"
+#include "io/images/fragment_image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

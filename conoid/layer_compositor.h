@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "conoid/ellipse_kernel.h"
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -4,7 +4,7 @@
 #include "conoid/image_predictor.h"
 #include "conoid/multipass.h"
 #include "conoid/sight_field.h"
-#include "io/fragment_image.h"
+#include "io/images/fragment_image.h"
 
 namespace sturm {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include "conoid/ray_shading.h"
 #include "conoid/sight_field.h"
-#include "io/fragment_image.h"
-#include "io/image.h"
+#include "io/images/fragment_image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/fragment_image.h"
+#include "io/images/fragment_image.h"
 
 namespace sturm {
 

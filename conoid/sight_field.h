@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/camera_spec.h"
+#include "io/specs/camera_spec.h"
 #include "lensmodel/eye.h"
 #include "lensmodel/light_ray.h"
 #include "lensmodel/spectacles.h"

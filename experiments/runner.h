@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/run/run_options.h"
-#include "io/experiment_spec.h"
+#include "io/specs/experiment/experiment_spec.h"
 
 namespace sturm {
 

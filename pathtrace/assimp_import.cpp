@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/error.h"
-#include "io/image_formats.h"
-#include "io/tone_map.h"
+#include "io/files/error.h"
+#include "io/images/image_formats.h"
+#include "io/images/tone_map.h"
 #include "pathtrace/collada_check.h"
 #include "pathtrace/gltf_check.h"
 #include "pathtrace/gltf_surface.h"

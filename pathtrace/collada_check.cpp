@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "io/denoise_spec.h"
-#include "io/image.h"
+#include "io/images/image.h"
+#include "io/specs/denoise_spec.h"
 #include "pathtrace/render.h"
 
 namespace sturm {

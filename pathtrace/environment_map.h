@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 #include "pathtrace/alias_table.h"
 
 namespace sturm {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "pathtrace/embree_rays.h"
 #include "pathtrace/path_tracer.h"
 #include "pathtrace/pixel_pieces.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "io/fragment_image.h"
+#include "io/images/fragment_image.h"
 #include "lensmodel/light_ray.h"
 #include "pathtrace/render.h"
 

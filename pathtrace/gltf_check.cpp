@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "io/error.h"
-#include "io/json.h"
+#include "io/files/error.h"
+#include "io/json/json.h"
 
 namespace sturm {
 namespace {

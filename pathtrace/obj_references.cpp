@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 namespace {

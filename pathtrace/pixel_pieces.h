@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "io/fragment_image.h"
+#include "io/images/fragment_image.h"
 
 namespace sturm {
 

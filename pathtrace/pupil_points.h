@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/ray_bundle_spec.h"
+#include "io/specs/ray_bundle_spec.h"
 #include "pathtrace/pupil_sampler.h"
 
 namespace sturm {

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "io/pupil_sampling_spec.h"
+#include "io/specs/pupil_sampling_spec.h"
 
 namespace sturm {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "pathtrace/adaptive_render.h"
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/guided_pixel.h"

@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "io/image.h"
-#include "io/stop_spec.h"
+#include "io/images/image.h"
+#include "io/specs/stop_spec.h"
 #include "pathtrace/camera.h"
 #include "pathtrace/guided_target.h"
 #include "pathtrace/ray_model.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "pathtrace/texture.h"
 
 namespace sturm {

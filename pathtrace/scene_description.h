@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 #include "pathtrace/materials/surface_model.h"
 
 namespace sturm {

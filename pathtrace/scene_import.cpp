@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
-#include "io/error.h"
-#include "io/exr.h"
-#include "io/image_formats.h"
-#include "io/suggest.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/images/image_formats.h"
+#include "io/json/suggest.h"
 #include "pathtrace/assimp_import.h"
 #include "pathtrace/materials/fresnel.h"
 #include "pathtrace/materials/named_metals.h"

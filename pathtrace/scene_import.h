@@ -1,5 +1,5 @@
 #pragma once
-#include "io/scene_spec.h"
+#include "io/specs/scene_spec.h"
 #include "pathtrace/scene_description.h"
 
 namespace sturm {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "io/ray_bundle_spec.h"
+#include "io/specs/ray_bundle_spec.h"
 #include "pathtrace/halton.h"
 #include "pathtrace/owen_sobol.h"
 

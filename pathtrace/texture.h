@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -2,7 +2,7 @@
 #include <functional>
 #include <optional>
 
-#include "io/camera_spec.h"
+#include "io/specs/camera_spec.h"
 #include "lensmodel/spectacles.h"
 #include "pathtrace/camera.h"
 #include "pathtrace/pupil_sampler.h"

@@ -7,8 +7,8 @@
 
 #include "conoid/blur_field/depth_analytic_field.h"
 #include "conoid/blur_field/voxel_fill.h"
-#include "io/blur_field_spec.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "io/specs/blur_field_spec.h"
 #include "lensmodel/ellipse_layer.h"
 
 namespace sturm {

@@ -1,6 +1,6 @@
 #pragma once
-#include "io/ellipse_query.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "io/specs/ellipse_query.h"
 
 namespace sturm {
 

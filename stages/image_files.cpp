@@ -2,11 +2,11 @@
 
 #include <string_view>
 
-#include "io/atomic_file.h"
-#include "io/error.h"
-#include "io/exr.h"
-#include "io/image_formats.h"
-#include "io/tone_map.h"
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/images/image_formats.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 

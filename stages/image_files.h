@@ -1,11 +1,11 @@
 #pragma once
 #include <filesystem>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 
-/// Writes `path_without_suffix`.exr (linear) and .png (display space, see io/tone_map.h).
+/// Writes `path_without_suffix`.exr (linear) and .png (display space, see io/images/tone_map.h).
 void write_picture(const std::filesystem::path& path_without_suffix, const Image& linear, double exposure);
 
 /// Writes the display version of a linear 3-channel image as PNG.

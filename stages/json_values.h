@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "io/json_numbers.h"
+#include "io/json/json_numbers.h"
 #include "lensmodel/ellipse.h"
 
 namespace sturm {

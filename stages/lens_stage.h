@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "io/json.h"
-#include "io/spectacles_spec.h"
+#include "io/json/json.h"
+#include "io/specs/spectacles_spec.h"
 
 namespace sturm {
 

@@ -2,8 +2,8 @@
 #include <map>
 #include <string>
 
-#include "io/json.h"
-#include "io/render_spec.h"
+#include "io/json/json.h"
+#include "io/specs/render_spec.h"
 #include "pathtrace/render.h"
 
 namespace sturm {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/camera_spec.h"
-#include "io/error.h"
-#include "io/eye_spec.h"
-#include "io/schema.h"
+#include "io/files/error.h"
+#include "io/json/schema.h"
+#include "io/specs/camera_spec.h"
+#include "io/specs/eye_spec.h"
 #include "lensmodel/units.h"
 
 namespace sturm {

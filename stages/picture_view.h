@@ -3,7 +3,7 @@
 #include <string>
 
 #include "compare/images/regions.h"
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "conoid/sight_field.h"
-#include "io/prediction_spec.h"
+#include "io/specs/prediction_spec.h"
 #include "stages/render_stage.h"
 
 namespace sturm {

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "compare/ellipses/bundle_moments.h"
-#include "io/ray_bundle_spec.h"
+#include "io/specs/ray_bundle_spec.h"
 #include "pathtrace/ray_model.h"
 #include "pathtrace/worn_lens.h"
 

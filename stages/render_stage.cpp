@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "pathtrace/camera_hits.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "conoid/image_predictor.h"
-#include "io/json.h"
-#include "io/render_spec.h"
+#include "io/json/json.h"
+#include "io/specs/render_spec.h"
 #include "pathtrace/render.h"
 #include "stages/pass_watch.h"
 #include "stages/plan/render_plan.h"

@@ -1,6 +1,6 @@
 #pragma once
 #include "conoid/sight_field.h"
-#include "io/image.h"
+#include "io/images/image.h"
 #include "pathtrace/scene.h"
 
 namespace sturm {

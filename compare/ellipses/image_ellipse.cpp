@@ -5,7 +5,7 @@
 
 #include "compare/ellipses/bundle_moments.h"
 #include "compare/metrics/comparable.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

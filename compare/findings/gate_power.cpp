@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/findings/judged_report.h"
-#include "compare/report_json.h"
-#include "io/json_numbers.h"
+#include "io/json/json_numbers.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -2,8 +2,8 @@
 #include <span>
 #include <string>
 
-#include "io/gate_spec.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "io/specs/experiment/gate_spec.h"
 
 namespace sturm {
 

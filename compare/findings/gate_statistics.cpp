@@ -6,12 +6,12 @@
 
 #include "compare/findings/quantities.h"
 #include "compare/gates/extreme_statistic.h"
-#include "compare/report_json.h"
 #include "compare/studies/agreement/agreement_statistics.h"
 #include "compare/studies/bench/statistics.h"
 #include "compare/studies/lens/lens_study_statistics.h"
 #include "compare/studies/samplings/sampling_statistics.h"
 #include "compare/studies/sin2/statistics.h"
+#include "io/json/stored.h"
 #include "lensmodel/units.h"
 
 namespace sturm {

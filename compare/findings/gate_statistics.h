@@ -1,6 +1,6 @@
 #pragma once
 #include "compare/gates/statistic.h"
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "io/gate_spec.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "io/specs/experiment/gate_spec.h"
 
 namespace sturm {
 

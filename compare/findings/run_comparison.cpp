@@ -6,11 +6,11 @@
 #include <tuple>
 
 #include "compare/findings/quantities.h"
-#include "compare/report_json.h"
 #include "compare/statistics/statistics.h"
 #include "compare/statistics/test_family.h"
 #include "compare/statistics/welch.h"
-#include "io/json_numbers.h"
+#include "io/json/json_numbers.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

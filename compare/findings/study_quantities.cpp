@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "compare/findings/quantities.h"
-#include "compare/report_json.h"
 #include "compare/studies/sin2/shown_checks.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "compare/report_json.h"
 #include "compare/statistics/welch.h"
-#include "io/json_numbers.h"
+#include "io/json/json_numbers.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

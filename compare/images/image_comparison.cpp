@@ -13,7 +13,7 @@
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/similarity_maps.h"
 #include "compare/metrics/ssim.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 

@@ -6,7 +6,7 @@
 
 #include "compare/metrics/flip.h"
 #include "compare/metrics/hdr_flip.h"
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

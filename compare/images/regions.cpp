@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/metrics/luma.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "lensmodel/symmetric2.h"
 
 namespace sturm {

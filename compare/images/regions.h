@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 #include "lensmodel/eye.h"
 
 namespace sturm {

@@ -8,7 +8,7 @@
 
 #include "compare/metrics/colour_spaces.h"
 #include "compare/metrics/comparable.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

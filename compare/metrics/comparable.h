@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -13,7 +13,7 @@
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/flip_filters.h"
 #include "compare/metrics/plane.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "compare/metrics/flip.h"
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -1,6 +1,6 @@
 #include "compare/metrics/luma.h"
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

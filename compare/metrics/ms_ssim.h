@@ -2,7 +2,7 @@
 #include <array>
 #include <optional>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

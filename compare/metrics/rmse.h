@@ -1,5 +1,5 @@
 #pragma once
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

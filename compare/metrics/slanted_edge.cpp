@@ -8,7 +8,7 @@
 
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/luma.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -6,7 +6,7 @@
 #include "compare/metrics/luma.h"
 #include "compare/metrics/similarity_maps.h"
 #include "compare/statistics/statistics.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

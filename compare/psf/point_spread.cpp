@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "compare/metrics/comparable.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "lensmodel/units.h"
 
 namespace sturm {

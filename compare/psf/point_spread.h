@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

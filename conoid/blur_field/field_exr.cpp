@@ -4,8 +4,8 @@
 #include <array>
 #include <charconv>
 
-#include "io/error.h"
-#include "io/exr_parts.h"
+#include "io/files/error.h"
+#include "io/images/exr_parts.h"
 
 namespace sturm {
 

@@ -6,9 +6,9 @@
 #include "experiments/bench/reference.h"
 #include "experiments/run/progress.h"
 #include "experiments/run/replicates.h"
-#include "io/machine.h"
-#include "io/manifest.h"
-#include "io/sha256.h"
+#include "io/files/machine.h"
+#include "io/files/sha256.h"
+#include "io/json/manifest.h"
 #include "stages/render_stage.h"
 
 namespace sturm {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "experiments/run/run_folder.h"
-#include "io/bench_spec.h"
+#include "io/specs/experiment/bench_spec.h"
 #include "reports/plots/figure.h"
 
 namespace sturm {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/studies/bench/reference_image.h"
-#include "io/bench_spec.h"
+#include "io/specs/experiment/bench_spec.h"
 
 namespace sturm {
 

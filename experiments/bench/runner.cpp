@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/bench/measurement.h"
-#include "io/atomic_file.h"
-#include "io/manifest.h"
+#include "io/files/atomic_file.h"
+#include "io/json/manifest.h"
 #include "reports/page/bench_page.h"
 #include "reports/sections/bench/bench_figures.h"
 #include "stages/stopwatch.h"

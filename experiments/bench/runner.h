@@ -2,7 +2,7 @@
 #include <string>
 
 #include "experiments/run/run_options.h"
-#include "io/bench_spec.h"
+#include "io/specs/experiment/bench_spec.h"
 
 namespace sturm {
 

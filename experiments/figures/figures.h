@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "io/figure_spec.h"
+#include "io/specs/experiment/figure_spec.h"
 #include "reports/plots/figure.h"
 
 namespace sturm {

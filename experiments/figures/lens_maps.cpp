@@ -7,8 +7,8 @@
 
 #include "conoid/as_worn.h"
 #include "conoid/spectacle_conoid.h"
-#include "io/error.h"
-#include "io/formatted_text.h"
+#include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
 #include "lensmodel/vertex_power.h"

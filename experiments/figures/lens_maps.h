@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "io/spectacles_spec.h"
+#include "io/specs/spectacles_spec.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/spectacles.h"
 #include "reports/plots/lens_map.h"

@@ -5,9 +5,9 @@
 #include <set>
 #include <vector>
 
-#include "compare/report_json.h"
 #include "compare/studies/lens/lens_study_statistics.h"
 #include "experiments/run/sections.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -7,7 +7,7 @@
 
 #include "conoid/footprint.h"
 #include "experiments/run/replicates.h"
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm {
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/atomic_file.h"
-#include "io/error.h"
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

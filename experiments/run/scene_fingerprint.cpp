@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "io/sha256.h"
+#include "io/files/sha256.h"
 
 namespace sturm {
 

@@ -4,8 +4,8 @@
 
 #include "experiments/run/mutations.h"
 #include "experiments/run/shared_views.h"
-#include "io/experiment_spec.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "io/specs/experiment/experiment_spec.h"
 #include "stages/render_stage.h"
 
 namespace sturm {

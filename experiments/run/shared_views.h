@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/run/replicates.h"
-#include "io/experiment_spec.h"
+#include "io/specs/experiment/experiment_spec.h"
 
 namespace sturm {
 

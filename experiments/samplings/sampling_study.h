@@ -1,8 +1,8 @@
 #pragma once
 #include <filesystem>
 
-#include "io/json.h"
-#include "io/sampling_study_spec.h"
+#include "io/json/json.h"
+#include "io/specs/experiment/sampling_study_spec.h"
 #include "stages/render_stage.h"
 
 namespace sturm {

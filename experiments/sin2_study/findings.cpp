@@ -1,9 +1,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "experiments/sin2_study/sin2_study.h"
-#include "io/json_numbers.h"
+#include "io/json/json_numbers.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

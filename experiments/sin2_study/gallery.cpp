@@ -7,7 +7,7 @@
 #include "conoid/footprint.h"
 #include "experiments/sin2_study/pupil_trace.h"
 #include "experiments/sin2_study/sin2_study.h"
-#include "io/exr.h"
+#include "io/images/exr.h"
 #include "lensmodel/units.h"
 #include "stages/json_values.h"
 #include "stages/ray_bundle.h"

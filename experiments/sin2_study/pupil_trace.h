@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "io/sin2_study_spec.h"
+#include "io/specs/experiment/sin2_study_spec.h"
 #include "pathtrace/pupil_points.h"
 #include "pathtrace/ray_model.h"
 

@@ -12,7 +12,7 @@
 #include "experiments/run/replicates.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/noise_floor_error.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 #include "stages/image_files.h"
 #include "stages/json_values.h"
 #include "stages/plan/camera_pose.h"

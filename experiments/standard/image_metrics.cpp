@@ -13,7 +13,7 @@
 #include "compare/metrics/ssim.h"
 #include "compare/statistics/jackknife.h"
 #include "experiments/standard/noise_floor_error.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 #include "stages/json_values.h"
 
 namespace sturm {

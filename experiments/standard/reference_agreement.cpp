@@ -6,7 +6,7 @@
 #include "compare/ellipses/ellipse_comparison.h"
 #include "conoid/footprint.h"
 #include "experiments/run/sections.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "stages/json_values.h"
 
 namespace sturm {

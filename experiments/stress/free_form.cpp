@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "io/spectacles_spec.h"
+#include "io/specs/spectacles_spec.h"
 #include "lensmodel/units.h"
 
 namespace sturm::stress {
@@ -76,7 +76,7 @@ FreeFormLenses::Made FreeFormLenses::with_table(const char* name, int cells, dou
       made.table->text += row;
       heights(i, j) = metres_per_millimetre * z;
     }
-  // As io/sag_grid.cpp makes it, so that the table repeats the case to the last bit.
+  // As io/specs/sag_grid.cpp makes it, so that the table repeats the case to the last bit.
   const double first = metres_per_millimetre * first_mm, last = metres_per_millimetre * (first_mm + cells * spacing_mm);
   const KnotGrid grid{Eigen::Vector2d::Constant(first), Eigen::Vector2d::Constant((last - first) / cells), cells, cells};
   const BSplineSurface surface = BSplineSurface::interpolating(grid, heights);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/json.h"
+#include "io/json/json.h"
 #include "lensmodel/spectacles.h"
 
 namespace sturm::stress {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 #include "lensmodel/units.h"
 #include "stages/json_values.h"
 #include "stages/lens_status_word.h"

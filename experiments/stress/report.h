@@ -2,7 +2,7 @@
 #include <string>
 
 #include "experiments/stress/suite.h"
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm::stress {
 

@@ -5,8 +5,8 @@
 
 #include "experiments/stress/family.h"
 #include "experiments/stress/free_form.h"
-#include "io/ellipse_query.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "io/specs/ellipse_query.h"
 
 namespace sturm::stress {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

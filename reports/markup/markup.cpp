@@ -3,7 +3,7 @@
 #include <cctype>
 #include <cstdio>
 
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 
 namespace sturm {
 

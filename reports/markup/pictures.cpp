@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "compare/metrics/luma.h"
-#include "io/error.h"
-#include "io/exr.h"
-#include "io/formatted_text.h"
-#include "io/image_formats.h"
+#include "io/files/error.h"
+#include "io/files/formatted_text.h"
+#include "io/images/exr.h"
+#include "io/images/image_formats.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/markup.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 #include "lensmodel/ellipse.h"
 
 namespace sturm {

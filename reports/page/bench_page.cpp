@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/bench/measured_view.h"
-#include "io/text_file.h"
+#include "io/files/text_file.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"
 #include "reports/markup/pictures.h"

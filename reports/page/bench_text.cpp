@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/bench/measured_view.h"
+#include "io/json/stored.h"
 #include "reports/page/bench_page.h"
 
 namespace sturm {

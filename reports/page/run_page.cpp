@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/sections/sections.h"
 #include "reports/viewer/html_page.h"

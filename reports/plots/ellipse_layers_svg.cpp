@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 #include "lensmodel/units.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/pictures.h"

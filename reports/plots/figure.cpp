@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
-#include "io/text_file.h"
+#include "io/files/text_file.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"
 

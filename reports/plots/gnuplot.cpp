@@ -12,7 +12,7 @@
 #include <memory>
 #include <regex>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "reports/markup/markup.h"
 
 extern char** environ;

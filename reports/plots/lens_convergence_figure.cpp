@@ -3,10 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/lens/lens_study_errors.h"
 #include "compare/studies/lens/lens_study_statistics.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "lensmodel/units.h"
 #include "reports/plots/gnuplot.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/lens/lens_study_errors.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"

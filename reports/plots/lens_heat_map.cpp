@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/markup.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 #include "reports/markup/false_colour.h"
 #include "reports/plots/contour_lines.h"
 #include "reports/plots/gnuplot.h"

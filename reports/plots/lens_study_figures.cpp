@@ -1,6 +1,6 @@
 #include "reports/plots/lens_study_figures.h"
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 #include "reports/plots/lens_convergence_figure.h"
 #include "reports/plots/lens_field_figures.h"
 #include "reports/plots/lens_heat_map.h"

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "compare/report_json.h"
-#include "io/formatted_text.h"
-#include "io/text_file.h"
+#include "io/files/formatted_text.h"
+#include "io/files/text_file.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/json.h"
+#include "io/json/json.h"
 #include "reports/plots/figure.h"
 
 namespace sturm {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/report_json.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/plots/gnuplot.h"
 

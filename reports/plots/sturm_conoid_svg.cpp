@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 #include "lensmodel/best_accommodation.h"
 #include "lensmodel/ellipse.h"
 #include "reports/markup/drawing.h"

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/agreement/agreement_reasons.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"
 #include "reports/sections/agreement_pictures.h"

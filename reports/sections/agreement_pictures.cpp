@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/images/image_comparison.h"
-#include "compare/report_json.h"
-#include "io/error.h"
-#include "io/tone_map.h"
+#include "io/files/error.h"
+#include "io/images/tone_map.h"
+#include "io/json/stored.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"

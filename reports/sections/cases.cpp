@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/report_json.h"
 #include "compare/statistics/test_family.h"
 #include "compare/studies/lens/lens_study_errors.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"
 #include "reports/sections/sections.h"

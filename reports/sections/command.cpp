@@ -1,7 +1,7 @@
 #include "reports/sections/command.h"
 
-#include "compare/report_json.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 
 namespace sturm {

@@ -2,7 +2,7 @@
 #include <map>
 #include <vector>
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 #include "lensmodel/units.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"

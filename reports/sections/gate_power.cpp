@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"
 #include "reports/sections/sections.h"

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "compare/images/image_comparison.h"
-#include "compare/report_json.h"
-#include "io/error.h"
-#include "io/formatted_text.h"
-#include "io/tone_map.h"
+#include "io/files/error.h"
+#include "io/files/formatted_text.h"
+#include "io/images/tone_map.h"
+#include "io/json/stored.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"

@@ -3,9 +3,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/lens/lens_study_errors.h"
 #include "compare/studies/lens/lens_study_statistics.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"
 #include "reports/plots/figure.h"

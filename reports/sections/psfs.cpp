@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/report_json.h"
-#include "io/error.h"
-#include "io/formatted_text.h"
+#include "io/files/error.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"

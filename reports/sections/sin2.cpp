@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"
 #include "reports/plots/sin2_plots.h"

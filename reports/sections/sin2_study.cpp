@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/sin2/shown_checks.h"
+#include "io/json/stored.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/numbers.h"
 #include "reports/plots/figure.h"

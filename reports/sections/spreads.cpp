@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"
 #include "reports/viewer/viewer.h"

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "compare/report_json.h"
 #include "compare/statistics/statistics.h"
 #include "compare/statistics/test_family.h"
 #include "compare/studies/sin2/shown_checks.h"
+#include "io/json/stored.h"
 #include "reports/sections/cases.h"
 
 namespace sturm {

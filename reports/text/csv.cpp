@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/report_json.h"
 #include "compare/studies/lens/lens_study_errors.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm {
 

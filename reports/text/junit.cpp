@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/half_pixels.h"
-#include "io/json.h"
+#include "io/images/half_pixels.h"
+#include "io/json/json.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/images/image_comparison.h"
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

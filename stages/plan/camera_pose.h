@@ -1,5 +1,5 @@
 #pragma once
-#include "io/camera_spec.h"
+#include "io/specs/camera_spec.h"
 #include "pathtrace/camera.h"
 
 namespace sturm {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "pathtrace/plan/sharp_cells.h"
 #include "pathtrace/plan/simplest_environment.h"
 #include "pathtrace/plan/unseen_emitters.h"

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "conoid/image_predictor.h"
-#include "io/json.h"
-#include "io/render_spec.h"
+#include "io/json/json.h"
+#include "io/specs/render_spec.h"
 #include "pathtrace/plan/plan_item.h"
 #include "pathtrace/render.h"
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "bench/timing.h"
-#include "io/json.h"
-#include "io/render_spec.h"
+#include "io/json/json.h"
+#include "io/specs/render_spec.h"
 #include "pathtrace/scene_import.h"
 #include "stages/render_stage.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/picture_error.h"
-#include "io/exr.h"
+#include "io/images/exr.h"
 
 namespace sturm::bench {
 namespace {

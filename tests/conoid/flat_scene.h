@@ -8,7 +8,7 @@
 
 #include "conoid/multipass.h"
 #include "conoid/sight_field.h"
-#include "io/fragment_image.h"
+#include "io/images/fragment_image.h"
 
 namespace sturm {
 

@@ -62,7 +62,7 @@ class IncludeArrows(unittest.TestCase):
             ("pathtrace/a.cpp", '#include "conoid/footprint.h"'),
             ("conoid/deep/a.h", '  #  include "pathtrace/scene.h"'),
             ("compare/a.h", "#include <pathtrace/scene.h>"),
-            ("lensmodel/a.h", '#include "io/json.h"'),
+            ("lensmodel/a.h", '#include "io/json/json.h"'),
             ("io/a.cpp", '#include "compare/gates/gates.h"'),
             ("conoid/a.cpp", '#include "app/commands.h"'),
             ("conoid/a.cpp", '#include "../pathtrace/scene.h"'),

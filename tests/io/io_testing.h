@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

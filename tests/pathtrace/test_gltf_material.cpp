@@ -10,8 +10,8 @@
 #include <fstream>
 #include <string>
 
-#include "io/error.h"
-#include "io/image_formats.h"
+#include "io/files/error.h"
+#include "io/images/image_formats.h"
 #include "pathtrace/gltf_surface.h"
 #include "pathtrace/materials/fresnel.h"
 #include "pathtrace/scene_import.h"

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "pathtrace/embree_rays.h"
 #include "pathtrace/scene.h"
 #include "pathtrace/scene_import.h"

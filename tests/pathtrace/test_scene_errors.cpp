@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "pathtrace/render.h"
 #include "support/scenes.h"
 

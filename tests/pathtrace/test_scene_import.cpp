@@ -8,8 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/error.h"
-#include "io/json.h"
+#include "io/files/error.h"
+#include "io/json/json.h"
 #include "pathtrace/assimp_import.h"
 #include "pathtrace/scene_import.h"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "io/spectacles_spec.h"
+#include "io/specs/spectacles_spec.h"
 #include "pathtrace/across.h"
 #include "pathtrace/camera_hits.h"
 #include "pathtrace/render.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "io/exr.h"
+#include "io/images/exr.h"
 #include "lensmodel/ellipse.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/symmetric2.h"

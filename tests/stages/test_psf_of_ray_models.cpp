@@ -13,7 +13,7 @@
 
 #include "compare/ellipses/image_ellipse.h"
 #include "compare/statistics/statistics.h"
-#include "io/ellipse_query.h"
+#include "io/specs/ellipse_query.h"
 #include "stages/ellipse_stage.h"
 #include "stages/ray_bundle.h"
 #include "stages/render_stage.h"

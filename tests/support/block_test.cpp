@@ -5,7 +5,7 @@
 
 #include "compare/metrics/comparable.h"
 #include "compare/statistics/statistics.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

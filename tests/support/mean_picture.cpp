@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "io/exr.h"
+#include "io/images/exr.h"
 
 int main(int argc, char** argv) {
   if (argc < 3) {

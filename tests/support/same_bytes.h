@@ -1,7 +1,7 @@
 #pragma once
 #include <cstring>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm::testing {
 

@@ -3,7 +3,7 @@
 // Compiled by hand against sturm_io. A bulb's rectangle is its spot with a frame of background.
 #include <cstdio>
 
-#include "io/exr.h"
+#include "io/images/exr.h"
 #include "support/spot_moments.h"
 
 int main(int argc, char** argv) {

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <initializer_list>
 
-#include "io/image.h"
+#include "io/images/image.h"
 #include "pathtrace/camera.h"
 #include "pathtrace/scene_description.h"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "compare/metrics/ssim.h"
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

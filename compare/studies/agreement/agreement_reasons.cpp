@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/report_json.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/gates/extreme_statistic.h"
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "compare/studies/bench/measured_view.h"
-#include "io/bench_spec.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "io/specs/experiment/bench_spec.h"
 
 namespace sturm {
 

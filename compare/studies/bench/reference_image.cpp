@@ -6,7 +6,7 @@
 #include "compare/metrics/pixel_errors.h"
 #include "compare/metrics/relative_mse.h"
 #include "compare/metrics/ssim.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "compare/studies/bench/measured_view.h"
-#include "io/bench_spec.h"
+#include "io/specs/experiment/bench_spec.h"
 
 namespace sturm {
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/bench/curve.h"
 #include "compare/studies/bench/measured_view.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

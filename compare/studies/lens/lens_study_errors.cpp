@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/lens/lens_study_statistics.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -2,7 +2,7 @@
 #include <set>
 
 #include "compare/gates/extreme_statistic.h"
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm {
 

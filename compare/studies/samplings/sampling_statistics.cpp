@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/formatted_text.h"
-#include "io/json_numbers.h"
+#include "io/files/formatted_text.h"
+#include "io/json/json_numbers.h"
 
 namespace sturm {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/json.h"
-#include "io/sin2_study_spec.h"
+#include "io/json/json.h"
+#include "io/specs/experiment/sin2_study_spec.h"
 
 namespace sturm {
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/report_json.h"
 #include "compare/studies/bench/measured_view.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/plots/gnuplot.h"
 
 namespace sturm {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/plots/gnuplot.h"
 #include "reports/sections/sin2_study/figures.h"
 

@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
 #include "compare/studies/sin2/summary.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/false_colour.h"
 #include "reports/sections/sin2_study/figures.h"

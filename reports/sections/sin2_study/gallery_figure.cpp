@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report_json.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/markup.h"

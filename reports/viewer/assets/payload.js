@@ -1,4 +1,4 @@
-// The numbers behind the viewer: 16-bit floats in base64 (io/half_pixels.h), decoded when they are first shown.
+// The numbers behind the viewer: 16-bit floats in base64 (io/images/half_pixels.h), decoded when they are first shown.
 
 let halfTable = null;
 

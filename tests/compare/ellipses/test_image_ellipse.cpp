@@ -6,7 +6,7 @@
 #include <random>
 
 #include "compare/ellipses/image_ellipse.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 namespace {

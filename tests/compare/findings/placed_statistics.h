@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm::testing {
 

@@ -5,7 +5,7 @@
 
 #include "compare/findings/run_comparison.h"
 #include "compare/findings/study_reports.h"
-#include "io/schema.h"
+#include "io/json/schema.h"
 
 namespace sturm {
 namespace {

@@ -8,7 +8,7 @@
 #include "compare/images/regions.h"
 #include "compare/metrics/stored_images.h"
 #include "compare/statistics/random_draws.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 namespace {

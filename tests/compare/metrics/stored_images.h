@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "io/exr.h"
+#include "io/images/exr.h"
 
 namespace sturm::testing {
 

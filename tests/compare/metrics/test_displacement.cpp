@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "compare/metrics/displacement.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 namespace {

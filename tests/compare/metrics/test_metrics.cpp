@@ -10,9 +10,9 @@
 #include "compare/metrics/relative_mse.h"
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
-#include "io/error.h"
-#include "io/exr.h"
-#include "io/tone_map.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 namespace {

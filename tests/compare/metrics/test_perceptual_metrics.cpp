@@ -11,8 +11,8 @@
 #include "compare/metrics/flip_filters.h"
 #include "compare/metrics/hdr_flip.h"
 #include "compare/metrics/stored_images.h"
-#include "io/error.h"
-#include "io/tone_map.h"
+#include "io/files/error.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "compare/metrics/slanted_edge.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 namespace {

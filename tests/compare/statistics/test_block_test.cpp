@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "support/block_test.h"
 
 namespace sturm {

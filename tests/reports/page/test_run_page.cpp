@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "io/error.h"
-#include "io/exr.h"
-#include "io/schema.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/json/schema.h"
 #include "reports/fixture_report.h"
 #include "reports/markup/markup.h"
 #include "reports/markup/markup_defects.h"

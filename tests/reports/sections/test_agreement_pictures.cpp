@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/metrics/stored_images.h"
-#include "io/exr.h"
+#include "io/images/exr.h"
 #include "reports/sections/agreement_pictures.h"
 #include "reports/viewer/viewer.h"
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/metrics/stored_images.h"
-#include "io/half_pixels.h"
-#include "io/json.h"
+#include "io/images/half_pixels.h"
+#include "io/json/json.h"
 #include "reports/markup/pictures.h"
 #include "reports/viewer/viewer.h"
 

@@ -11,7 +11,7 @@
 #include "compare/studies/bench/reference_image.h"
 #include "compare/studies/bench/requirements.h"
 #include "compare/studies/bench/two_bench_methods.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 namespace {

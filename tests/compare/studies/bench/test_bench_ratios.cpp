@@ -8,7 +8,7 @@
 #include "compare/studies/bench/reference_image.h"
 #include "compare/studies/bench/requirements.h"
 #include "compare/studies/bench/two_bench_methods.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 
 /// Ratios and errors where methods, settings and rounds are not alike, so that taking the wrong one shows.
 namespace sturm {
