@@ -22,7 +22,7 @@
 #include "io/files/text_file.h"
 #include "io/json/manifest.h"
 #include "io/specs/experiment/gate_spec.h"
-#include "pathtrace/scene_import.h"
+#include "pathtrace/scene/scene_import.h"
 #include "reports/page/bench_page.h"
 #include "reports/page/run_page.h"
 #include "reports/plots/figure.h"

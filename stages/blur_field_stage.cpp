@@ -10,8 +10,8 @@
 
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
-#include "pathtrace/camera_hits.h"
-#include "pathtrace/scene_import.h"
+#include "pathtrace/cameras/camera_hits.h"
+#include "pathtrace/scene/scene_import.h"
 #include "stages/json_values.h"
 #include "stages/stopwatch.h"
 

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <optional>
 
-#include "conoid/footprint.h"
-#include "conoid/previous.h"
-#include "conoid/published.h"
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/footprint.h"
+#include "conoid/tracing/previous.h"
+#include "conoid/tracing/published.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
-#include "pathtrace/pupil_sampler.h"
+#include "pathtrace/sampling/pupil_sampler.h"
 #include "stages/json_values.h"
 #include "stages/lens_status_word.h"
 #include "stages/ray_bundle.h"

@@ -1,6 +1,6 @@
 #include "stages/lens_stage.h"
 
-#include "conoid/as_worn.h"
+#include "conoid/tracing/as_worn.h"
 #include "lensmodel/edge_thickness.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"

@@ -2,7 +2,7 @@
 #include <functional>
 #include <optional>
 
-#include "pathtrace/render.h"
+#include "pathtrace/film/render.h"
 #include "stages/stopwatch.h"
 
 namespace sturm {

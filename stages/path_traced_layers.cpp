@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "pathtrace/denoiser.h"
+#include "pathtrace/film/denoiser.h"
 
 namespace sturm {
 

@@ -4,7 +4,7 @@
 
 #include "io/json/json.h"
 #include "io/specs/render_spec.h"
-#include "pathtrace/render.h"
+#include "pathtrace/film/render.h"
 
 namespace sturm {
 

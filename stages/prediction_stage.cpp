@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "conoid/fragment_filter.h"
-#include "conoid/layered_predictor.h"
-#include "conoid/multipass.h"
-#include "pathtrace/fragment_view.h"
+#include "conoid/pictures/fragment_filter.h"
+#include "conoid/pictures/layered_predictor.h"
+#include "conoid/pictures/multipass.h"
+#include "pathtrace/film/fragment_view.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/plan/render_plan.h"
 #include "stages/stopwatch.h"

@@ -2,7 +2,7 @@
 #include <map>
 #include <string>
 
-#include "conoid/sight_field.h"
+#include "conoid/pictures/sight_field.h"
 #include "io/specs/prediction_spec.h"
 #include "stages/render_stage.h"
 

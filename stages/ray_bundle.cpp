@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lensmodel/gaze.h"
-#include "pathtrace/pupil_points.h"
+#include "pathtrace/sampling/pupil_points.h"
 
 namespace sturm {
 

@@ -3,8 +3,8 @@
 
 #include "compare/ellipses/bundle_moments.h"
 #include "io/specs/ray_bundle_spec.h"
-#include "pathtrace/ray_model.h"
-#include "pathtrace/worn_lens.h"
+#include "pathtrace/cameras/ray_model.h"
+#include "pathtrace/cameras/worn_lens.h"
 
 namespace sturm {
 
@@ -45,8 +45,8 @@ struct LensView {
 
 /// Launches the rays of `eye_rays` through the pupil as `spec` says and measures where they go at vergence 1/d of the target
 /// (0 at infinity). Naked eye: angle = p/d + s(p). With a `lens`: through its real surfaces, d from the exit point of the chief ray; rays
-/// that it stops are left out and counted. `apodization`: q of the pupil (pathtrace/pupil_sampler.h), for all but given points. Replicates
-/// run in parallel; the result does not depend on the number of threads.
+/// that it stops are left out and counted. `apodization`: q of the pupil (pathtrace/sampling/pupil_sampler.h), for all but given points.
+/// Replicates run in parallel; the result does not depend on the number of threads.
 MeasuredBundle measure_bundle(const EyeRays<double>& eye_rays, double target_vergence_D, const RayBundleSpec& spec, std::uint64_t seed,
                               const LensView* lens = nullptr, double apodization = 0.0);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "pathtrace/scene_import.h"
+#include "pathtrace/scene/scene_import.h"
 #include "stages/path_traced_layers.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/prediction_stage.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
-#include "pathtrace/camera_hits.h"
+#include "pathtrace/cameras/camera_hits.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"
 

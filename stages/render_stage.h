@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "conoid/image_predictor.h"
+#include "conoid/pictures/image_predictor.h"
 #include "io/json/json.h"
 #include "io/specs/render_spec.h"
-#include "pathtrace/render.h"
+#include "pathtrace/film/render.h"
 #include "stages/pass_watch.h"
 #include "stages/plan/render_plan.h"
 

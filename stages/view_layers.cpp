@@ -4,10 +4,10 @@
 
 #include <limits>
 
-#include "conoid/lamp_reach.h"
+#include "conoid/pictures/lamp_reach.h"
 #include "lensmodel/symmetric2.h"
-#include "pathtrace/embree_rays.h"
-#include "pathtrace/fragment_view.h"
+#include "pathtrace/film/fragment_view.h"
+#include "pathtrace/scene/embree_rays.h"
 
 namespace sturm {
 

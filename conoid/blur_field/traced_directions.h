@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "conoid/blur_field/field_grid.h"
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/spectacle_conoid.h"
 
 namespace sturm {
 

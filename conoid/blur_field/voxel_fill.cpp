@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "conoid/blur_field/rows.h"
-#include "conoid/previous.h"
-#include "conoid/published.h"
+#include "conoid/tracing/previous.h"
+#include "conoid/tracing/published.h"
 #include "lensmodel/best_accommodation.h"
 
 namespace sturm {

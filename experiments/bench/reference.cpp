@@ -13,7 +13,7 @@
 #include "io/files/sha256.h"
 #include "io/images/exr.h"
 #include "io/json/manifest.h"
-#include "pathtrace/scene_import.h"
+#include "pathtrace/scene/scene_import.h"
 #include "stages/image_files.h"
 #include "stages/render_stage.h"
 

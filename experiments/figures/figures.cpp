@@ -1,6 +1,6 @@
 #include "experiments/figures/figures.h"
 
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "experiments/figures/blur_field_layers.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/files/error.h"

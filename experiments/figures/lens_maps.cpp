@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "conoid/as_worn.h"
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/as_worn.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
 #include "lensmodel/symmetric2.h"

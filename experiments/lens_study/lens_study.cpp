@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/ellipses/accuracy_split.h"
-#include "conoid/previous.h"
-#include "conoid/published.h"
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/previous.h"
+#include "conoid/tracing/published.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "experiments/run/sections.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/symmetric2.h"

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "experiments/run/replicates.h"
 #include "io/json/json.h"
 

@@ -6,7 +6,7 @@
 #include "compare/images/paired_bias.h"
 #include "compare/statistics/jackknife.h"
 #include "experiments/run/replicates.h"
-#include "pathtrace/view_camera.h"
+#include "pathtrace/cameras/view_camera.h"
 #include "stages/image_files.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"

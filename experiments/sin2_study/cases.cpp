@@ -8,7 +8,7 @@
 #include "compare/ellipses/accuracy_split.h"
 #include "compare/ellipses/ellipse_comparison.h"
 #include "compare/studies/sin2/closed_forms.h"
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "experiments/sin2_study/pupil_trace.h"
 #include "experiments/sin2_study/sin2_study.h"
 #include "lensmodel/symmetric2.h"

@@ -4,7 +4,7 @@
 
 #include "compare/psf/distances.h"
 #include "compare/psf/encircled_energy.h"
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "experiments/sin2_study/pupil_trace.h"
 #include "experiments/sin2_study/sin2_study.h"
 #include "io/images/exr.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/specs/experiment/sin2_study_spec.h"
-#include "pathtrace/pupil_points.h"
-#include "pathtrace/ray_model.h"
+#include "pathtrace/cameras/ray_model.h"
+#include "pathtrace/sampling/pupil_points.h"
 
 namespace sturm {
 

@@ -3,7 +3,7 @@
 
 #include "compare/ellipses/ellipse_comparison.h"
 #include "compare/ellipses/ellipse_measures.h"
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/case_names.h"
 #include "lensmodel/units.h"

@@ -2,7 +2,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "experiments/run/sections.h"
 #include "stages/json_values.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "conoid/ellipse_kernel.h"
+#include "conoid/pictures/ellipse_kernel.h"
 
 namespace sturm {
 

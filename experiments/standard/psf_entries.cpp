@@ -4,7 +4,7 @@
 
 #include "compare/ellipses/ellipse_comparison.h"
 #include "compare/ellipses/image_ellipse.h"
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "experiments/run/replicates.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/predicted_spot.h"

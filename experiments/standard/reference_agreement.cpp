@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/ellipses/ellipse_comparison.h"
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "experiments/run/sections.h"
 #include "io/files/error.h"
 #include "stages/json_values.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <exception>
 
-#include "conoid/previous.h"
-#include "conoid/published.h"
+#include "conoid/tracing/previous.h"
+#include "conoid/tracing/published.h"
 #include "experiments/stress/generator.h"
 #include "experiments/stress/oracle_checks.h"
 #include "experiments/stress/random.h"

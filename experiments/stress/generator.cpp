@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "experiments/stress/random.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/symmetric2.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "conoid/five_variables.h"
+#include "conoid/tracing/five_variables.h"
 #include "experiments/stress/oracle_checks.h"
 #include "experiments/stress/transformed_lens.h"
 #include "lensmodel/gaze.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "experiments/stress/check.h"
 #include "experiments/stress/error_model.h"
 #include "experiments/stress/stress_case.h"

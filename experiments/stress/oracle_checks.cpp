@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "lensmodel/prism.h"
 #include "lensmodel/symmetric2.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "experiments/stress/check.h"
 #include "experiments/stress/error_model.h"
 

@@ -5,7 +5,7 @@
 
 namespace sturm {
 
-/// Options of the edge-avoiding à-trous filter (pathtrace/denoiser.h).
+/// Options of the edge-avoiding à-trous filter (pathtrace/film/denoiser.h).
 struct DenoiseSpec {
   int levels = 5;                ///< steps 1, 2, 4, … 2^(levels − 1) px
   double radiance_sigma = 2.0;   ///< in standard errors of the difference of two pixels

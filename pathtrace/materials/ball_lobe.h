@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "pathtrace/materials/bsdf.h"
-#include "pathtrace/vector_math.h"
+#include "pathtrace/sampling/vector_math.h"
 
 namespace sturm {
 

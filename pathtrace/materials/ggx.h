@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "pathtrace/disk.h"
 #include "pathtrace/materials/bsdf.h"
+#include "pathtrace/sampling/disk.h"
 
 namespace sturm {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "pathtrace/scene_description.h"
+#include "pathtrace/scene/scene_description.h"
 
 namespace sturm {
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "pathtrace/cameras/ray_model.h"
 #include "pathtrace/plan/plan_item.h"
-#include "pathtrace/ray_model.h"
 
 namespace sturm {
 

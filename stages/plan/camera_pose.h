@@ -1,6 +1,6 @@
 #pragma once
 #include "io/specs/camera_spec.h"
-#include "pathtrace/camera.h"
+#include "pathtrace/cameras/camera.h"
 
 namespace sturm {
 

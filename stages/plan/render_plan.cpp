@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
-#include "pathtrace/plan/sharp_cells.h"
+#include "pathtrace/cameras/sharp_cells.h"
 #include "pathtrace/plan/simplest_environment.h"
 #include "pathtrace/plan/unseen_emitters.h"
 #include "stages/plan/camera_pose.h"

@@ -1,11 +1,11 @@
 #pragma once
 #include <string>
 
-#include "conoid/image_predictor.h"
+#include "conoid/pictures/image_predictor.h"
 #include "io/json/json.h"
 #include "io/specs/render_spec.h"
+#include "pathtrace/film/render.h"
 #include "pathtrace/plan/plan_item.h"
-#include "pathtrace/render.h"
 
 namespace sturm {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "pathtrace/plan/sharp_cells.h"
+#include "pathtrace/cameras/sharp_cells.h"
 #include "stages/plan/render_plan.h"
 
 namespace sturm {

@@ -16,7 +16,7 @@
 #include "bench/timing.h"
 #include "io/json/json.h"
 #include "io/specs/render_spec.h"
-#include "pathtrace/scene_import.h"
+#include "pathtrace/scene/scene_import.h"
 #include "stages/render_stage.h"
 
 namespace sturm::bench {

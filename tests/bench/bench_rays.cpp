@@ -20,9 +20,9 @@
 
 #include "bench/ray_recorder.h"
 #include "bench/timing.h"
-#include "pathtrace/camera_hits.h"
-#include "pathtrace/embree_rays.h"
-#include "pathtrace/render.h"
+#include "pathtrace/cameras/camera_hits.h"
+#include "pathtrace/film/render.h"
+#include "pathtrace/scene/embree_rays.h"
 #include "support/scene_plain.h"
 
 namespace sturm::bench {

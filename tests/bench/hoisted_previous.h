@@ -1,5 +1,5 @@
 #pragma once
-#include "conoid/previous.h"
+#include "conoid/tracing/previous.h"
 
 namespace sturm::bench {
 

@@ -59,9 +59,9 @@ class IncludeArrows(unittest.TestCase):
 
     def test_forbidden_includes_are_seen(self):
         for file, line in [
-            ("pathtrace/a.cpp", '#include "conoid/footprint.h"'),
-            ("conoid/deep/a.h", '  #  include "pathtrace/scene.h"'),
-            ("compare/a.h", "#include <pathtrace/scene.h>"),
+            ("pathtrace/a.cpp", '#include "conoid/tracing/footprint.h"'),
+            ("conoid/deep/a.h", '  #  include "pathtrace/scene/scene.h"'),
+            ("compare/a.h", "#include <pathtrace/scene/scene.h>"),
             ("lensmodel/a.h", '#include "io/json/json.h"'),
             ("io/a.cpp", '#include "compare/gates/gates.h"'),
             ("conoid/a.cpp", '#include "app/commands.h"'),
@@ -72,11 +72,11 @@ class IncludeArrows(unittest.TestCase):
 
     def test_allowed_includes_pass(self):
         for file, line in [
-            ("app/a.cpp", '#include "pathtrace/scene.h"'),
+            ("app/a.cpp", '#include "pathtrace/scene/scene.h"'),
             ("conoid/a.cpp", '#include "lensmodel/eye.h"'),
-            ("conoid/a.cpp", '#include "conoid/footprint.h"'),
+            ("conoid/a.cpp", '#include "conoid/tracing/footprint.h"'),
             ("lensmodel/a.h", "#include <vector>"),
-            ("pathtrace/a.cpp", '// not #include "conoid/footprint.h"'),
+            ("pathtrace/a.cpp", '// not #include "conoid/tracing/footprint.h"'),
         ]:
             with self.subTest(line=line):
                 self.assertEqual(self.scan(file, line), [])

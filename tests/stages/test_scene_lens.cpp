@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <nlohmann/json.hpp>
 
-#include "conoid/spectacle_conoid.h"
+#include "conoid/tracing/spectacle_conoid.h"
 #include "lensmodel/ellipse.h"
 #include "lensmodel/gaze.h"
 #include "stages/plan/camera_pose.h"

@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "pathtrace/pixel_source.h"
-#include "pathtrace/sequence.h"
+#include "pathtrace/film/pixel_source.h"
+#include "pathtrace/sampling/sequence.h"
 
 namespace sturm::testing {
 

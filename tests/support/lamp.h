@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 
-#include "pathtrace/scene_description.h"
+#include "pathtrace/scene/scene_description.h"
 
 namespace sturm::testing {
 

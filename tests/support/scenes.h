@@ -3,8 +3,8 @@
 #include <initializer_list>
 
 #include "io/images/image.h"
-#include "pathtrace/camera.h"
-#include "pathtrace/scene_description.h"
+#include "pathtrace/cameras/camera.h"
+#include "pathtrace/scene/scene_description.h"
 
 namespace sturm::testing {
 
