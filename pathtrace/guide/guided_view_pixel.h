@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "pathtrace/film/render.h"
 #include "pathtrace/guide/view_guide.h"
+#include "pathtrace/integrator/render_counters.h"
 
 namespace sturm {
 

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "pathtrace/cameras/camera_hits.h"
-#include "pathtrace/film/render.h"
+#include "pathtrace/integrator/render_counters.h"
+#include "pathtrace/integrator/render_settings.h"
 #include "pathtrace/integrator/vertex_numbers.h"
 
 namespace sturm {
