@@ -12,7 +12,9 @@ int bench_command(const CommonOptions& options, const std::string& folder, bool 
   const BenchSpec spec = read_bench(load_configuration(options), options.file);
   RunOptions run;
   run.folder =
-      !folder.empty() ? folder : "reports/runs/" + (options.file == "-" ? "bench" : std::filesystem::path(options.file).stem().string());
+      !folder.empty()
+          ? folder
+          : "reports/runs/" + (options.file == "-" ? "bench" : std::filesystem::path(options.file).stem().string());
   run.threads = thread_count(options);
   run.resume = resume;
   run.quiet = options.quiet;

@@ -27,8 +27,8 @@ struct Comparison {
   std::optional<PsfComparison> psf;
   std::map<std::string, double> bounds;  ///< by key of the metric
 
-  /// Whether the metric on the whole picture keeps its bound. A similarity that is infinite (PSNR of equal pictures) keeps any, another
-  /// metric without a value none.
+  /// Whether the metric on the whole picture keeps its bound. A similarity that is infinite (PSNR of equal pictures)
+  /// keeps any, another metric without a value none.
   bool keeps_bound(const std::string& key) const;
   bool passed() const;
 };

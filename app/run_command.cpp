@@ -12,7 +12,9 @@ int run_command(const CommonOptions& options, const std::string& folder, bool re
   const ExperimentSpec spec = read_experiment(load_configuration(options), options.file);
   RunOptions run;
   run.folder =
-      !folder.empty() ? folder : "reports/runs/" + (options.file == "-" ? "run" : std::filesystem::path(options.file).stem().string());
+      !folder.empty()
+          ? folder
+          : "reports/runs/" + (options.file == "-" ? "run" : std::filesystem::path(options.file).stem().string());
   run.threads = thread_count(options);
   run.resume = resume;
   run.quiet = options.quiet;

@@ -51,8 +51,8 @@ struct LoadedScenes {
   }
 };
 
-/// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, the lens files, and what a
-/// benchmark's rounds depend on.
+/// What a finished part depends on: the resolved spec, the program itself, the scenes as they were loaded, the lens
+/// files, and what a benchmark's rounds depend on.
 std::string run_key(const ExperimentSpec& spec, const LoadedScenes& scenes, const std::optional<BenchKeys>& bench) {
   std::string facts = spec_hash(*spec.resolved) + sha256_of_file("/proc/self/exe");
   if (bench) facts += bench->run;
@@ -73,7 +73,8 @@ class Parts {
  public:
   Parts(const RunFolder& folder, bool quiet) : folder_(folder), quiet_(quiet) {}
 
-  Json operator()(const std::string& name, const std::string& label, const std::function<Json(const ProgressFunction&)>& make) {
+  Json operator()(const std::string& name, const std::string& label,
+                  const std::function<Json(const ProgressFunction&)>& make) {
     const RunFolder::Part part = folder_.part(name, [&] {
       Progress progress(label, 0.0, "", quiet_);
       Json value = make([&](double fraction) { progress.update(fraction); });
@@ -97,8 +98,8 @@ class Parts {
 Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
   Json lenses = Json::array();
   for (const StudyLens& lens : spec.lenses) {
-    lenses.push_back(
-        parts("lens_" + lens.id, "lens " + lens.id, [&](const ProgressFunction& progress) { return lens_study_of(spec, lens, progress); }));
+    lenses.push_back(parts("lens_" + lens.id, "lens " + lens.id,
+                           [&](const ProgressFunction& progress) { return lens_study_of(spec, lens, progress); }));
     seconds += parts.seconds();
   }
   Json field = nullptr;
@@ -110,7 +111,8 @@ Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
 }
 
 /// The study of sin², one part per group of eyes and one for the gallery.
-Json sin2_study(const Sin2StudySpec& spec, std::uint64_t seed, Parts& parts, const std::filesystem::path& folder, double& seconds) {
+Json sin2_study(const Sin2StudySpec& spec, std::uint64_t seed, Parts& parts, const std::filesystem::path& folder,
+                double& seconds) {
   std::vector<StudyCase> cases;
   for (const StudyEyeGroup& group : spec.groups) {
     const Json rows = parts("sin2_" + group.name, "sin² " + group.name,
@@ -129,8 +131,8 @@ Json sin2_study(const Sin2StudySpec& spec, std::uint64_t seed, Parts& parts, con
 }
 
 /// The study of pupil samplings, one part per configuration.
-Json sampling_study(const SamplingStudySpec& spec, const SceneDescription& description, std::uint64_t seed, const RunFolder& folder,
-                    Parts& parts, double& seconds) {
+Json sampling_study(const SamplingStudySpec& spec, const SceneDescription& description, std::uint64_t seed,
+                    const RunFolder& folder, Parts& parts, double& seconds) {
   const Scene scene(description);
   Json entries = Json::array();
   for (std::size_t i = 0; i < spec.configurations.size(); ++i) {
@@ -154,8 +156,8 @@ std::vector<std::string> output_folders(const ExperimentSpec& spec) {
 /// A benchmark's own requirements count as one gate more.
 std::vector<GateSpec> with_requirements(std::vector<GateSpec> gates, const ExperimentSpec& spec) {
   if (spec.bench && !spec.bench->requirements.empty())
-    gates.push_back({"bench_requirements", "The benchmark's own requirements hold", "bench/broken_requirements", Comparison::AtMost, 0.0,
-                     "", "Each has its own bound and reason in the benchmark."});
+    gates.push_back({"bench_requirements", "The benchmark's own requirements hold", "bench/broken_requirements",
+                     Comparison::AtMost, 0.0, "", "Each has its own bound and reason in the benchmark."});
   return gates;
 }
 
@@ -180,8 +182,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   const std::string started = utc_now();
   std::vector<std::string> inputs = spec.input_files;
   if (experiment_file != "-") inputs.insert(inputs.begin(), experiment_file);
-  const std::vector<GateSpec> gates = with_requirements(read_gates(load_json(spec.gates.string()), spec.gates.string()), spec);
-  const Json baseline = spec.baseline && std::filesystem::exists(*spec.baseline) ? load_json(spec.baseline->string()) : Json(nullptr);
+  const std::vector<GateSpec> gates =
+      with_requirements(read_gates(load_json(spec.gates.string()), spec.gates.string()), spec);
+  const Json baseline =
+      spec.baseline && std::filesystem::exists(*spec.baseline) ? load_json(spec.baseline->string()) : Json(nullptr);
 
   // Everything that can be wrong with the input shows before the output folder is touched.
   const Json reference = spec.reference ? reference_agreement(*spec.reference) : Json(nullptr);
@@ -191,9 +195,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   if (spec.bench) bench_key = bench_keys(*spec.bench, options.threads);
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(options.folder, run_key(spec, scenes, bench_key), options.resume,
-                         {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
-                          output_folders(spec)});
+  const RunFolder folder(
+      options.folder, run_key(spec, scenes, bench_key), options.resume,
+      {{"report.json", "report.html", "ellipses.csv", "lens_study.csv", "sin2_study.csv", "junit.xml", "summary.md"},
+       output_folders(spec)});
   Parts parts(folder, options.quiet);
   const std::vector<Mutation> mutations = mutations_named(spec.mutations);
   std::map<std::string, double> seconds;
@@ -226,9 +231,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   }
   for (std::size_t i = 0; i < spec.agreement.size(); ++i) {
     const AgreementCase& c = spec.agreement[i];
-    report["agreement"].push_back(parts("agreement_" + c.id, "agreement " + c.id, [&](const ProgressFunction& progress) {
-      return agreement_entry(c, scenes.agreement[i], spec.seed, folder.path(), progress);
-    }));
+    report["agreement"].push_back(
+        parts("agreement_" + c.id, "agreement " + c.id, [&](const ProgressFunction& progress) {
+          return agreement_entry(c, scenes.agreement[i], spec.seed, folder.path(), progress);
+        }));
     seconds["agreement"] += parts.seconds();
   }
   if (spec.lens_study) {
@@ -245,9 +251,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     }
   }
   if (spec.sampling_study) {
-    report["sampling_study"] =
-        sampling_study(*spec.sampling_study, *scenes.sampling_study, spec.seed, folder, parts, seconds["sampling_study"]);
-    for (Figure& figure : sampling_sheets(report["sampling_study"], folder.path())) figures.push_back(std::move(figure));
+    report["sampling_study"] = sampling_study(*spec.sampling_study, *scenes.sampling_study, spec.seed, folder, parts,
+                                              seconds["sampling_study"]);
+    for (Figure& figure : sampling_sheets(report["sampling_study"], folder.path()))
+      figures.push_back(std::move(figure));
   }
   if (spec.bench) {
     const Stopwatch of_bench;
@@ -266,7 +273,8 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   report["verdict"] = verdict_of(report["gates"]);
   report["verdict"]["sin2_sentence"] = sin2_sentence(sin2);
   report["verdict"]["lens_sentence"] = spec.lens_study ? lens_study_sentence(report["lens_study"]) : Json(nullptr);
-  report["verdict"]["sin2_study_sentence"] = spec.sin2_study ? sin2_study_sentence(report["sin2_study"]) : Json(nullptr);
+  report["verdict"]["sin2_study_sentence"] =
+      spec.sin2_study ? sin2_study_sentence(report["sin2_study"]) : Json(nullptr);
   report["verdict"]["bench_sentence"] = spec.bench ? bench_sentence(report["bench"]) : Json(nullptr);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);

@@ -16,8 +16,8 @@ struct RunOutcome {
   std::filesystem::path report_html;
 };
 
-/// Runs an experiment: computes what is missing, evaluates the gates and writes ellipses.csv, junit.xml, report.html and, last,
-/// report.json. Throws InputError or RuntimeFailure.
+/// Runs an experiment: computes what is missing, evaluates the gates and writes ellipses.csv, junit.xml, report.html
+/// and, last, report.json. Throws InputError or RuntimeFailure.
 RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experiment_file, const RunOptions& options);
 
 }  // namespace sturm

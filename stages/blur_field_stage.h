@@ -28,8 +28,8 @@ BlurField compute_blur_field(const BlurFieldSpec& spec);
 /// The conoids of all lines of sight of a blur field alone.
 TracedDirections field_directions(const BlurFieldSpec& spec);
 
-/// The ellipses of all lines of sight at the distances of the spec ([Kakimoto2010] fig. 12). Each stands where its chief ray goes, on the
-/// picture plane; `best` accommodation is that of each ellipse.
+/// The ellipses of all lines of sight at the distances of the spec ([Kakimoto2010] fig. 12). Each stands where its
+/// chief ray goes, on the picture plane; `best` accommodation is that of each ellipse.
 std::vector<EllipseLayer> ellipse_layers(const BlurFieldSpec& spec, const TracedDirections& directions);
 
 }  // namespace sturm

@@ -60,8 +60,8 @@ View view_of(const Target& target, const EllipseQuery& query) {
 /// Nothing could be computed: all numbers are null.
 void write_failure(Json& result, const std::string& status) {
   result["status"] = status;
-  for (const char* key :
-       {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2", "centroid_m", "centroid_rad"})
+  for (const char* key : {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2",
+                          "centroid_m", "centroid_rad"})
     result[key] = nullptr;
 }
 
@@ -77,7 +77,9 @@ struct AtTarget {
   Json metres(const Eigen::Vector2d& angular) const {
     return finite() ? json_of(Eigen::Vector2d(view.distance_m * angular)) : Json(nullptr);
   }
-  Json semi_axes(const Ellipse& angular) const { return finite() ? semi_axes_json(angular, view.distance_m) : Json(nullptr); }
+  Json semi_axes(const Ellipse& angular) const {
+    return finite() ? semi_axes_json(angular, view.distance_m) : Json(nullptr);
+  }
 };
 
 void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, const Eigen::Matrix2d& covariance,
@@ -97,8 +99,8 @@ void write_conoid(Json& result, const View& view, const Eye& eye) {
                                   : naked_eye_footprint(eye, view.distance_m, *view.accommodation_D);
   result["status"] = "ok";
   result["footprint"] = rows_json(at.finite() ? f.transverse() : f.angular);
-  write_ellipse(result, at, Ellipse::image_of_disc(f.angular, eye.pupil_radius_m), covariance_of_disc_image(f.angular, eye.pupil_radius_m),
-                Eigen::Vector2d::Zero());
+  write_ellipse(result, at, Ellipse::image_of_disc(f.angular, eye.pupil_radius_m),
+                covariance_of_disc_image(f.angular, eye.pupil_radius_m), Eigen::Vector2d::Zero());
   result["wavefront_curvature_D"] = f.wavefront_curvature ? symmetric_json(*f.wavefront_curvature) : Json(nullptr);
 }
 
@@ -109,8 +111,8 @@ void write_map(Json& result, const View& view, const std::optional<Eigen::Matrix
     return;
   }
   result["status"] = "ok";
-  write_ellipse(result, AtTarget{view}, Ellipse::image_of_disc(*map, pupil_radius_m), covariance_of_disc_image(*map, pupil_radius_m),
-                Eigen::Vector2d::Zero());
+  write_ellipse(result, AtTarget{view}, Ellipse::image_of_disc(*map, pupil_radius_m),
+                covariance_of_disc_image(*map, pupil_radius_m), Eigen::Vector2d::Zero());
 }
 
 /// Conoid tracing as printed; `best` accommodation by its own eq. 12.
@@ -134,7 +136,8 @@ void write_published(Json& result, const View& view, const EllipseQuery& query) 
 
 void write_previous(Json& result, const View& view, const EllipseQuery& query) {
   const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
-  write_map(result, view, previous_angular_footprint(query.eye, *view.accommodation_D, lens, view.gaze, view.distance_m),
+  write_map(result, view,
+            previous_angular_footprint(query.eye, *view.accommodation_D, lens, view.gaze, view.distance_m),
             query.eye.pupil_radius_m);
 }
 
@@ -171,7 +174,8 @@ Json exit_rays(const View& view, const EyeRays<double>& rays, const std::vector<
   Json list = Json::array();
   for (const Eigen::Vector2d& p : pupil_points) {
     const auto exit = exit_ray(view, rays.through(p.x(), p.y()));
-    list.push_back(exit ? Json{{"exit_point_m", json_of(exit->origin)}, {"exit_direction", json_of(exit->direction)}} : Json(nullptr));
+    list.push_back(exit ? Json{{"exit_point_m", json_of(exit->origin)}, {"exit_direction", json_of(exit->direction)}}
+                        : Json(nullptr));
   }
   return list;
 }
@@ -182,19 +186,22 @@ std::string status_without_ellipse(const MeasuredBundle& bundle) {
   if (lost.total() == 0 && bundle.counters.dropped == 0) return "ok";
   if (bundle.counters.dropped >= lost.total()) return "undefined";
   if (lost.rim >= lost.total_reflection && lost.rim >= lost.no_convergence) return word_for(LensStatus::missed_lens);
-  return word_for(lost.total_reflection >= lost.no_convergence ? LensStatus::total_internal_reflection : LensStatus::no_convergence);
+  return word_for(lost.total_reflection >= lost.no_convergence ? LensStatus::total_internal_reflection
+                                                               : LensStatus::no_convergence);
 }
 
 void write_rays(Json& result, const View& view, const EllipseQuery& query, RayModel model) {
   const AtTarget at{view};
   const auto rays = eye_rays_for(model, query.eye, *view.accommodation_D);
-  const MeasuredBundle bundle = rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed, view.lens ? &*view.lens : nullptr,
-                                                      apodization_of(query.eye.stiles_crawford_per_m2, query.eye.pupil_radius_m))
-                                     : MeasuredBundle{};
+  const MeasuredBundle bundle =
+      rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed, view.lens ? &*view.lens : nullptr,
+                            apodization_of(query.eye.stiles_crawford_per_m2, query.eye.pupil_radius_m))
+           : MeasuredBundle{};
   result["rays"] = {{"launched", bundle.counters.launched},       {"lost_rim", bundle.losses.rim},
                     {"lost_tir", bundle.losses.total_reflection}, {"lost_no_convergence", bundle.losses.no_convergence},
                     {"undefined", bundle.counters.dropped},       {"negative_focus", bundle.counters.negative_focus}};
-  if (rays && !query.rays.pupil_points_m.empty()) result["exit_rays"] = exit_rays(view, *rays, query.rays.pupil_points_m);
+  if (rays && !query.rays.pupil_points_m.empty())
+    result["exit_rays"] = exit_rays(view, *rays, query.rays.pupil_points_m);
   if (!bundle.angular) {
     write_failure(result, rays ? status_without_ellipse(bundle) : "undefined");
     result["standard_error"] = nullptr;

@@ -21,7 +21,8 @@ inline Json symmetric_json(const Eigen::Matrix2d& m) {
 /// The same read back.
 inline Eigen::Matrix2d symmetric_from(const Json& xx_xy_yy) {
   Eigen::Matrix2d m;
-  m << xx_xy_yy.at(0).get<double>(), xx_xy_yy.at(1).get<double>(), xx_xy_yy.at(1).get<double>(), xx_xy_yy.at(2).get<double>();
+  m << xx_xy_yy.at(0).get<double>(), xx_xy_yy.at(1).get<double>(), xx_xy_yy.at(1).get<double>(),
+      xx_xy_yy.at(2).get<double>();
   return m;
 }
 

@@ -24,7 +24,9 @@ Json power_json(const std::optional<PowerMatrix>& power) {
 /// Along the AXIS and across it: the higher power first.
 Json with_principal_powers(const std::optional<PowerMatrix>& power) {
   Json result = power_json(power);
-  if (power) result["principal_powers_D"] = {result["sphere_D"], result["sphere_D"].get<double>() + result["cylinder_D"].get<double>()};
+  if (power)
+    result["principal_powers_D"] = {result["sphere_D"],
+                                    result["sphere_D"].get<double>() + result["cylinder_D"].get<double>()};
   return result;
 }
 
@@ -60,9 +62,11 @@ Json thickness_json(const Spectacles& lens) {
           {"usable_diameter_mm", millimetres(edge.usable_diameter_m)}};
 }
 
-Json gaze_json(const LensQuery& query, const std::optional<PowerMatrix>& nominal, double azimuth_deg, double elevation_deg) {
+Json gaze_json(const LensQuery& query, const std::optional<PowerMatrix>& nominal, double azimuth_deg,
+               double elevation_deg) {
   const AsWorn worn =
-      as_worn(query.lens, gaze_direction(radians_per_degree * azimuth_deg, radians_per_degree * elevation_deg), query.rotation_center_m);
+      as_worn(query.lens, gaze_direction(radians_per_degree * azimuth_deg, radians_per_degree * elevation_deg),
+              query.rotation_center_m);
   Json result = {{"gaze_deg", {azimuth_deg, elevation_deg}}, {"status", word_for(worn.status)}};
   if (worn.status != LensStatus::ok) {
     for (const char* key : {"prism", "power", "error"}) result[key] = nullptr;
@@ -73,7 +77,8 @@ Json gaze_json(const LensQuery& query, const std::optional<PowerMatrix>& nominal
   result["prism"] = {
       {"deviation_deg", worn.deviation_rad / radians_per_degree},
       {"prism_cm_per_m", forward ? Json(worn.prism_cm_per_m()) : Json(nullptr)},
-      {"chromatic_cm_per_m", forward && query.material ? Json(worn.prism_cm_per_m() / query.material->abbe_number) : Json(nullptr)},
+      {"chromatic_cm_per_m",
+       forward && query.material ? Json(worn.prism_cm_per_m() / query.material->abbe_number) : Json(nullptr)},
       {"base_deg", number_or_null(worn.base_deg)}};
   result["power"] = power_json(worn.power);
   result["error"] = error_json(worn.power, nominal);
@@ -92,10 +97,13 @@ Json fits_json(const std::vector<FreeFormFit>& fits) {
   for (const FreeFormFit& fit : fits)
     result.push_back(
         {{"side", fit.side},
-         {"knot_spacing_mm", {fit.knot_spacing.x() / metres_per_millimetre, fit.knot_spacing.y() / metres_per_millimetre}},
+         {"knot_spacing_mm",
+          {fit.knot_spacing.x() / metres_per_millimetre, fit.knot_spacing.y() / metres_per_millimetre}},
          {"height_residual_um",
-          fit.height ? Json{{"rms", micrometres * fit.height->rms}, {"max", micrometres * fit.height->max}} : Json(nullptr)},
-         {"power_residual_D", fit.power ? Json{{"mean", fit.power->mean_D}, {"cylinder", fit.power->cylinder_D}} : Json(nullptr)}});
+          fit.height ? Json{{"rms", micrometres * fit.height->rms}, {"max", micrometres * fit.height->max}}
+                     : Json(nullptr)},
+         {"power_residual_D",
+          fit.power ? Json{{"mean", fit.power->mean_D}, {"cylinder", fit.power->cylinder_D}} : Json(nullptr)}});
   return result;
 }
 
@@ -106,7 +114,8 @@ Json lens_report(const LensQuery& query) {
   const VertexPower power = vertex_power(lens);
   Json gazes = Json::array();
   for (const double elevation : query.elevations_deg)
-    for (const double azimuth : query.azimuths_deg) gazes.push_back(gaze_json(query, power.back_vertex, azimuth, elevation));
+    for (const double azimuth : query.azimuths_deg)
+      gazes.push_back(gaze_json(query, power.back_vertex, azimuth, elevation));
   return {{"format", "sturm.lens_report/1"},
           {"refractive_index", lens.refractive_index},
           {"material", material_json(query.material)},

@@ -6,7 +6,8 @@
 
 namespace sturm {
 
-/// A lens and the gazes to look through it: all pairs of azimuth (to the wearer's right) and elevation (up), |angle| ≤ 89°.
+/// A lens and the gazes to look through it: all pairs of azimuth (to the wearer's right) and elevation (up), |angle| ≤
+/// 89°.
 struct LensQuery {
   Spectacles lens;
   std::optional<LensMaterial> material;  ///< if known: for its dispersion

@@ -13,8 +13,8 @@ struct Preview {
   double interval_s = 2.0;                          ///< at least so long between two pictures
 };
 
-/// Watches the clock between the passes of a rendering (RenderSettings::after_pass), from when it is made: shows previews, and ends it
-/// before the pass that would go beyond a budget of time. The first pass is always made.
+/// Watches the clock between the passes of a rendering (RenderSettings::after_pass), from when it is made: shows
+/// previews, and ends it before the pass that would go beyond a budget of time. The first pass is always made.
 class PassWatch {
  public:
   PassWatch(std::optional<double> budget_s, Preview preview) : budget_s_(budget_s), preview_(std::move(preview)) {}

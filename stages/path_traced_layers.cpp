@@ -16,7 +16,8 @@ double mean_samples(const PassSummary& passes, const RenderSpec& spec) {
 }  // namespace
 
 const char* const denoised_note =
-    "the layer \"denoised\" and the PNG are filtered for looking at; the main layer is raw, and no measure of agreement reads the filtered "
+    "the layer \"denoised\" and the PNG are filtered for looking at; the main layer is raw, and no measure of "
+    "agreement reads the filtered "
     "one";
 
 bool may_stop_early(const RenderSpec& spec) {
@@ -45,9 +46,11 @@ Json sampling_json(const PassSummary& passes, const RenderSpec& spec) {
 
 std::string interruption_note(const PassSummary& passes, const RenderSpec& spec) {
   std::string note =
-      "ended by stop.seconds: how many samples that allows depends on the machine and its load, so the picture is not repeated bit for bit";
+      "ended by stop.seconds: how many samples that allows depends on the machine and its load, so the picture is not "
+      "repeated bit for bit";
   if (!spec.stop.relative_error)
-    note += "; samples_per_pixel " + std::to_string(std::llround(mean_samples(passes, spec))) + " without stop.seconds repeats it";
+    note += "; samples_per_pixel " + std::to_string(std::llround(mean_samples(passes, spec))) +
+            " without stop.seconds repeats it";
   return note;
 }
 

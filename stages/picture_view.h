@@ -15,8 +15,9 @@ struct PictureView {
   std::string missing_blur;                 ///< why there is no layer of blur; "" where there is one
 };
 
-/// Reads the text attribute `sturm` (the resolved sturm.render/1) and the layer `depth` of a rendered picture; whatever is not there stays
-/// none. Blur needs a naked eye in perspective and `camera` gaze, for which one formula holds over the whole picture.
+/// Reads the text attribute `sturm` (the resolved sturm.render/1) and the layer `depth` of a rendered picture; whatever
+/// is not there stays none. Blur needs a naked eye in perspective and `camera` gaze, for which one formula holds over
+/// the whole picture.
 PictureView view_of(const LayeredImage& picture);
 
 /// The first of two pictures that knows each thing.

@@ -15,19 +15,21 @@ namespace sturm {
 
 namespace {
 
-constexpr int passes_to_find_unseen = 16;  // of a sharp pixel: what less than a sixteenth of the pupil sees hardly matters
+constexpr int passes_to_find_unseen =
+    16;  // of a sharp pixel: what less than a sixteenth of the pupil sees hardly matters
 
 /// One picture on its way: the sharp view, and what both predictors do with it.
 class PredictionRun {
  public:
-  PredictionRun(const Scene& scene, const SightField& field, const PredictionSpec& prediction, const RenderSettings& settings,
-                PredictedView& result)
+  PredictionRun(const Scene& scene, const SightField& field, const PredictionSpec& prediction,
+                const RenderSettings& settings, PredictedView& result)
       : scene_(scene),
         field_(field),
         prediction_(prediction),
         settings_(settings),
         result_(result),
-        seen_{scene.embree(), [&scene](const RTCHit& hit, const Eigen::Vector3f& direction) { return scene.shines(hit, direction); }} {
+        seen_{scene.embree(),
+              [&scene](const RTCHit& hit, const Eigen::Vector3f& direction) { return scene.shines(hit, direction); }} {
     const int n = prediction.oversampling;
     settings_.guide_emitters = false;
     settings_.samples_per_pixel = std::max(1, settings.samples_per_pixel / (n * n));
@@ -127,11 +129,13 @@ class PredictionRun {
 
 SightField sight_field(const CameraSpec& camera, const WornEye& worn, double sideways_m) {
   const CameraPose pose = moved_sideways(camera_pose(camera), sideways_m);
-  return SightField({pose.position, head_axes(pose), pose.width, pose.height, pixel_slope(pose), camera.gaze}, worn.eye, worn.spectacles);
+  return SightField({pose.position, head_axes(pose), pose.width, pose.height, pixel_slope(pose), camera.gaze}, worn.eye,
+                    worn.spectacles);
 }
 
 PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const WornEye& worn, double sideways_m,
-                           const PredictionSpec& prediction, const RenderSettings& settings, const PredictorSettings& spreading) {
+                           const PredictionSpec& prediction, const RenderSettings& settings,
+                           const PredictorSettings& spreading) {
   PredictedView result;
   Stopwatch watch;
   const SightField field = sight_field(camera, worn, sideways_m);

@@ -34,13 +34,14 @@ struct Arrivals {
 };
 
 /// Angles of the rays through `pupil` (unit disc); those that do not arrive are left out and counted.
-void trace_angles(const EyeRays<double>& rays, const std::vector<Eigen::Vector2d>& pupil, std::vector<Eigen::Vector2d>& angles,
-                  Arrivals& arrivals) {
+void trace_angles(const EyeRays<double>& rays, const std::vector<Eigen::Vector2d>& pupil,
+                  std::vector<Eigen::Vector2d>& angles, Arrivals& arrivals) {
   angles.clear();
   const double radius = rays.pupil_radius();
   for_model(rays.model(), [&](auto model) {
     for (const Eigen::Vector2d& p : pupil)
-      if (const auto angle = arrivals.angle(rays.template through_as<model>(radius * p.x(), radius * p.y()))) angles.push_back(*angle);
+      if (const auto angle = arrivals.angle(rays.template through_as<model>(radius * p.x(), radius * p.y())))
+        angles.push_back(*angle);
   });
 }
 
@@ -68,7 +69,8 @@ struct Replicates {
   MeasuredBundle bundle;  ///< counters and losses of all; no ellipse yet
 };
 
-/// Runs add_chunk(replicate, first sample, size, moments, arrivals) over the chunks of every replicate, the replicates in parallel.
+/// Runs add_chunk(replicate, first sample, size, moments, arrivals) over the chunks of every replicate, the replicates
+/// in parallel.
 template <class Moments, class AddChunk>
 Replicates<Moments> run_replicates(const RayBundleSpec& spec, const Arrivals& target, const AddChunk& add_chunk) {
   const auto count = static_cast<std::size_t>(spec.replicates);
@@ -76,8 +78,8 @@ Replicates<Moments> run_replicates(const RayBundleSpec& spec, const Arrivals& ta
   std::vector<Arrivals> arrivals(count, target);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t r) {
     for (std::uint64_t first = 0; first < spec.count; first += chunk_size)
-      add_chunk(static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(first), std::min(chunk_size, spec.count - first),
-                result.moments[r], arrivals[r]);
+      add_chunk(static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(first),
+                std::min(chunk_size, spec.count - first), result.moments[r], arrivals[r]);
   });
   for (const Arrivals& a : arrivals) {
     result.bundle.counters += a.counters;
@@ -87,10 +89,11 @@ Replicates<Moments> run_replicates(const RayBundleSpec& spec, const Arrivals& ta
 }
 
 /// Replicates of a pupil whose points have weights.
-MeasuredBundle measure_weighted(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec, std::uint64_t seed,
-                                const PupilSampler& sampler) {
+MeasuredBundle measure_weighted(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec,
+                                std::uint64_t seed, const PupilSampler& sampler) {
   auto [moments, bundle] = run_replicates<WeightedMoments>(
-      spec, target, [&](std::uint32_t r, std::uint32_t first, std::uint64_t size, WeightedMoments& sum, Arrivals& arrivals) {
+      spec, target,
+      [&](std::uint32_t r, std::uint32_t first, std::uint64_t size, WeightedMoments& sum, Arrivals& arrivals) {
         std::vector<Eigen::Vector2d> pupil(size);
         std::vector<double> weights;
         fill_pupil(sampler, spec.sequence, seed, r, first, pupil, weights);
@@ -108,20 +111,24 @@ MeasuredBundle measure_weighted(const EyeRays<double>& rays, const Arrivals& tar
   return bundle;
 }
 
-MeasuredBundle measure_replicates(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec, std::uint64_t seed) {
+MeasuredBundle measure_replicates(const EyeRays<double>& rays, const Arrivals& target, const RayBundleSpec& spec,
+                                  std::uint64_t seed) {
   auto [moments, bundle] = run_replicates<BundleMoments>(
-      spec, target, [&](std::uint32_t r, std::uint32_t first, std::uint64_t size, BundleMoments& sum, Arrivals& arrivals) {
+      spec, target,
+      [&](std::uint32_t r, std::uint32_t first, std::uint64_t size, BundleMoments& sum, Arrivals& arrivals) {
         std::vector<Eigen::Vector2d> pupil(size), angles;
         fill_unit_disk(spec.sequence, seed, r, first, pupil);
         trace_angles(rays, pupil, angles, arrivals);
         sum.add(angles);
       });
   if (std::all_of(moments.begin(), moments.end(), [](const BundleMoments& m) { return m.count() >= 2; }))
-    bundle.angular = summarise(moments, spec.sequence == Sequence::Sobol ? PointSet::LowDiscrepancy : PointSet::Independent);
+    bundle.angular =
+        summarise(moments, spec.sequence == Sequence::Sobol ? PointSet::LowDiscrepancy : PointSet::Independent);
   return bundle;
 }
 
-MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, Arrivals arrivals, const QuadratureSpec& rule, double apodization) {
+MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, Arrivals arrivals, const QuadratureSpec& rule,
+                                     double apodization) {
   MeasuredBundle bundle;
   std::vector<Eigen::Vector2d> angles;
   std::vector<double> weights;
@@ -138,7 +145,8 @@ MeasuredBundle measure_by_quadrature(const EyeRays<double>& rays, Arrivals arriv
   return bundle;
 }
 
-MeasuredBundle measure_points(const EyeRays<double>& rays, Arrivals arrivals, const std::vector<Eigen::Vector2d>& points) {
+MeasuredBundle measure_points(const EyeRays<double>& rays, Arrivals arrivals,
+                              const std::vector<Eigen::Vector2d>& points) {
   MeasuredBundle bundle;
   std::vector<Eigen::Vector2d> angles;
   for (const Eigen::Vector2d& p : points)
@@ -190,8 +198,8 @@ Eigen::Vector2d LensView::angle(const LightRay& ray, double vergence_D) const {
   return {offset.dot(e1), offset.dot(e2)};
 }
 
-MeasuredBundle measure_bundle(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec, std::uint64_t seed,
-                              const LensView* lens, double apodization) {
+MeasuredBundle measure_bundle(const EyeRays<double>& rays, double vergence, const RayBundleSpec& spec,
+                              std::uint64_t seed, const LensView* lens, double apodization) {
   const Arrivals target{vergence, lens, {}, {}};
   if (!spec.pupil_points_m.empty()) return measure_points(rays, target, spec.pupil_points_m);
   if (spec.quadrature) return measure_by_quadrature(rays, target, *spec.quadrature, apodization);

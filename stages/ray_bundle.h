@@ -29,7 +29,8 @@ inline Eigen::Vector2d naked_angle(const PupilRay<double>& ray, double target_ve
   return {target_vergence_D * ray.px + ray.sx, target_vergence_D * ray.py + ray.sy};
 }
 
-/// The lens that the rays go through, and the chief ray that leaves it: origin of distances, and axis of the plane where they are measured.
+/// The lens that the rays go through, and the chief ray that leaves it: origin of distances, and axis of the plane
+/// where they are measured.
 struct LensView {
   WornLens worn;
   LightRay chief;          ///< from the exit point
@@ -38,19 +39,21 @@ struct LensView {
   /// Of an eye that looks along `gaze`; its chief ray must come through. Nothing of it is taken from the conoid.
   static LensView along(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m);
 
-  /// Where a ray behind the lens meets the plane at vergence 1/d, as an angle: offset/d on (e1, e2); at infinity the difference of
-  /// direction.
+  /// Where a ray behind the lens meets the plane at vergence 1/d, as an angle: offset/d on (e1, e2); at infinity the
+  /// difference of direction.
   Eigen::Vector2d angle(const LightRay& ray, double vergence_D) const;
 };
 
-/// Launches the rays of `eye_rays` through the pupil as `spec` says and measures where they go at vergence 1/d of the target
-/// (0 at infinity). Naked eye: angle = p/d + s(p). With a `lens`: through its real surfaces, d from the exit point of the chief ray; rays
-/// that it stops are left out and counted. `apodization`: q of the pupil (pathtrace/sampling/pupil_sampler.h), for all but given points.
-/// Replicates run in parallel; the result does not depend on the number of threads.
-MeasuredBundle measure_bundle(const EyeRays<double>& eye_rays, double target_vergence_D, const RayBundleSpec& spec, std::uint64_t seed,
-                              const LensView* lens = nullptr, double apodization = 0.0);
+/// Launches the rays of `eye_rays` through the pupil as `spec` says and measures where they go at vergence 1/d of the
+/// target (0 at infinity). Naked eye: angle = p/d + s(p). With a `lens`: through its real surfaces, d from the exit
+/// point of the chief ray; rays that it stops are left out and counted. `apodization`: q of the pupil
+/// (pathtrace/sampling/pupil_sampler.h), for all but given points. Replicates run in parallel; the result does not
+/// depend on the number of threads.
+MeasuredBundle measure_bundle(const EyeRays<double>& eye_rays, double target_vergence_D, const RayBundleSpec& spec,
+                              std::uint64_t seed, const LensView* lens = nullptr, double apodization = 0.0);
 
-/// The rays of an eye in the state that the target asks for. None where the model is undefined: metalstigmatism without a focus distance.
+/// The rays of an eye in the state that the target asks for. None where the model is undefined: metalstigmatism without
+/// a focus distance.
 std::optional<EyeRays<double>> eye_rays_for(RayModel model, const Eye& eye, double accommodation_D);
 
 }  // namespace sturm

@@ -63,7 +63,8 @@ class DocumentRenderer {
     const double left_share = plan_.one_view ? 0.0 : 0.5;
     std::optional<EyePicture> left;
     if (!plan_.one_view) {
-      EyeTask task{spec_.left.value_or(spec_.eye), -half, "left", settings(part_of(progress, 0.0, left_share)), preview};
+      EyeTask task{spec_.left.value_or(spec_.eye), -half, "left", settings(part_of(progress, 0.0, left_share)),
+                   preview};
       task.settings.seed += left_eye_seed;
       const Image black(spec_.camera.width, spec_.camera.height, 3);
       if (preview.show) task.preview.show = [&](const Image& picture) { preview.show(beside(picture, black)); };
@@ -71,9 +72,12 @@ class DocumentRenderer {
     }
     EyeTask task{spec_.eye, half, "right", settings(part_of(progress, left_share, 1.0 - left_share)), preview};
     if (preview.show)
-      task.preview.show = [&](const Image& picture) { preview.show(beside(left ? left->layers.at("") : picture, picture)); };
+      task.preview.show = [&](const Image& picture) {
+        preview.show(beside(left ? left->layers.at("") : picture, picture));
+      };
     const EyePicture right = render_eye(task);
-    for (const auto& [name, image] : right.layers) output_.image.layers[name] = beside(left ? left->layers.at(name) : image, image);
+    for (const auto& [name, image] : right.layers)
+      output_.image.layers[name] = beside(left ? left->layers.at(name) : image, image);
     output_.counters = {{"left", left ? left->counters : counters_json({})}, {"right", right.counters}};
     if (!left) count_same_view(plan_.items, right.counters.at("camera_rays").get<std::uint64_t>());
   }
@@ -105,7 +109,9 @@ class DocumentRenderer {
     return settings;
   }
 
-  EyePicture render_eye(const EyeTask& task) { return spec_.method == RenderMethod::PathTrace ? path_traced(task) : predicted(task); }
+  EyePicture render_eye(const EyeTask& task) {
+    return spec_.method == RenderMethod::PathTrace ? path_traced(task) : predicted(task);
+  }
 
   EyePicture path_traced(const EyeTask& task) {
     Stopwatch watch;
@@ -135,20 +141,22 @@ class DocumentRenderer {
     PredictorSettings spreading;
     spreading.sharp_below_px = plan_.copied_below_px;
     if (spec_.prediction.kind != PredictionKind::Ellipses) {
-      PredictedView view = predict_view(scene_, spec_.camera, task.worn, task.sideways_m, spec_.prediction, task.settings, spreading);
+      PredictedView view =
+          predict_view(scene_, spec_.camera, task.worn, task.sideways_m, spec_.prediction, task.settings, spreading);
       for (const auto& [part, seconds] : view.seconds) output_.seconds[part] += seconds;
       count_saved(plan_.items, task.view, view.shaded);
       count_copied(plan_.items, view.spread);
       return {std::move(view.layers), std::move(view.counters)};
     }
-    PredictedImage result =
-        predict(scene_, camera_pose(spec_.camera), task.worn.eye, spec_.prediction.oversampling, task.settings, spreading);
+    PredictedImage result = predict(scene_, camera_pose(spec_.camera), task.worn.eye, spec_.prediction.oversampling,
+                                    task.settings, spreading);
     output_.seconds["sharp_view"] += result.times.sharp_view_seconds;
     output_.seconds["spreading"] += result.times.spreading_seconds;
     count_saved(plan_.items, task.view, result.sharp_counters);
     count_copied(plan_.items, result.prediction.counters);
     Json counters = prediction_counters_json(result);
-    return {{{"", std::move(result.prediction.radiance)}, {"coverage", std::move(result.prediction.coverage)}}, std::move(counters)};
+    return {{{"", std::move(result.prediction.radiance)}, {"coverage", std::move(result.prediction.coverage)}},
+            std::move(counters)};
   }
 
   const RenderSpec& spec_;

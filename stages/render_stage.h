@@ -18,10 +18,11 @@ using ProgressFunction = std::function<void(double fraction)>;
 
 /// Path traces one view. `accommodation` and focus distance come from the eye (relaxed or fixed).
 /// Throws InputError where metalstigmatism has no focus distance.
-RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, const RenderSettings& settings,
-                        const CameraSkips& skips = {});
+RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model,
+                        const RenderSettings& settings, const CameraSkips& skips = {});
 
-/// Path traces what one eye of a render document sees; `sideways_m` is where it is to the right of the camera's position.
+/// Path traces what one eye of a render document sees; `sideways_m` is where it is to the right of the camera's
+/// position.
 RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
                              const RenderSettings& settings, const ViewPlan& plan);
 
@@ -37,13 +38,15 @@ struct PredictedImage {
   int margin_px = 0;
 };
 
-/// Predicts the same view: one pinhole rendering of `settings.samples_per_pixel` samples per output pixel, spread by the conoid's ellipses.
-PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling, const RenderSettings& settings,
-                       const PredictorSettings& spreading = {});
+/// Predicts the same view: one pinhole rendering of `settings.samples_per_pixel` samples per output pixel, spread by
+/// the conoid's ellipses.
+PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling,
+                       const RenderSettings& settings, const PredictorSettings& spreading = {});
 
 Json counters_json(const RenderCounters& counters);
 
-/// What `sturm render` writes: the layers, the counters, the seconds of each part, and what was left out of model files.
+/// What `sturm render` writes: the layers, the counters, the seconds of each part, and what was left out of model
+/// files.
 struct RenderOutput {
   LayeredImage image;
   Json counters;

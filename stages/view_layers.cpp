@@ -45,7 +45,8 @@ ViewLayers view_layers(const Scene& scene, const SightField& field) {
         const SurfacePoint point = scene.surface_point(ray.hit, origin, direction, ray.ray.tfar);
         *layers.specular.at(x, y) = std::holds_alternative<Diffuse>(point.material->surface) ? 0.0f : 1.0f;
       }
-      const Eigen::Matrix2d map = SightNeighbourhood(field, place, sight).picture_map(field.slopes(sight, vergence), vergence);
+      const Eigen::Matrix2d map =
+          SightNeighbourhood(field, place, sight).picture_map(field.slopes(sight, vergence), vergence);
       *layers.blur_px.at(x, y) = static_cast<float>(field.eye().pupil_radius_m * singular_values(map).large);
     }
   });

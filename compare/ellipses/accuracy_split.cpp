@@ -38,22 +38,26 @@ CovarianceError covariance_error(const Eigen::Matrix2d& is, const Eigen::Matrix2
   return error;
 }
 
-std::optional<double> convergence_order(double error_small, double error_large, double size_small, double size_large, double rounding) {
-  if (!(error_small > rounding && error_large > rounding && size_large > size_small && size_small > 0.0)) return std::nullopt;
+std::optional<double> convergence_order(double error_small, double error_large, double size_small, double size_large,
+                                        double rounding) {
+  if (!(error_small > rounding && error_large > rounding && size_large > size_small && size_small > 0.0))
+    return std::nullopt;
   return std::log(error_large / error_small) / std::log(size_large / size_small);
 }
 
-OrderFit fit_orders(const Eigen::Matrix2d& x, const Eigen::Matrix2d& small, double small_radius_m, const Eigen::Matrix2d& large,
-                    double large_radius_m) {
+OrderFit fit_orders(const Eigen::Matrix2d& x, const Eigen::Matrix2d& small, double small_radius_m,
+                    const Eigen::Matrix2d& large, double large_radius_m) {
   OrderFit fit;
   const double error_small = (small - covariance_of_disc_image(x, small_radius_m)).norm(),
                error_large = (large - covariance_of_disc_image(x, large_radius_m)).norm();
-  fit.absolute = convergence_order(error_small, error_large, small_radius_m, large_radius_m, relative_rounding * small.norm());
+  fit.absolute =
+      convergence_order(error_small, error_large, small_radius_m, large_radius_m, relative_rounding * small.norm());
   if (small.norm() > 0.0 && large.norm() > 0.0)
-    fit.relative =
-        convergence_order(error_small / small.norm(), error_large / large.norm(), small_radius_m, large_radius_m, relative_rounding);
+    fit.relative = convergence_order(error_small / small.norm(), error_large / large.norm(), small_radius_m,
+                                     large_radius_m, relative_rounding);
   const double a2 = small_radius_m * small_radius_m, b2 = large_radius_m * large_radius_m;
-  const Eigen::Matrix2d limit = (b2 * (small / a2) - a2 * (large / b2)) / (b2 - a2), expected = covariance_of_disc_image(x, 1.0);
+  const Eigen::Matrix2d limit = (b2 * (small / a2) - a2 * (large / b2)) / (b2 - a2),
+                        expected = covariance_of_disc_image(x, 1.0);
   if (expected.norm() > 0.0) fit.limit_relative = (limit - expected).norm() / expected.norm();
   return fit;
 }

@@ -40,7 +40,8 @@ void BundleMoments::add(const Eigen::Vector2d& point) {
 }
 
 void BundleMoments::add(std::span<const Eigen::Vector2d> points) {
-  constexpr std::size_t chunk = 1024;  // small enough that plain sums keep their digits, large enough that merging costs nothing
+  constexpr std::size_t chunk =
+      1024;  // small enough that plain sums keep their digits, large enough that merging costs nothing
   for (std::size_t first = 0; first < points.size(); first += chunk)
     merge(of_chunk(points.subspan(first, std::min(chunk, points.size() - first))));
 }
@@ -50,14 +51,16 @@ BundleMoments BundleMoments::of_chunk(std::span<const Eigen::Vector2d> points) {
   m.count_ = points.size();
   const double n = static_cast<double>(points.size());
   Eigen::Vector2d total = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : points) total += p - points.front();  // differences, so that equal points have no width at all
+  for (const Eigen::Vector2d& p : points)
+    total += p - points.front();  // differences, so that equal points have no width at all
   m.mean_ = points.front() + total / n;
   for (const Eigen::Vector2d& p : points) {
     const double x = p.x() - m.mean_.x(), y = p.y() - m.mean_.y();
     const double xx = x * x, xy = x * y, yy = y * y;
     m.sums_[2][0] += xx, m.sums_[1][1] += xy, m.sums_[0][2] += yy;
     m.sums_[3][0] += xx * x, m.sums_[2][1] += xx * y, m.sums_[1][2] += x * yy, m.sums_[0][3] += yy * y;
-    m.sums_[4][0] += xx * xx, m.sums_[3][1] += xx * xy, m.sums_[2][2] += xx * yy, m.sums_[1][3] += xy * yy, m.sums_[0][4] += yy * yy;
+    m.sums_[4][0] += xx * xx, m.sums_[3][1] += xx * xy, m.sums_[2][2] += xx * yy, m.sums_[1][3] += xy * yy,
+        m.sums_[0][4] += yy * yy;
   }
   return m;
 }
@@ -70,8 +73,8 @@ void BundleMoments::merge(const BundleMoments& other) {
   }
   const double na = static_cast<double>(count_), nb = static_cast<double>(other.count_), n = na + nb;
   const Eigen::Vector2d delta = other.mean_ - mean_;
-  // Each side's deviations shift by a constant: −n_B/n·δ for this side, n_A/n·δ for the other; expand (d + shift)^p by the binomial
-  // theorem.
+  // Each side's deviations shift by a constant: −n_B/n·δ for this side, n_A/n·δ for the other; expand (d + shift)^p by
+  // the binomial theorem.
   const auto shifted = [](const BundleMoments& m, const Eigen::Vector2d& shift, int p, int q) {
     double sum = 0.0, shift_x = 1.0;
     for (int i = 0; i <= p; ++i, shift_x *= shift.x()) {

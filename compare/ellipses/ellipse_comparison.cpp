@@ -28,7 +28,9 @@ Eigen::Vector3d z_along(const PrincipalValues& axes, const BundleEllipse& measur
 }
 
 std::optional<double> orientation_error(const Ellipse& measured, const Ellipse& predicted) {
-  const auto is_circle = [](const Ellipse& e) { return !e.orientation_deg || e.semi_minor > circle_axis_ratio * e.semi_major; };
+  const auto is_circle = [](const Ellipse& e) {
+    return !e.orientation_deg || e.semi_minor > circle_axis_ratio * e.semi_major;
+  };
   if (is_circle(measured) || is_circle(predicted)) return std::nullopt;
   const double folded = std::remainder(*measured.orientation_deg - *predicted.orientation_deg, 180.0);
   return folded <= -90.0 ? folded + 180.0 : folded;

@@ -32,7 +32,8 @@ class Scatter {
       const double pivot = entry_covariance(j, j) - root_.row(j).head(j).squaredNorm();
       if (!(pivot > 1e-14 * entry_covariance(j, j))) continue;
       root_(j, j) = std::sqrt(pivot);
-      for (int i = j + 1; i < 3; ++i) root_(i, j) = (entry_covariance(i, j) - root_.row(i).head(j).dot(root_.row(j).head(j))) / root_(j, j);
+      for (int i = j + 1; i < 3; ++i)
+        root_(i, j) = (entry_covariance(i, j) - root_.row(i).head(j).dot(root_.row(j).head(j))) / root_(j, j);
     }
   }
 
@@ -63,13 +64,14 @@ MeanAndDeviation scatter_of(int draws, const std::function<double()>& draw) {
   return {mean, std::sqrt(squares / (draws - 1))};
 }
 
-constexpr double rounding_floor = 64.0 * std::numeric_limits<double>::epsilon();  // of the total variance, as in EllipseComparison
+constexpr double rounding_floor =
+    64.0 * std::numeric_limits<double>::epsilon();  // of the total variance, as in EllipseComparison
 
 using Distance = std::function<double(const Eigen::Matrix2d&)>;
 
 /// A distance from the prediction that noise makes positive.
-EllipseMeasure bootstrapped(const Distance& distance, const BundleEllipse& measured, const Eigen::Matrix2d& predicted, std::uint64_t seed,
-                            int draws) {
+EllipseMeasure bootstrapped(const Distance& distance, const BundleEllipse& measured, const Eigen::Matrix2d& predicted,
+                            std::uint64_t seed, int draws) {
   EllipseMeasure m;
   m.value = distance(measured.covariance);
   if (!measured.entry_covariance || draws < 2) return m;
@@ -113,8 +115,8 @@ std::optional<EllipseMeasure> log_area_ratio(const BundleEllipse& measured, cons
 
 }  // namespace
 
-EllipseMeasures measure_ellipses(const BundleEllipse& measured, const Eigen::Matrix2d& predicted, const Eigen::Vector2d& offset,
-                                 std::uint64_t seed, int draws) {
+EllipseMeasures measure_ellipses(const BundleEllipse& measured, const Eigen::Matrix2d& predicted,
+                                 const Eigen::Vector2d& offset, std::uint64_t seed, int draws) {
   const EllipseComparison c = compare_to_prediction(measured, predicted);
   const auto axes = measured.semi_axis_standard_errors();
   const Ellipse expected = Ellipse::of_second_moments(predicted);
@@ -122,7 +124,8 @@ EllipseMeasures measure_ellipses(const BundleEllipse& measured, const Eigen::Mat
   const double floor = rounding_floor * predicted.trace();
   const auto axis = [&](double value, double should, int i) -> EllipseMeasure {
     if (!axes) return with_error(value, std::nullopt);
-    const double variance = 0.25 * should * should, rounding = 2.0 * (std::sqrt(variance + floor) - std::sqrt(variance));
+    const double variance = 0.25 * should * should,
+                 rounding = 2.0 * (std::sqrt(variance + floor) - std::sqrt(variance));
     return with_error(value, std::hypot((*axes)[i], rounding));
   };
   EllipseMeasures m;
@@ -131,9 +134,10 @@ EllipseMeasures measure_ellipses(const BundleEllipse& measured, const Eigen::Mat
   m.orientation = orientation(measured, c.orientation_error_deg);
   const bool has_area = expected.semi_minor > near_zero_axis_ratio * expected.semi_major;
   if (has_area) m.log_area_ratio = log_area_ratio(measured, predicted);
-  m.frobenius = bootstrapped([&](const Eigen::Matrix2d& s) { return (s - predicted).norm(); }, measured, predicted, seed, draws);
-  m.bures_wasserstein =
-      bootstrapped([&](const Eigen::Matrix2d& s) { return bures_wasserstein_distance(s, predicted); }, measured, predicted, seed, draws);
+  m.frobenius =
+      bootstrapped([&](const Eigen::Matrix2d& s) { return (s - predicted).norm(); }, measured, predicted, seed, draws);
+  m.bures_wasserstein = bootstrapped([&](const Eigen::Matrix2d& s) { return bures_wasserstein_distance(s, predicted); },
+                                     measured, predicted, seed, draws);
   if (!has_area) return m;
   const FilledEllipse should = FilledEllipse::of_second_moments(predicted, offset);
   const auto missing = [&](const Eigen::Matrix2d& s) {

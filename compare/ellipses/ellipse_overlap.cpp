@@ -21,8 +21,8 @@ double turn_of(double angle) {
   return folded < 0.0 ? folded + full_turn : folded;
 }
 
-/// Roots of c[4] z⁴ + … + c[0] of any actual degree, all at once by the method of Weierstrass, Durand and Kerner: quadratic convergence to
-/// single roots, and halving of the error of double ones in each round.
+/// Roots of c[4] z⁴ + … + c[0] of any actual degree, all at once by the method of Weierstrass, Durand and Kerner:
+/// quadratic convergence to single roots, and halving of the error of double ones in each round.
 std::vector<Complex> roots_of(std::vector<Complex> c) {
   double scale = 0.0;
   for (const Complex& x : c) scale = std::max(scale, std::abs(x));
@@ -57,8 +57,8 @@ struct Seen {
   bool contains(const Eigen::Vector2d& x) const { return (inverse * (x - c)).squaredNorm() <= 1.0; }
 };
 
-/// Angles t of the unit circle where it meets the ellipse: |M⁻¹(x − c)|² = 1 is a trigonometric polynomial of degree 2 in t; with z =
-/// e^{it} a quartic.
+/// Angles t of the unit circle where it meets the ellipse: |M⁻¹(x − c)|² = 1 is a trigonometric polynomial of degree 2
+/// in t; with z = e^{it} a quartic.
 std::vector<double> crossings(const Seen& ellipse) {
   const Eigen::Matrix2d q = ellipse.inverse.transpose() * ellipse.inverse;
   const Eigen::Vector2d linear = -2.0 * q * ellipse.c;
@@ -66,7 +66,8 @@ std::vector<double> crossings(const Seen& ellipse) {
   const Complex second(0.25 * (q(0, 0) - q(1, 1)), -0.5 * q(0, 1)), first(0.5 * linear.x(), -0.5 * linear.y());
   std::vector<double> angles;
   for (const Complex& z : roots_of({std::conj(second), std::conj(first), constant, first, second}))
-    if (std::abs(std::abs(z) - 1.0) < 1e-6) angles.push_back(turn_of(std::arg(z)));  // a root too many only splits an arc
+    if (std::abs(std::abs(z) - 1.0) < 1e-6)
+      angles.push_back(turn_of(std::arg(z)));  // a root too many only splits an arc
   std::sort(angles.begin(), angles.end());
   return angles;
 }
@@ -130,7 +131,8 @@ double common_area(const FilledEllipse& a, const FilledEllipse& b) {
   const Eigen::Matrix2d to_circle = a.map.inverse();
   Seen seen{to_circle * (b.centre - a.centre), to_circle * b.map, {}};
   seen.inverse = seen.m.inverse();
-  return std::clamp(common_area_with_unit_circle(seen) * a.area() / std::numbers::pi, 0.0, std::min(a.area(), b.area()));
+  return std::clamp(common_area_with_unit_circle(seen) * a.area() / std::numbers::pi, 0.0,
+                    std::min(a.area(), b.area()));
 }
 
 std::optional<double> intersection_over_union(const FilledEllipse& a, const FilledEllipse& b) {

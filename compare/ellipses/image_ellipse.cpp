@@ -51,12 +51,14 @@ ImageEllipse measure_image_ellipse(const Image& image, const Image* variance_of_
     first += w * d;
   });
   if (!(total > 0.0))
-    throw InputError("", "", "an image whose pixels sum to " + std::to_string(total), "the image of an emitter (a positive sum)");
+    throw InputError("", "", "an image whose pixels sum to " + std::to_string(total),
+                     "the image of an emitter (a positive sum)");
   e.centroid_px = middle + first / total;
 
   Eigen::Vector3d second = Eigen::Vector3d::Zero();  // pixel axes, with everything that is still to be taken off
   for_each_pixel(image, e.centroid_px, [&](const Eigen::Vector2d& d, int x, int y) {
-    second += mean_of_channels(image.at(x, y), image.channels) * Eigen::Vector3d(d.x() * d.x(), d.x() * d.y(), d.y() * d.y());
+    second +=
+        mean_of_channels(image.at(x, y), image.channels) * Eigen::Vector3d(d.x() * d.x(), d.x() * d.y(), d.y() * d.y());
   });
   second /= total;
 

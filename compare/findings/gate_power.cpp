@@ -37,7 +37,8 @@ Json mutated_report(const Json& report, const std::string& mutation) {
   Json mutated = report;
   for_each_list(mutated, [&](Json& entries) {
     for (Json& entry : entries)
-      if (const Json patch = value_at(value_at(entry, "mutated"), mutation); patch.is_object()) entry.merge_patch(patch);
+      if (const Json patch = value_at(value_at(entry, "mutated"), mutation); patch.is_object())
+        entry.merge_patch(patch);
   });
   drop_mutated(mutated);
   return mutated;
@@ -50,7 +51,8 @@ void drop_mutated(Json& report) {
   });
 }
 
-Json gate_power(std::span<const GateSpec> gates, const Json& report, std::span<const MutationName> mutations, const Json& baseline) {
+Json gate_power(std::span<const GateSpec> gates, const Json& report, std::span<const MutationName> mutations,
+                const Json& baseline) {
   const Json honest = evaluate_gates(gates, report, &baseline);
   Json rows = Json::array();
   for (const MutationName& mutation : mutations) {
@@ -67,7 +69,9 @@ Json gate_power(std::span<const GateSpec> gates, const Json& report, std::span<c
     }
     rows.push_back({{"id", mutation.id}, {"what", mutation.what}, {"caught_by", std::move(caught_by)}});
   }
-  return {{"mutations", std::move(rows)}, {"gates", gates.size()}, {"false_alarms_per_run", number_or_null(sum_of_levels(gates))}};
+  return {{"mutations", std::move(rows)},
+          {"gates", gates.size()},
+          {"false_alarms_per_run", number_or_null(sum_of_levels(gates))}};
 }
 
 }  // namespace sturm

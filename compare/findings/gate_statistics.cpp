@@ -25,7 +25,8 @@ void add_reference(const Json& report, Statistics& out) {
   const auto worst_of = [&](std::initializer_list<const char*> names) {
     Extreme worst;
     if (cases && *cases >= 1.0)
-      for (const char* name : names) worst.add(number_at(report, std::string("reference/max_relative_error/") + name), name);
+      for (const char* name : names)
+        worst.add(number_at(report, std::string("reference/max_relative_error/") + name), name);
     Statistic s = worst.result();
     s.cases = cases ? static_cast<std::uint64_t>(*cases) : 0;
     return s;
@@ -74,7 +75,8 @@ void add_ellipses(const Json& report, Statistics& out) {
       lens_relative.add(number_at(lens, "against_conoid/relative_frobenius"), id);
     }
     if (!cylinder || std::abs(*cylinder) >= least_cylinder_D) {
-      const Number predicted = relative_difference(value_at(c, "sin2_closed_form/covariance_rad2"), value_at(c, "conoid/covariance_rad2"));
+      const Number predicted =
+          relative_difference(value_at(c, "sin2_closed_form/covariance_rad2"), value_at(c, "conoid/covariance_rad2"));
       const Number ratio = quotient(number_at(sin2, "against_conoid/relative_frobenius"), predicted);
       differs_z.add(number_at(sin2, "against_conoid/z_max"), id);
       ratio_min.add(ratio, id);
@@ -99,31 +101,38 @@ struct AxisDeviation {
 
 constexpr double resolved_axis_px = 4.0;  // there the pixel grid's share of a semi-axis is below 1 %
 
-/// Sheppard's correction of a hard-edged ellipse is exact up to the pixels on its rim. Against exact pixel areas (ellipses of 1 … 12 px in
-/// all directions) it is wrong by up to 0.1 px²/width in a half-width, which is this.
+/// Sheppard's correction of a hard-edged ellipse is exact up to the pixels on its rim. Against exact pixel areas
+/// (ellipses of 1 … 12 px in all directions) it is wrong by up to 0.1 px²/width in a half-width, which is this.
 double grid_allowance(double width, double pixel) {
   const double variance4 = 0.2 * pixel * pixel;
   return variance4 / (std::sqrt(width * width + variance4) + width);
 }
 
-/// Half-width 2√variance of the measured ellipse along the two **predicted** axes against the predicted semi-axes. (Measured axes that are
-/// sorted by length are biased apart near a circle.)
+/// Half-width 2√variance of the measured ellipse along the two **predicted** axes against the predicted semi-axes.
+/// (Measured axes that are sorted by length are biased apart near a circle.)
 std::array<AxisDeviation, 2> psf_deviations(const Json& psf) {
-  const Number major = number_at(psf, "measured/semi_axes_arcmin/0"), minor = number_at(psf, "measured/semi_axes_arcmin/1");
-  const Number se_major = number_at(psf, "measured/standard_error_arcmin/0"), se_minor = number_at(psf, "measured/standard_error_arcmin/1");
-  const std::array<Number, 2> expected{number_at(psf, "predicted/semi_axes_arcmin/0"), number_at(psf, "predicted/semi_axes_arcmin/1")};
+  const Number major = number_at(psf, "measured/semi_axes_arcmin/0"),
+               minor = number_at(psf, "measured/semi_axes_arcmin/1");
+  const Number se_major = number_at(psf, "measured/standard_error_arcmin/0"),
+               se_minor = number_at(psf, "measured/standard_error_arcmin/1");
+  const std::array<Number, 2> expected{number_at(psf, "predicted/semi_axes_arcmin/0"),
+                                       number_at(psf, "predicted/semi_axes_arcmin/1")};
   const Number pixel = number_at(psf, "pixel_arcmin");
   if (!major || !minor || !se_major || !se_minor || !expected[0] || !expected[1] || !pixel) return {};
   const Number from = number_at(psf, "predicted/orientation_deg"), to = number_at(psf, "measured/orientation_deg");
-  const SineCosine turn = sine_cosine_of_degrees(from && to ? *to - *from : 0.0);  // a circle has no angle and needs none
+  const SineCosine turn =
+      sine_cosine_of_degrees(from && to ? *to - *from : 0.0);  // a circle has no angle and needs none
   std::array<AxisDeviation, 2> result;
   for (int i = 0; i < 2; ++i) {
     const double along = i == 0 ? turn.cosine : turn.sine, across = i == 0 ? turn.sine : turn.cosine;
     const double width = std::hypot(along * *major, across * *minor);
-    // d(width) = (along² · major · d(major) + across² · minor · d(minor))/width; for a width of zero both axes are zero.
-    const double statistical = width > 0.0 ? std::hypot(along * along * *major * *se_major, across * across * *minor * *se_minor) / width
-                                           : std::hypot(along * *se_major, across * *se_minor);
-    const double error = std::hypot(statistical, grid_allowance(*expected[i], *pixel)), deviation = std::abs(width - *expected[i]);
+    // d(width) = (along² · major · d(major) + across² · minor · d(minor))/width; for a width of zero both axes are
+    // zero.
+    const double statistical =
+        width > 0.0 ? std::hypot(along * along * *major * *se_major, across * across * *minor * *se_minor) / width
+                    : std::hypot(along * *se_major, across * *se_minor);
+    const double error = std::hypot(statistical, grid_allowance(*expected[i], *pixel)),
+                 deviation = std::abs(width - *expected[i]);
     if (error > 0.0) result[i].z = deviation / error;
     result[i].resolved = *expected[i] >= resolved_axis_px * *pixel;
     if (result[i].resolved) result[i].relative = deviation / *expected[i];
@@ -136,8 +145,8 @@ struct Displacement {
   double px, error_px;  ///< error_px > 0
 };
 
-/// The predicted place is the chief ray's: the first-order footprint of a pupil is centred on it. The spot lies in the middle of an even
-/// number of pixels, and both are symmetric about it: the grid has no share in the centroid.
+/// The predicted place is the chief ray's: the first-order footprint of a pupil is centred on it. The spot lies in the
+/// middle of an even number of pixels, and both are symmetric about it: the grid has no share in the centroid.
 std::array<std::optional<Displacement>, 2> psf_displacements(const Json& psf) {
   std::array<std::optional<Displacement>, 2> result;
   const Number pixel = number_at(psf, "pixel_arcmin");
@@ -150,8 +159,9 @@ std::array<std::optional<Displacement>, 2> psf_displacements(const Json& psf) {
   return result;
 }
 
-/// The displacement that all spots have in common, as if every picture had slipped on its pixel grid: their mean in pixels, weighted with
-/// the inverse variances, over its standard error. Of n equally sharp spots it sees a slip √n times as clearly as one of them.
+/// The displacement that all spots have in common, as if every picture had slipped on its pixel grid: their mean in
+/// pixels, weighted with the inverse variances, over its standard error. Of n equally sharp spots it sees a slip √n
+/// times as clearly as one of them.
 class CommonDisplacement {
  public:
   void add(const std::optional<Displacement>& d) {
@@ -180,32 +190,39 @@ void add_psfs(const Json& report, Statistics& out) {
       common[i].add(d);
       const std::string name = text_at(psf, "id") + (i == 0 ? ", major axis" : ", minor axis");
       z.add(deviations[i].z, name);
-      // A short minor axis has no relative error by design; a PSF without numbers, or too small as a whole, shows in its major axis.
+      // A short minor axis has no relative error by design; a PSF without numbers, or too small as a whole, shows in
+      // its major axis.
       if (i == 0 || deviations[i].resolved) relative.add(deviations[i].relative, name);
     }
   }
   if (centroid_z.result().cases > 0)
-    for (std::size_t i = 0; i < 2; ++i) centroid_z.add(common[i].z(), i == 0 ? "all spots together, x" : "all spots together, y");
+    for (std::size_t i = 0; i < 2; ++i)
+      centroid_z.add(common[i].z(), i == 0 ? "all spots together, x" : "all spots together, y");
   out["psf_matrix_axis_max_z"] = z.result();
   out["psf_matrix_axis_max_relative"] = relative.result();
   out["psf_matrix_centroid_max_z"] = centroid_z.result();
 }
 
 void add_images(const Json& report, Statistics& out) {
-  Extreme lowest(Extreme::Of::Smallest), gain(Extreme::Of::Smallest), sin2_over_floor(Extreme::Of::Smallest), below_floor, over_floor;
+  Extreme lowest(Extreme::Of::Smallest), gain(Extreme::Of::Smallest), sin2_over_floor(Extreme::Of::Smallest),
+      below_floor, over_floor;
   Extreme light, shift;
   for (const Json& image : array_at(report, "images")) {
     const std::string id = text_at(image, "id"), model = text_at(image, "ray_model");
-    const Number rmse_over_floor = quotient(number_at(image, "metrics/rmse_linear"), number_at(image, "noise_floor/rmse_linear"));
+    const Number rmse_over_floor =
+        quotient(number_at(image, "metrics/rmse_linear"), number_at(image, "noise_floor/rmse_linear"));
     if (model == "sin2_radial") sin2_over_floor.add(rmse_over_floor, id);
     if (model != "power_matrix") continue;
-    const Number ssim = number_at(image, "metrics/ssim_display/value"), uncertainty = number_at(image, "metrics/ssim_display/uncertainty");
+    const Number ssim = number_at(image, "metrics/ssim_display/value"),
+                 uncertainty = number_at(image, "metrics/ssim_display/uncertainty");
     const Number floor = number_at(image, "noise_floor/ssim_display");
-    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id, degrees_of_metric(report, id, value_at(image, "metrics/ssim_display"))};
+    out["image_ssim_display/" + id] = {ssim, uncertainty, 1, id,
+                                       degrees_of_metric(report, id, value_at(image, "metrics/ssim_display"))};
     lowest.add(ssim, id, uncertainty);
     over_floor.add(rmse_over_floor, id);
     const Number ratio = number_at(image, "metrics/light_ratio/value");
-    light.add(ratio ? Number(std::abs(*ratio - 1.0)) : std::nullopt, id, number_at(image, "metrics/light_ratio/uncertainty"));
+    light.add(ratio ? Number(std::abs(*ratio - 1.0)) : std::nullopt, id,
+              number_at(image, "metrics/light_ratio/uncertainty"));
     const Number x = number_at(image, "metrics/shift_x_px/value"), y = number_at(image, "metrics/shift_y_px/value");
     shift.add(x && y ? Number(std::hypot(*x, *y)) : std::nullopt, id);
     below_floor.add(ssim && floor ? Number(*floor - *ssim) : std::nullopt, id, uncertainty);

@@ -6,7 +6,8 @@
 
 namespace sturm {
 
-/// Evaluates gates on a stored report, against the stored report `baseline` (null: there is none). See compare/gates/gates.h.
+/// Evaluates gates on a stored report, against the stored report `baseline` (null: there is none). See
+/// compare/gates/gates.h.
 Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline);
 
 }  // namespace sturm

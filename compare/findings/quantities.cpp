@@ -22,7 +22,8 @@ void add_ellipses(const Json& report, Quantities& out) {
   for (const Json& item : array_at(report, "ellipses/cases")) {
     const std::string name = "ellipse " + text_at(item, "id");
     for (const auto& [index, axis] : {std::pair("0", "major"), std::pair("1", "minor")})
-      out[name + ", conoid: semi-" + axis + " axis [rad]"] = {.value = number_at(item, std::string("conoid/semi_axes_rad/") + index)};
+      out[name + ", conoid: semi-" + axis + " axis [rad]"] = {
+          .value = number_at(item, std::string("conoid/semi_axes_rad/") + index)};
     for (const Json& rays : array_at(item, "rays")) {
       const std::string model = text_at(rays, "ray_model");
       const Json& prediction = value_at(item, model == "sin2_radial" ? "sin2_closed_form" : "conoid");
@@ -72,7 +73,8 @@ void add_images(const Json& report, Quantities& out) {
     if (!metrics.is_object()) continue;
     for (const auto& [key, metric] : metrics.items()) {
       const bool similarity = key.find("ssim") != std::string::npos || key.find("psnr") != std::string::npos;
-      Quantity q{.value = number_at(metric, metric.is_object() ? "value" : ""), .better = similarity ? Better::More : Better::Less};
+      Quantity q{.value = number_at(metric, metric.is_object() ? "value" : ""),
+                 .better = similarity ? Better::More : Better::Less};
       if (const std::optional<double> target = target_of(key)) q.better = Better::Nearer, q.target = target;
       if (metric.is_object()) {
         q.standard_error = number_at(metric, "uncertainty");
@@ -98,20 +100,23 @@ void add_lens_study(const Json& report, Quantities& out) {
       const auto number = number_at(view, key);
       name += "|" + (number ? plain_number(*number) : text_at(view, key));
     }
-    for (const char* key : {"order", "relative_order", "limit_relative"}) out[name + ": " + key] = {.value = number_at(view, key)};
+    for (const char* key : {"order", "relative_order", "limit_relative"})
+      out[name + ": " + key] = {.value = number_at(view, key)};
   }
 }
 
 }  // namespace
 
-void add_noise_floor(const Json& entry, const std::string& name, std::optional<double> replicates, std::map<std::string, Quantity>& out) {
+void add_noise_floor(const Json& entry, const std::string& name, std::optional<double> replicates,
+                     std::map<std::string, Quantity>& out) {
   const Json& floor = value_at(entry, "noise_floor");
   if (!floor.is_object()) return;
   for (const auto& [key, value] : floor.items())
-    out[name + "noise floor of " + key] = {.value = number_at(value, ""),
-                                           .standard_error = number_at(entry, "noise_floor_uncertainty/" + key),
-                                           .degrees = replicates && *replicates > 3.0 ? std::optional(*replicates - 2.0) : std::nullopt,
-                                           .better = key.starts_with("ssim") ? Better::More : Better::Less};
+    out[name + "noise floor of " + key] = {
+        .value = number_at(value, ""),
+        .standard_error = number_at(entry, "noise_floor_uncertainty/" + key),
+        .degrees = replicates && *replicates > 3.0 ? std::optional(*replicates - 2.0) : std::nullopt,
+        .better = key.starts_with("ssim") ? Better::More : Better::Less};
 }
 
 std::optional<double> degrees_of_metric(const Json& report, const std::string& id, const Json& metric) {

@@ -39,7 +39,8 @@ Direction direction_of(const Quantity& before, const Quantity& after) {
 
 /// Whether a difference of the two can be held against standard errors.
 bool testable(const Quantity& a, const Quantity& b) {
-  return a.value && b.value && a.standard_error && b.standard_error && std::hypot(*a.standard_error, *b.standard_error) > 0.0;
+  return a.value && b.value && a.standard_error && b.standard_error &&
+         std::hypot(*a.standard_error, *b.standard_error) > 0.0;
 }
 
 /// The change with its z, whether or not it means anything.
@@ -58,8 +59,8 @@ void compare_numbers(const Json& before, const Json& after, RunComparison& resul
     if (found == b.end() || (old.value && !found->second.value)) {
       const bool by_chance = old.may_vanish && found != b.end();  // the case itself is still there
       if (old.value)
-        result.changes.push_back(
-            {name, Kind::Missing, by_chance ? Direction::Neither : Direction::Worse, old.value, std::nullopt, std::nullopt, std::nullopt});
+        result.changes.push_back({name, Kind::Missing, by_chance ? Direction::Neither : Direction::Worse, old.value,
+                                  std::nullopt, std::nullopt, std::nullopt});
       continue;
     }
     const Quantity& now = found->second;
@@ -71,15 +72,18 @@ void compare_numbers(const Json& before, const Json& after, RunComparison& resul
     } else if (old.bound && now.bound) {
       ++result.bounded;
       if (std::abs(*now.value - *old.value) > *old.bound + *now.bound)
-        result.changes.push_back({name, Kind::BeyondUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
+        result.changes.push_back(
+            {name, Kind::BeyondUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
     } else if (*old.value != *now.value) {
-      result.changes.push_back({name, Kind::WithoutUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
+      result.changes.push_back(
+          {name, Kind::WithoutUncertainty, direction_of(old, now), old.value, now.value, std::nullopt, std::nullopt});
     }
   }
   for (const auto& [name, now] : b) {
     const auto found = a.find(name);
     if (now.value && (found == a.end() || !found->second.value))
-      result.changes.push_back({name, Kind::New, Direction::Neither, std::nullopt, now.value, std::nullopt, std::nullopt});
+      result.changes.push_back(
+          {name, Kind::New, Direction::Neither, std::nullopt, now.value, std::nullopt, std::nullopt});
   }
   result.tests = family.tests();
   result.threshold_z = family.two_sided_threshold();
@@ -96,7 +100,8 @@ void compare_gates(const Json& before, const Json& after, RunComparison& result)
   for (const Json& gate : array_at(before, "gates")) {
     const std::string id = text_at(gate, "id");
     const Json* now = find(after, id);
-    RunChange change{"gate " + id, Kind::Missing, Direction::Worse, number_at(gate, "value"), std::nullopt, std::nullopt, std::nullopt};
+    RunChange change{"gate " + id, Kind::Missing, Direction::Worse, number_at(gate, "value"),
+                     std::nullopt, std::nullopt,  std::nullopt};
     if (now) {
       const auto passed = boolean_at(gate, "passed"), passes = boolean_at(*now, "passed");
       if (passed == passes) continue;
@@ -110,8 +115,8 @@ void compare_gates(const Json& before, const Json& after, RunComparison& result)
     if (find(before, text_at(gate, "id"))) continue;
     const bool passes = boolean_at(gate, "passed").value_or(false);
     result.changes.push_back({"gate " + text_at(gate, "id") + (passes ? "" : ", which fails"), Kind::New,
-                              passes ? Direction::Neither : Direction::Worse, std::nullopt, number_at(gate, "value"), std::nullopt,
-                              std::nullopt});
+                              passes ? Direction::Neither : Direction::Worse, std::nullopt, number_at(gate, "value"),
+                              std::nullopt, std::nullopt});
   }
 }
 
@@ -146,7 +151,8 @@ Json run_json(const Json& report, const std::string& file) {
 }  // namespace
 
 std::size_t RunComparison::regressions() const {
-  return static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), [](const RunChange& c) { return c.is_regression(); }));
+  return static_cast<std::size_t>(
+      std::count_if(changes.begin(), changes.end(), [](const RunChange& c) { return c.is_regression(); }));
 }
 
 RunComparison compare_runs(const Json& before, const Json& after, double level) {
@@ -164,17 +170,19 @@ RunComparison compare_runs(const Json& before, const Json& after, double level) 
 
 std::string sentence_of(const RunComparison& comparison) {
   const auto count = [&](Kind kind) {
-    return std::to_string(
-        std::count_if(comparison.changes.begin(), comparison.changes.end(), [&](const RunChange& c) { return c.kind == kind; }));
+    return std::to_string(std::count_if(comparison.changes.begin(), comparison.changes.end(),
+                                        [&](const RunChange& c) { return c.kind == kind; }));
   };
-  return std::to_string(comparison.numbers) + " numbers compared, " + std::to_string(comparison.tests) + " with standard errors, " +
-         std::to_string(comparison.bounded) + " with bounds: " + count(Kind::BeyondUncertainty) + " changed beyond uncertainty; " +
-         count(Kind::WithoutUncertainty) + " of unknown uncertainty differ; " + count(Kind::Verdict) + " gates judge otherwise; " +
-         count(Kind::New) + " new, " + count(Kind::Missing) + " missing; " + std::to_string(comparison.regressions()) + " worse.";
+  return std::to_string(comparison.numbers) + " numbers compared, " + std::to_string(comparison.tests) +
+         " with standard errors, " + std::to_string(comparison.bounded) +
+         " with bounds: " + count(Kind::BeyondUncertainty) + " changed beyond uncertainty; " +
+         count(Kind::WithoutUncertainty) + " of unknown uncertainty differ; " + count(Kind::Verdict) +
+         " gates judge otherwise; " + count(Kind::New) + " new, " + count(Kind::Missing) + " missing; " +
+         std::to_string(comparison.regressions()) + " worse.";
 }
 
-Json run_comparison_json(const RunComparison& comparison, const Json& before, const std::string& file_before, const Json& after,
-                         const std::string& file_after) {
+Json run_comparison_json(const RunComparison& comparison, const Json& before, const std::string& file_before,
+                         const Json& after, const std::string& file_after) {
   Json changes = Json::array();
   for (const RunChange& c : comparison.changes)
     changes.push_back({{"name", c.name},

@@ -51,9 +51,11 @@ Statistic deviation(const std::string& name, const Statistics& now, const Statis
   const double difference = *b.value - *a.value;
   if (unit != "σ") return {difference, a.uncertainty, a.cases, where};
   const double error = std::hypot(a.uncertainty.value_or(0.0), b.uncertainty.value_or(0.0));
-  if (!a.uncertainty || !b.uncertainty || !(error > 0.0)) return {std::nullopt, std::nullopt, a.cases, where + ", no uncertainty"};
-  return {welch_z(difference, {*a.uncertainty * *a.uncertainty, a.degrees}, {*b.uncertainty * *b.uncertainty, b.degrees}), std::nullopt,
-          a.cases, where};
+  if (!a.uncertainty || !b.uncertainty || !(error > 0.0))
+    return {std::nullopt, std::nullopt, a.cases, where + ", no uncertainty"};
+  return {
+      welch_z(difference, {*a.uncertainty * *a.uncertainty, a.degrees}, {*b.uncertainty * *b.uncertainty, b.degrees}),
+      std::nullopt, a.cases, where};
 }
 
 bool larger_is_worse(Comparison c) {
@@ -72,7 +74,8 @@ Statistic deciding(const GateSpec& gate, const Statistics& now, const Statistics
     const Statistic s = needs_baseline ? deviation(name, now, *before, gate.unit) : find(name, now);
     if (!s.value || s.cases == 0) return {std::nullopt, std::nullopt, s.cases, s.worst_case};
     cases += s.cases;
-    if (!worst.value || (larger_is_worse(gate.comparison) ? *s.value > *worst.value : *s.value < *worst.value)) worst = s;
+    if (!worst.value || (larger_is_worse(gate.comparison) ? *s.value > *worst.value : *s.value < *worst.value))
+      worst = s;
   }
   worst.cases = cases;
   return worst;
@@ -142,7 +145,8 @@ Json verdict_of(const Json& gate_results) {
   }
   const std::size_t all = gate_results.size();
   const std::string total = std::to_string(passed) + " of " + std::to_string(all) + " gates passed";
-  return {{"passed", all > 0 && passed == all}, {"sentence", total + (failed.empty() ? "." : "; failed: " + failed + ".")}};
+  return {{"passed", all > 0 && passed == all},
+          {"sentence", total + (failed.empty() ? "." : "; failed: " + failed + ".")}};
 }
 
 }  // namespace sturm

@@ -8,7 +8,8 @@ namespace sturm {
 
 /// One number that sums up a report, over all the cases that it speaks of.
 struct Statistic {
-  std::optional<double> value;        ///< none when there is no case, or when any case has no number: missing evidence is not evidence
+  std::optional<double>
+      value;  ///< none when there is no case, or when any case has no number: missing evidence is not evidence
   std::optional<double> uncertainty;  ///< one standard error, of the worst case
   std::uint64_t cases = 0;
   std::string worst_case;                        ///< the case that `value` comes from, or the one without a number

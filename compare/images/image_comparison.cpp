@@ -41,7 +41,8 @@ double trimmed(const std::vector<double>& errors) {
 }
 
 /// A metric that `summary` makes of the local values of its map.
-ImageMetric of_map(std::string key, double value, Image map, double (*summary)(const std::vector<double>&), int margin = 0) {
+ImageMetric of_map(std::string key, double value, Image map, double (*summary)(const std::vector<double>&),
+                   int margin = 0) {
   ImageMetric m;
   m.key = std::move(key);
   m.value = finite(value);
@@ -64,28 +65,36 @@ ImageMetric of_ms_ssim(std::string key, const Image& test, const Image& referenc
     m.map = measured->local_map(test.width, test.height);
     m.map_is_similarity = true;
     m.window_px = MsSsim::window_px;
-    m.within = [shared = std::make_shared<const MsSsim>(std::move(*measured))](const Image& mask) { return shared->within(mask); };
+    m.within = [shared = std::make_shared<const MsSsim>(std::move(*measured))](const Image& mask) {
+      return shared->within(mask);
+    };
   }
   return m;
 }
 
-/// The metrics that exist in both spaces; `space` is "display" or "linear". `test`, `reference`: as they are; the first four metrics of
-/// linear light see it clamped to [0, 1], as a peak of 1 demands.
-void add_common(std::vector<ImageMetric>& metrics, const std::string& space, const Image& test, const Image& reference) {
+/// The metrics that exist in both spaces; `space` is "display" or "linear". `test`, `reference`: as they are; the first
+/// four metrics of linear light see it clamped to [0, 1], as a peak of 1 demands.
+void add_common(std::vector<ImageMetric>& metrics, const std::string& space, const Image& test,
+                const Image& reference) {
   const int width = test.width, height = test.height;
   const Image a = clamped(test), b = clamped(reference);
   Ssim similarity = ssim(a, b);
-  metrics.push_back(of_map("ssim_" + space, similarity.mean, std::move(similarity.map), mean_of, SimilarityMaps::margin));
+  metrics.push_back(
+      of_map("ssim_" + space, similarity.mean, std::move(similarity.map), mean_of, SimilarityMaps::margin));
   metrics.back().map_is_similarity = true;
   metrics.back().window_px = 2 * SimilarityMaps::margin + 1;
   metrics.push_back(of_ms_ssim("ms_ssim_" + space, a, b));
-  metrics.push_back(of_map("psnr_" + space + "_dB", psnr_dB(a, b), error_map(squared_errors(a, b), width, height), decibels));
   metrics.push_back(
-      of_map("rmse_" + space, rmse(test, reference), error_map(squared_errors(test, reference), width, height), root_of_mean));
-  const std::vector<double> relative = relative_squared_errors(test, reference), symmetric = symmetric_relative_errors(test, reference);
-  const std::string suffix = space == "linear" ? "" : "_" + space;  // relative errors are about linear light unless said otherwise
+      of_map("psnr_" + space + "_dB", psnr_dB(a, b), error_map(squared_errors(a, b), width, height), decibels));
+  metrics.push_back(of_map("rmse_" + space, rmse(test, reference),
+                           error_map(squared_errors(test, reference), width, height), root_of_mean));
+  const std::vector<double> relative = relative_squared_errors(test, reference),
+                            symmetric = symmetric_relative_errors(test, reference);
+  const std::string suffix =
+      space == "linear" ? "" : "_" + space;  // relative errors are about linear light unless said otherwise
   metrics.push_back(of_map("relative_mse" + suffix, mean_of(relative), error_map(relative, width, height), mean_of));
-  metrics.push_back(of_map("relative_mse" + suffix + "_trimmed", trimmed(relative), error_map(relative, width, height), trimmed));
+  metrics.push_back(
+      of_map("relative_mse" + suffix + "_trimmed", trimmed(relative), error_map(relative, width, height), trimmed));
   metrics.back().map = {};  // that of the plain mean
   metrics.push_back(of_map("smape" + suffix, mean_of(symmetric), error_map(symmetric, width, height), mean_of));
 }
@@ -123,7 +132,8 @@ std::vector<double> values_within(const Image& map, int margin, const Image& mas
   return values;
 }
 
-std::vector<ImageMetric> measure_images(const Image& test, const Image& reference, const ImageMetricSettings& settings) {
+std::vector<ImageMetric> measure_images(const Image& test, const Image& reference,
+                                        const ImageMetricSettings& settings) {
   require_colour_pair(test, reference);
   const Image shown = to_display(test, settings.exposure), shown_reference = to_display(reference, settings.exposure);
   std::vector<ImageMetric> metrics;

@@ -22,12 +22,12 @@ struct ImageMetric {
   std::string key;              ///< in JSON
   std::string title;            ///< in tables
   bool more_is_better = false;  ///< a similarity; otherwise an error
-  std::optional<double>
-      value;  ///< of the whole picture; none: infinite or not defined for it (PSNR of equal pictures, MS-SSIM of small ones)
+  std::optional<double> value;  ///< of the whole picture; none: infinite or not defined for it (PSNR of equal pictures,
+                                ///< MS-SSIM of small ones)
 
-  /// Local values, one channel; map pixel (x, y) belongs to image pixel (x + margin, y + margin). The metric is a mean of them, or a
-  /// function of their mean (root, decibel); of MS-SSIM it is a picture for orientation. Empty where `value` is not defined for the
-  /// picture, and for trimmed means, which are none of the whole map.
+  /// Local values, one channel; map pixel (x, y) belongs to image pixel (x + margin, y + margin). The metric is a mean
+  /// of them, or a function of their mean (root, decibel); of MS-SSIM it is a picture for orientation. Empty where
+  /// `value` is not defined for the picture, and for trimmed means, which are none of the whole map.
   Image map;
   int margin = 0;
   int window_px = 1;               ///< side of the square of pixels that a local value depends on
@@ -37,8 +37,8 @@ struct ImageMetric {
   std::function<std::optional<double>(const Image& mask)> within;
 };
 
-/// All metrics of two pictures in linear Rec. 709 light (3 channels), in the order of the tables. Throws InputError where the pictures
-/// cannot be compared or are below 11 × 11 pixels.
+/// All metrics of two pictures in linear Rec. 709 light (3 channels), in the order of the tables. Throws InputError
+/// where the pictures cannot be compared or are below 11 × 11 pixels.
 std::vector<ImageMetric> measure_images(const Image& test, const Image& reference, const ImageMetricSettings& settings);
 
 /// The metrics' keys, titles and directions without any picture.

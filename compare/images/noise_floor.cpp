@@ -17,7 +17,8 @@ struct Block {
 };
 
 /// Sum over each block of how much worse the comparison is than the seeds.
-std::vector<Block> blocks_of(const ImageMetric& metric, const std::vector<const ImageMetric*>& seeds, const Image* mask) {
+std::vector<Block> blocks_of(const ImageMetric& metric, const std::vector<const ImageMetric*>& seeds,
+                             const Image* mask) {
   const Image& map = metric.map;
   const int block_px = std::max(smallest_block_px, 2 * metric.window_px);
   const int across = (map.width + block_px - 1) / block_px, down = (map.height + block_px - 1) / block_px;
@@ -49,7 +50,8 @@ std::optional<double> z_of(const std::vector<Block>& blocks) {
 
 }  // namespace
 
-NoiseFloor noise_floor(const ImageMetric& metric, const std::vector<const ImageMetric*>& between_seeds, const Image* mask) {
+NoiseFloor noise_floor(const ImageMetric& metric, const std::vector<const ImageMetric*>& between_seeds,
+                       const Image* mask) {
   NoiseFloor floor;
   for (const ImageMetric* seed : between_seeds) {
     const std::optional<double> value = mask ? seed->within(*mask) : seed->value;

@@ -12,7 +12,8 @@ namespace {
 double mean_product(const Image& a, const Image& b, const Image& other_a, const Image& other_b) {
   double sum = 0.0;
   for (std::size_t k = 0; k < a.pixels.size(); ++k)
-    sum += (static_cast<double>(a.pixels[k]) - b.pixels[k]) * (static_cast<double>(other_a.pixels[k]) - other_b.pixels[k]);
+    sum +=
+        (static_cast<double>(a.pixels[k]) - b.pixels[k]) * (static_cast<double>(other_a.pixels[k]) - other_b.pixels[k]);
   return sum / static_cast<double>(a.pixels.size());
 }
 
@@ -20,7 +21,8 @@ double mean_product(const Image& a, const Image& b, const Image& other_a, const 
 
 PairedBias paired_bias(const std::vector<Image>& test, const std::vector<Image>& reference) {
   const std::size_t n = test.size();
-  if (n < 3 || reference.size() != n) throw std::invalid_argument("a paired bias needs at least three pictures of each kind");
+  if (n < 3 || reference.size() != n)
+    throw std::invalid_argument("a paired bias needs at least three pictures of each kind");
   for (const std::vector<Image>* images : {&test, &reference})
     for (const Image& image : *images)
       if (image.pixels.empty() || image.pixels.size() != test[0].pixels.size())

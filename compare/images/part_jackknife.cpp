@@ -12,7 +12,8 @@ std::vector<double> shares_of_mean(const Image& map, int least_side_px) {
   std::vector<double> shares(static_cast<std::size_t>(across) * down, 0.0);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
-      shares[static_cast<std::size_t>(y * down / map.height) * across + static_cast<std::size_t>(x * across / map.width)] += *map.at(x, y);
+      shares[static_cast<std::size_t>(y * down / map.height) * across +
+             static_cast<std::size_t>(x * across / map.width)] += *map.at(x, y);
   for (double& share : shares) share /= static_cast<double>(map.width) * map.height;
   return shares;
 }
@@ -22,7 +23,8 @@ PartError jackknife_by_parts(std::span<const std::vector<double>> left_out) {
   double variance = 0.0, squares = 0.0;
   std::vector<double> of_part(left_out.size());
   for (std::size_t part = 0; part < left_out.front().size(); ++part) {
-    std::transform(left_out.begin(), left_out.end(), of_part.begin(), [part](const std::vector<double>& shares) { return shares[part]; });
+    std::transform(left_out.begin(), left_out.end(), of_part.begin(),
+                   [part](const std::vector<double>& shares) { return shares[part]; });
     const double error = jackknife_standard_error(of_part);
     variance += error * error;
     squares += error * error * error * error;

@@ -35,8 +35,8 @@ struct PictureComparison {
 /// Family-wise chance that any figure of two pictures that differ by noise alone is called distinguishable.
 inline constexpr double noise_family_level = 0.01;
 
-/// `test_seed`, `reference_seed` (may be null): the same views with other seeds. The exposures of HDR-FLIP and all other conditions are the
-/// same for the comparison and for the seeds. Throws InputError as `measure_images`.
+/// `test_seed`, `reference_seed` (may be null): the same views with other seeds. The exposures of HDR-FLIP and all
+/// other conditions are the same for the comparison and for the seeds. Throws InputError as `measure_images`.
 PictureComparison compare_pictures(const Image& test, const Image& reference, const std::vector<Region>& regions,
                                    const ImageMetricSettings& settings, const Image* test_seed = nullptr,
                                    const Image* reference_seed = nullptr);

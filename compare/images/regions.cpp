@@ -28,7 +28,8 @@ double reciprocal(const Image& depth, int x, int y) {
 
 /// Whether the reciprocal depth bends between (x, y) and its neighbours at ±(dx, dy).
 bool bends(const Image& depth, int x, int y, int dx, int dy) {
-  const double before = reciprocal(depth, x - dx, y - dy), here = reciprocal(depth, x, y), after = reciprocal(depth, x + dx, y + dy);
+  const double before = reciprocal(depth, x - dx, y - dy), here = reciprocal(depth, x, y),
+               after = reciprocal(depth, x + dx, y + dy);
   return std::abs(before - 2.0 * here + after) > edge_threshold * std::max({before, here, after});
 }
 
@@ -60,8 +61,8 @@ Image blur_semi_axis_px(const Image& depth, const Eye& eye, double accommodation
   Image blur(depth.width, depth.height, 1);
   for (std::size_t i = 0; i < blur.pixels.size(); ++i) {
     const double vergence = 1.0 / depth.pixels[i];
-    blur.pixels[i] =
-        static_cast<float>(eye.pupil_radius_m * singular_values(vergence * Eigen::Matrix2d::Identity() + slopes).large / pixel_slope);
+    blur.pixels[i] = static_cast<float>(
+        eye.pupil_radius_m * singular_values(vergence * Eigen::Matrix2d::Identity() + slopes).large / pixel_slope);
   }
   return blur;
 }
@@ -83,12 +84,16 @@ std::vector<Region> regions_of(const Image& test, const Image& reference, double
   std::vector<Region> regions;
   if (layers.blur_px) {
     const std::vector<float>& blur = layers.blur_px->pixels;
-    regions.push_back({"in_focus", mask_where(*layers.blur_px, [&](std::size_t i) { return blur[i] <= sharp_limit_px; })});
-    regions.push_back({"blurred", mask_where(*layers.blur_px, [&](std::size_t i) { return blur[i] > sharp_limit_px; })});
+    regions.push_back(
+        {"in_focus", mask_where(*layers.blur_px, [&](std::size_t i) { return blur[i] <= sharp_limit_px; })});
+    regions.push_back(
+        {"blurred", mask_where(*layers.blur_px, [&](std::size_t i) { return blur[i] > sharp_limit_px; })});
   }
-  if (layers.depth) regions.push_back({"occlusion_edges", occlusion_edges(*layers.depth, layers.blur_px ? &*layers.blur_px : nullptr)});
+  if (layers.depth)
+    regions.push_back({"occlusion_edges", occlusion_edges(*layers.depth, layers.blur_px ? &*layers.blur_px : nullptr)});
   const std::vector<double> a = luma(test), b = luma(reference);
-  regions.push_back({"highlights", mask_where(reference, [&](std::size_t i) { return exposure * std::max(a[i], b[i]) > 1.0; })});
+  regions.push_back(
+      {"highlights", mask_where(reference, [&](std::size_t i) { return exposure * std::max(a[i], b[i]) > 1.0; })});
   return regions;
 }
 

@@ -14,7 +14,8 @@ inline std::uint64_t next_random(std::uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-/// Standard normal deviates by the method of Box and Muller, the same for a seed on every machine up to the rounding of log and cos.
+/// Standard normal deviates by the method of Box and Muller, the same for a seed on every machine up to the rounding of
+/// log and cos.
 class NormalDraws {
  public:
   explicit NormalDraws(std::uint64_t seed) : state_(seed) {}

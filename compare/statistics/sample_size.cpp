@@ -17,7 +17,8 @@ std::uint64_t size_for(const SampleSizeRequest& r, double variance_of_one) {
   const double deviations = r.sigmas + normal_upper_quantile(1.0 - r.power);
   if (!(deviations > 0.0)) return 1;  // so small a power is had by chance
   const double ratio = deviations / r.relative_difference;
-  const double n = std::ceil((r.both_measured ? 2.0 : 1.0) * variance_of_one * ratio * ratio * (1.0 - 1e-12));  // 4e6, not 4e6 + 1
+  const double n =
+      std::ceil((r.both_measured ? 2.0 : 1.0) * variance_of_one * ratio * ratio * (1.0 - 1e-12));  // 4e6, not 4e6 + 1
   if (!(n < 0x1p63)) throw std::domain_error("sample size: more than 2^63 samples");
   return static_cast<std::uint64_t>(std::max(1.0, n));
 }

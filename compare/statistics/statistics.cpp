@@ -66,7 +66,8 @@ double normal_two_sided(double z) {
 }
 
 double normal_upper_quantile(double upper_tail) {
-  if (!(upper_tail > 0.0 && upper_tail < 1.0)) throw std::domain_error("normal_upper_quantile: probability outside (0, 1)");
+  if (!(upper_tail > 0.0 && upper_tail < 1.0))
+    throw std::domain_error("normal_upper_quantile: probability outside (0, 1)");
   if (upper_tail > 0.5) return -normal_upper_quantile(1.0 - upper_tail);
   // Bisection on the logarithm of the tail: 38 is beyond the smallest probability that a double can hold.
   double low = 0.0, high = 38.0;
@@ -78,7 +79,8 @@ double normal_upper_quantile(double upper_tail) {
 }
 
 double regularised_incomplete_beta(double a, double b, double x) {
-  if (!(a > 0.0 && b > 0.0 && x >= 0.0 && x <= 1.0)) throw std::domain_error("regularised_incomplete_beta: argument out of range");
+  if (!(a > 0.0 && b > 0.0 && x >= 0.0 && x <= 1.0))
+    throw std::domain_error("regularised_incomplete_beta: argument out of range");
   if (x == 0.0 || x == 1.0) return x;
   // The fraction converges fast below the mean; above it the symmetric function is used.
   return x < (a + 1.0) / (a + b + 2.0) ? beta_fraction(a, b, x) : 1.0 - beta_fraction(b, a, 1.0 - x);
@@ -88,7 +90,8 @@ double regularised_upper_gamma(double a, double x) {
   if (!(a > 0.0 && x >= 0.0)) throw std::domain_error("regularised_upper_gamma: argument out of range");
   if (x == 0.0) return 1.0;
   const double front = std::exp(-x + a * std::log(x) - std::lgamma(a));
-  if (x >= a + 1.0) return front / continued_fraction(x + 1.0 - a, [=](int i) { return Term{i * (a - i), x + 2 * i + 1.0 - a}; });
+  if (x >= a + 1.0)
+    return front / continued_fraction(x + 1.0 - a, [=](int i) { return Term{i * (a - i), x + 2 * i + 1.0 - a}; });
   double sum = 1.0 / a, term = sum;
   for (double n = a + 1.0; term > sum * epsilon; n += 1.0) sum += term *= x / n;
   return 1.0 - front * sum;
@@ -101,7 +104,8 @@ double student_t_two_sided(double t, double degrees) {
 }
 
 double student_t_two_sided_quantile(double two_sided, double degrees) {
-  if (!(two_sided > 0.0 && two_sided < 1.0)) throw std::domain_error("student_t_two_sided_quantile: probability outside (0, 1)");
+  if (!(two_sided > 0.0 && two_sided < 1.0))
+    throw std::domain_error("student_t_two_sided_quantile: probability outside (0, 1)");
   double low = 0.0, high = 1.0;
   while (student_t_two_sided(high, degrees) > two_sided) low = high, high *= 2.0;
   for (int i = 0; i < 200 && high - low > epsilon * high; ++i) {
@@ -128,13 +132,15 @@ double chi_squared_upper_tail(double x, double degrees) {
 }
 
 double sidak_level(double family, std::size_t tests) {
-  if (!(family > 0.0 && family < 1.0) || tests == 0) throw std::domain_error("sidak_level: needs 0 < family < 1 and at least one test");
+  if (!(family > 0.0 && family < 1.0) || tests == 0)
+    throw std::domain_error("sidak_level: needs 0 < family < 1 and at least one test");
   return -std::expm1(std::log1p(-family) / static_cast<double>(tests));
 }
 
-double bootstrap_standard_error(std::size_t items, const std::function<double(std::span<const std::size_t>)>& statistic, int resamples,
-                                std::uint64_t seed) {
-  if (items == 0 || resamples < 2) throw std::domain_error("bootstrap_standard_error: needs items and at least two resamples");
+double bootstrap_standard_error(std::size_t items, const std::function<double(std::span<const std::size_t>)>& statistic,
+                                int resamples, std::uint64_t seed) {
+  if (items == 0 || resamples < 2)
+    throw std::domain_error("bootstrap_standard_error: needs items and at least two resamples");
   std::vector<std::size_t> indices(items);
   double mean = 0.0, squares = 0.0;
   for (int r = 0; r < resamples; ++r) {

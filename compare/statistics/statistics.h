@@ -29,8 +29,8 @@ double student_t_two_sided(double t, double degrees);
 /// t > 0 with P(|T| > t) = `two_sided`, 0 < two_sided < 1. Throws std::domain_error outside.
 double student_t_two_sided_quantile(double two_sided, double degrees);
 
-/// The normal deviate with the same tail probability and sign as `t`, so that statistics of different degrees of freedom can be
-/// put together. Saturates at ±37.5, where the tail probability leaves the range of double.
+/// The normal deviate with the same tail probability and sign as `t`, so that statistics of different degrees of
+/// freedom can be put together. Saturates at ±37.5, where the tail probability leaves the range of double.
 double normal_equivalent_of_t(double t, double degrees);
 
 /// P(X > f) of Fisher's F with (d1, d2) degrees of freedom.
@@ -43,9 +43,9 @@ double chi_squared_upper_tail(double x, double degrees);
 /// 1 − (1 − family)^(1/tests). Conservative for positively dependent tests.
 double sidak_level(double family, std::size_t tests);
 
-/// Standard deviation over `resamples` ≥ 2 bootstrap resamples of `statistic`, which gets `items` indices drawn with replacement
-/// from 0 … items − 1. Deterministic: the generator depends on `seed` alone, not on the standard library.
-double bootstrap_standard_error(std::size_t items, const std::function<double(std::span<const std::size_t>)>& statistic, int resamples,
-                                std::uint64_t seed);
+/// Standard deviation over `resamples` ≥ 2 bootstrap resamples of `statistic`, which gets `items` indices drawn with
+/// replacement from 0 … items − 1. Deterministic: the generator depends on `seed` alone, not on the standard library.
+double bootstrap_standard_error(std::size_t items, const std::function<double(std::span<const std::size_t>)>& statistic,
+                                int resamples, std::uint64_t seed);
 
 }  // namespace sturm

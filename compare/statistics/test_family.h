@@ -5,9 +5,9 @@
 
 namespace sturm {
 
-/// A family of tests that are looked at together. Tests are registered as they are made; the level of each single one then follows from
-/// their number, so that the chance of any false alarm in the whole family is `level` however many tests there are (Šidák; conservative for
-/// tests that depend on each other positively).
+/// A family of tests that are looked at together. Tests are registered as they are made; the level of each single one
+/// then follows from their number, so that the chance of any false alarm in the whole family is `level` however many
+/// tests there are (Šidák; conservative for tests that depend on each other positively).
 class TestFamily {
  public:
   /// `level` in (0, 1): the family-wise false-alarm rate. Throws std::domain_error outside.

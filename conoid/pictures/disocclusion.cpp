@@ -15,7 +15,11 @@ struct Guess {
 class HiddenSurface {
  public:
   HiddenSurface(const Image& radiance, const std::vector<double>& vergence_D, double jump_D)
-      : radiance_(radiance), vergence_(vergence_D), jump_(jump_D), guesses_(vergence_D.size()), ring_(vergence_D.size(), 0) {}
+      : radiance_(radiance),
+        vergence_(vergence_D),
+        jump_(jump_D),
+        guesses_(vergence_D.size()),
+        ring_(vergence_D.size(), 0) {}
 
   void grow(const std::function<double(double)>& reach_px) {
     mark_mixed_pixels();
@@ -28,8 +32,10 @@ class HiddenSurface {
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       if (ring_[i] <= 0) continue;
       const auto& rgb = guesses_[i].rgb;
-      result.push_back(
-          {x_of(i), y_of(i), guesses_[i].vergence_D, {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])}});
+      result.push_back({x_of(i),
+                        y_of(i),
+                        guesses_[i].vergence_D,
+                        {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])}});
     }
     return result;
   }
@@ -47,7 +53,8 @@ class HiddenSurface {
         if (u != x || v != y) visit(static_cast<std::size_t>(v) * radiance_.width + u);
   }
 
-  /// A far pixel beside an edge may hold some of the near surface's light (pixels are box filtered): not a source of colour if avoidable.
+  /// A far pixel beside an edge may hold some of the near surface's light (pixels are box filtered): not a source of
+  /// colour if avoidable.
   void mark_mixed_pixels() {
     mixed_.assign(vergence_.size(), false);
     for (std::size_t i = 0; i < vergence_.size(); ++i)
@@ -136,8 +143,8 @@ class HiddenSurface {
 
 }  // namespace
 
-std::vector<HiddenSample> extrapolate_hidden(const Image& radiance, const std::vector<double>& vergence_D, double jump_D,
-                                             const std::function<double(double)>& reach_px) {
+std::vector<HiddenSample> extrapolate_hidden(const Image& radiance, const std::vector<double>& vergence_D,
+                                             double jump_D, const std::function<double(double)>& reach_px) {
   HiddenSurface surface(radiance, vergence_D, jump_D);
   surface.grow(reach_px);
   return surface.samples();

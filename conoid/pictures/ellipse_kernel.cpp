@@ -17,10 +17,14 @@ struct GridLine {
   double t, angle, sine, cap;
 
   explicit GridLine(double t_)
-      : t(std::clamp(t_, -1.0, 1.0)), angle(std::acos(t)), sine(std::sqrt((1.0 - t) * (1.0 + t))), cap(angle - t * sine) {}
+      : t(std::clamp(t_, -1.0, 1.0)),
+        angle(std::acos(t)),
+        sine(std::sqrt((1.0 - t) * (1.0 + t))),
+        cap(angle - t * sine) {}
 };
 
-/// The two families of grid lines as the unit disc sees them. All that matters of the ellipse's shape is the angle between their normals.
+/// The two families of grid lines as the unit disc sees them. All that matters of the ellipse's shape is the angle
+/// between their normals.
 class DiscGrid {
  public:
   DiscGrid(const Eigen::Matrix2d& map)
@@ -36,7 +40,8 @@ class DiscGrid {
     if (x.angle + y.angle <= angle_) return 0.0;                               // disjoint
     if (std::abs(x.angle - y.angle) >= angle_) return std::min(x.cap, y.cap);  // one in the other
     if (x.angle + y.angle + angle_ >= 2.0 * pi) return x.cap + y.cap - pi;     // together they cover the disc
-    // The chords cross at P. Green's theorem along chord y, the common arc, chord x; s are P's positions along the chords.
+    // The chords cross at P. Green's theorem along chord y, the common arc, chord x; s are P's positions along the
+    // chords.
     const double s_x = std::clamp((y.t - x.t * cosine_) / sine_, -x.sine, x.sine);
     const double s_y = std::clamp((y.t * cosine_ - x.t) / sine_, -y.sine, y.sine);
     return 0.5 * (x.angle + y.angle - angle_ - x.t * (x.sine - s_x) - y.t * (y.sine + s_y));
@@ -68,7 +73,9 @@ int floor_int(double x) {
 
 EllipseKernel::EllipseKernel(const Eigen::Matrix2d& map, const Eigen::Vector2d& source) {
   const DiscGrid grid(map);
-  const auto column_line = [&](int x) { return GridLine((x - source.x()) / grid.half_width); };  // ±∞ for a vertical focal line
+  const auto column_line = [&](int x) {
+    return GridLine((x - source.x()) / grid.half_width);
+  };  // ±∞ for a vertical focal line
   const auto row_line = [&](int y) { return GridLine((y - source.y()) / grid.half_height); };
 
   first_row_ = floor_int(source.y() - grid.half_height);
@@ -87,7 +94,8 @@ EllipseKernel::EllipseKernel(const Eigen::Matrix2d& map, const Eigen::Vector2d& 
     row.end = std::min(end_column, floor_int(source.x() + grid.half_width * grid.rightmost(upper, lower)) + 1);
     row.inner_begin = row.inner_end = row.end;
     if (upper.t > -1.0 && lower.t < 1.0) {  // a box is inside the ellipse where its four corners are
-      const int from = static_cast<int>(std::ceil(source.x() + grid.half_width * std::max(grid.left(upper), grid.left(lower))));
+      const int from =
+          static_cast<int>(std::ceil(source.x() + grid.half_width * std::max(grid.left(upper), grid.left(lower))));
       const int to = floor_int(source.x() + grid.half_width * std::min(grid.right(upper), grid.right(lower)));
       if (from < to) row.inner_begin = std::max(row.begin, from), row.inner_end = std::min(row.end, to);
     }

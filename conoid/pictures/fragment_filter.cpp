@@ -50,7 +50,8 @@ struct Plane {
   std::uint32_t fragment;  ///< of the view
 };
 
-/// What radiance is divided by: below 1e-3 a division would blow up noise. Light that a glossy surface reflects at once knows no albedo.
+/// What radiance is divided by: below 1e-3 a division would blow up noise. Light that a glossy surface reflects at once
+/// knows no albedo.
 Vector3f divisor(const Fragment& f) {
   return f.lambertian ? Vector3f(f.albedo.cwiseMax(1e-3f)) : Vector3f(Vector3f::Ones());
 }
@@ -61,7 +62,8 @@ bool takes_part(const Fragment& f) {
 
 class Wavelet {
  public:
-  Wavelet(const FragmentImage& view, double pixel_slope, const Eigen::Vector3d& eye_position, const FilterSettings& settings)
+  Wavelet(const FragmentImage& view, double pixel_slope, const Eigen::Vector3d& eye_position,
+          const FilterSettings& settings)
       : view_(view), settings_(settings) {
     const Vector3f eye = eye_position.cast<float>();
     first_.reserve(view.first.size());
@@ -71,11 +73,13 @@ class Wavelet {
         for (const Fragment& f : view.at(x, y)) {
           if (!takes_part(f)) continue;
           const Vector3f position = f.position - eye;
-          planes_.push_back({f.normal, f.normal.dot(position), position, static_cast<float>(pixel_slope) * position.norm(), f.share,
-                             f.albedo, f.lambertian, static_cast<std::uint32_t>(&f - view.fragments.data())});
+          planes_.push_back({f.normal, f.normal.dot(position), position,
+                             static_cast<float>(pixel_slope) * position.norm(), f.share, f.albedo, f.lambertian,
+                             static_cast<std::uint32_t>(&f - view.fragments.data())});
           const Vector3f by = divisor(f).cwiseInverse(), by_squared = by.cwiseAbs2();
-          light_.push_back({channels(f.direct.cwiseProduct(by), (f.radiance - f.direct).cwiseProduct(by)),
-                            channels(f.direct_variance.cwiseProduct(by_squared), f.indirect_variance.cwiseProduct(by_squared))});
+          light_.push_back(
+              {channels(f.direct.cwiseProduct(by), (f.radiance - f.direct).cwiseProduct(by)),
+               channels(f.direct_variance.cwiseProduct(by_squared), f.indirect_variance.cwiseProduct(by_squared))});
         }
         first_.push_back(static_cast<std::uint32_t>(planes_.size()));
       }
@@ -108,7 +112,8 @@ class Wavelet {
   void for_all(const Work& work) const {
     tbb::parallel_for(0, view_.height, [&](int y) {
       for (int x = 0; x < view_.width; ++x) {
-        const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
         for (std::uint32_t i = first_[pixel]; i < first_[pixel + 1]; ++i) work(x, y, i);
       }
     });
@@ -119,7 +124,8 @@ class Wavelet {
     if (x < 0 || y < 0 || x >= view_.width || y >= view_.height) return none;
     constexpr float same_way = 0.97f;  // cos 14°
     constexpr float same_albedo = 0.06f;
-    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
     for (std::uint32_t j = first_[pixel]; j < first_[pixel + 1]; ++j) {
       const Plane& g = planes_[j];
       if (g.normal.dot(f.normal) < same_way || g.lambertian != f.lambertian) continue;
@@ -129,8 +135,8 @@ class Wavelet {
     return none;
   }
 
-  /// Squares of the differences that count as noise. Variances estimated from few samples are noisy themselves: the mean over 3 × 3 pixels.
-  /// Where all are alike to the last bit, rounding is noise.
+  /// Squares of the differences that count as noise. Variances estimated from few samples are noisy themselves: the
+  /// mean over 3 × 3 pixels. Where all are alike to the last bit, rounding is noise.
   Channels tolerance(int x, int y, std::uint32_t i) const {
     Channels sum{};
     int count = 0;
@@ -154,9 +160,10 @@ class Wavelet {
         const std::uint32_t j = dx == 0 && dy == 0 ? i : continued(x + dx * step, y + dy * step, planes_[i], 2 * step);
         if (j == none) continue;
         const Light& other = light_[j];
-        // (1 − x/4)⁴ is exp(−x) to 0.06, and ends at 4. The mean of both tolerances: who sees another is seen by it, and a rare bright
-        // sample is neither left alone by its neighbours nor lost in them.
-        const Channels difference = other.value - own, off = difference * difference / (2.0f * (tolerance + tolerance_[j]));
+        // (1 − x/4)⁴ is exp(−x) to 0.06, and ends at 4. The mean of both tolerances: who sees another is seen by it,
+        // and a rare bright sample is neither left alone by its neighbours nor lost in them.
+        const Channels difference = other.value - own,
+                       off = difference * difference / (2.0f * (tolerance + tolerance_[j]));
         const Channels near = larger(1.0f - largest(off), Channels{}), square = near * near;
         const Channels weight = planes_[j].share * b3[std::abs(dx)] * b3[std::abs(dy)] * square * square;
         sum += weight * other.value;
@@ -176,7 +183,8 @@ class Wavelet {
 
 }  // namespace
 
-FragmentImage filtered(const FragmentImage& view, double pixel_slope, const Eigen::Vector3d& eye_position, const FilterSettings& settings) {
+FragmentImage filtered(const FragmentImage& view, double pixel_slope, const Eigen::Vector3d& eye_position,
+                       const FilterSettings& settings) {
   return Wavelet(view, pixel_slope, eye_position, settings).run();
 }
 

@@ -62,11 +62,13 @@ void check(const SharpView& view, const PredictorSettings& settings) {
     if (!holds) throw std::invalid_argument(std::string("sharp view: ") + message);
   };
   require(view.radiance.channels == 3 && view.depth.channels == 1, "expected 3 radiance channels and 1 depth channel");
-  require(view.radiance.width == view.depth.width && view.radiance.height == view.depth.height, "radiance and depth differ in size");
+  require(view.radiance.width == view.depth.width && view.radiance.height == view.depth.height,
+          "radiance and depth differ in size");
   require(view.oversampling >= 1 && view.margin_px >= 0, "oversampling below 1 or negative margin");
   const int width = view.radiance.width - 2 * view.margin_px, height = view.radiance.height - 2 * view.margin_px;
   require(width > 0 && height > 0, "nothing is left inside the guard band");
-  require(width % view.oversampling == 0 && height % view.oversampling == 0, "size without guard band is no multiple of the oversampling");
+  require(width % view.oversampling == 0 && height % view.oversampling == 0,
+          "size without guard band is no multiple of the oversampling");
   require(view.pixel_slope > 0.0 && std::isfinite(view.pixel_slope), "pixel slope must be positive");
   require(settings.layer_width_px > 0.0 && settings.sharp_below_px >= 0.0, "settings must be positive");
   for (const float value : view.radiance.pixels) require(std::isfinite(value), "radiance is not finite");
@@ -102,15 +104,18 @@ class Predictor {
   void collect_samples() {
     const Image& radiance = view_.radiance;
     std::vector<double> vergence(view_.depth.pixels.size());
-    for (std::size_t i = 0; i < vergence.size(); ++i) vergence[i] = 1.0 / static_cast<double>(view_.depth.pixels[i]);  // 1/∞ = 0
-    for (const double extreme : {*std::min_element(vergence.begin(), vergence.end()), *std::max_element(vergence.begin(), vergence.end())})
+    for (std::size_t i = 0; i < vergence.size(); ++i)
+      vergence[i] = 1.0 / static_cast<double>(view_.depth.pixels[i]);  // 1/∞ = 0
+    for (const double extreme :
+         {*std::min_element(vergence.begin(), vergence.end()), *std::max_element(vergence.begin(), vergence.end())})
       if (!(blur_.semi_major_px(extreme) <= largest_radius_px))
         throw std::invalid_argument("sharp view: a blur ellipse exceeds 16384 pixels");
     for (int y = 0; y < radiance.height; ++y)
       for (int x = 0; x < radiance.width; ++x)
         add_sample(x, y, vergence[static_cast<std::size_t>(y) * radiance.width + x], radiance.at(x, y));
     if (blur_.px_per_dioptre() > 0.0) {
-      // A step of one sharp pixel of blur per sharp pixel is where a surface's own blur begins to fold over: an edge from there on.
+      // A step of one sharp pixel of blur per sharp pixel is where a surface's own blur begins to fold over: an edge
+      // from there on.
       const double jump_D = 1.0 / (n_ * blur_.px_per_dioptre());
       const auto reach = [&](double vergence_D) { return n_ * blur_.semi_major_px(vergence_D); };
       for (const HiddenSample& hidden : extrapolate_hidden(radiance, vergence, jump_D, reach)) {
@@ -139,7 +144,9 @@ class Predictor {
   }
 
   /// Layers from infinity inwards; each holds vergences over which the semi-axes change by layer_width_px.
-  double layer_coordinate(double vergence_D) const { return vergence_D * blur_.px_per_dioptre() / settings_.layer_width_px; }
+  double layer_coordinate(double vergence_D) const {
+    return vergence_D * blur_.px_per_dioptre() / settings_.layer_width_px;
+  }
 
   int bin_of(const Sample& s) const {
     const double within = layer_coordinate(s.vergence_D) + static_cast<double>(s.layer);
@@ -165,7 +172,8 @@ class Predictor {
       maps[bin] = blur_.map(vergence_D);
       const double radius = blur_.semi_major_px(vergence_D);
       sharp[bin] = radius < settings_.sharp_below_px;
-      if (radius * n_ > view_.margin_px && !sharp[bin]) counters_.clipped_radius_px = std::max(counters_.clipped_radius_px, radius);
+      if (radius * n_ > view_.margin_px && !sharp[bin])
+        counters_.clipped_radius_px = std::max(counters_.clipped_radius_px, radius);
     }
 
     const int phases = n_ * n_;
@@ -214,17 +222,20 @@ class Predictor {
 
 }  // namespace
 
-Prediction predict_image(const SharpView& view, const Eye& eye, double accommodation_D, const PredictorSettings& settings) {
+Prediction predict_image(const SharpView& view, const Eye& eye, double accommodation_D,
+                         const PredictorSettings& settings) {
   check(view, settings);
   return Predictor(view, eye, accommodation_D, settings).run();
 }
 
-int required_margin_px(const Eye& eye, double accommodation_D, double pixel_slope, double nearest_m, double farthest_m) {
+int required_margin_px(const Eye& eye, double accommodation_D, double pixel_slope, double nearest_m,
+                       double farthest_m) {
   if (!(nearest_m > 0.0 && farthest_m >= nearest_m && pixel_slope > 0.0))
     throw std::invalid_argument("guard band: expected 0 < nearest <= farthest");
   const PixelBlur blur(eye, accommodation_D, pixel_slope);
   // The larger semi-axis is a norm of a matrix that is affine in the vergence: convex, so largest at an end.
-  return static_cast<int>(std::ceil(std::max(blur.semi_major_px(1.0 / nearest_m), blur.semi_major_px(1.0 / farthest_m))));
+  return static_cast<int>(
+      std::ceil(std::max(blur.semi_major_px(1.0 / nearest_m), blur.semi_major_px(1.0 / farthest_m))));
 }
 
 }  // namespace sturm

@@ -48,9 +48,11 @@ Image lamp_reach(const FragmentImage& view, int oversampling, const SightField& 
         const Vector2d place((x + 0.5) / oversampling, (y + 0.5) / oversampling);
         const Sight sight = field.at(place);
         if (!sight.reaches) continue;
-        const double t = (lamp.position.cast<double>() - sight.origin).dot(sight.direction) / sight.direction.squaredNorm();
+        const double t =
+            (lamp.position.cast<double>() - sight.origin).dot(sight.direction) / sight.direction.squaredNorm();
         const double vergence = t > 0.0 ? 1.0 / t : 0.0;
-        const Matrix2d map = SightNeighbourhood(field, place, sight).picture_map(field.slopes(sight, vergence), vergence);
+        const Matrix2d map =
+            SightNeighbourhood(field, place, sight).picture_map(field.slopes(sight, vergence), vergence);
         raise(reach, place, field.eye().pupil_radius_m * map, lamp.radiance.maxCoeff());
       }
   return reach;

@@ -34,13 +34,15 @@ void LayerCompositor::add_layer(std::span<const Spot> spots, std::span<const Ell
     reach_up = std::max(reach_up, -k.first_row());
     reach_down = std::max(reach_down, k.first_row() + static_cast<int>(k.rows().size()) - 1);
   }
-  const int first_row = std::max(0, spots.front().y - reach_up), end_row = std::min(height_, spots.back().y + reach_down + 1);
+  const int first_row = std::max(0, spots.front().y - reach_up),
+            end_row = std::min(height_, spots.back().y + reach_down + 1);
   if (first_row >= end_row) return;
   tbb::parallel_for(first_row / rows_per_band, (end_row - 1) / rows_per_band + 1, [&](int band) {
     const int row0 = band * rows_per_band, row1 = std::min(height_, row0 + rows_per_band);
-    std::fill(layer_.begin() + static_cast<std::ptrdiff_t>(row0) * width_, layer_.begin() + static_cast<std::ptrdiff_t>(row1) * width_,
-              Light{});
-    auto s = std::lower_bound(spots.begin(), spots.end(), row0 - reach_down, [](const Spot& a, int row) { return a.y < row; });
+    std::fill(layer_.begin() + static_cast<std::ptrdiff_t>(row0) * width_,
+              layer_.begin() + static_cast<std::ptrdiff_t>(row1) * width_, Light{});
+    auto s = std::lower_bound(spots.begin(), spots.end(), row0 - reach_down,
+                              [](const Spot& a, int row) { return a.y < row; });
     for (; s != spots.end() && s->y < row1 + reach_up; ++s) spread(*s, kernels, row0, row1);
     composite(row0, row1);
   });
@@ -48,7 +50,8 @@ void LayerCompositor::add_layer(std::span<const Spot> spots, std::span<const Ell
 
 void LayerCompositor::spread(const Spot& s, std::span<const EllipseKernel> kernels, int row0, int row1) {
   if (s.kernel == Spot::copied) {
-    if (s.x >= 0 && s.x < width_ && s.y >= row0 && s.y < row1) layer_[static_cast<std::size_t>(s.y) * width_ + s.x].add(weighted(s, 1.0));
+    if (s.x >= 0 && s.x < width_ && s.y >= row0 && s.y < row1)
+      layer_[static_cast<std::size_t>(s.y) * width_ + s.x].add(weighted(s, 1.0));
     return;
   }
   const EllipseKernel& kernel = kernels[static_cast<std::size_t>(s.kernel)];

@@ -19,8 +19,8 @@ using Eigen::Vector2d;
 
 constexpr double largest_radius_px = 16384.0;
 
-/// Places along each side that the sharp pixel of a lamp's rim is spread from. Cells of 1/n px lack n⁻²/12 px² of the pixel's variance,
-/// which is little beside that of the blur, r²/4.
+/// Places along each side that the sharp pixel of a lamp's rim is spread from. Cells of 1/n px lack n⁻²/12 px² of the
+/// pixel's variance, which is little beside that of the blur, r²/4.
 int lamp_grid(double radius_px) {
   return radius_px < 2.0 ? 8 : radius_px < 8.0 ? 4 : 2;
 }
@@ -54,7 +54,8 @@ class Layers {
     tbb::parallel_for(std::size_t{0}, sources_.size(), [&](std::size_t i) { blur(sources_[i]); });
     spread_lamps_from_all_over();
     for (const Source& s : sources_)
-      if (!(singular_values(s.map).large <= largest_radius_px)) throw std::invalid_argument("layers: a blur ellipse exceeds 16384 pixels");
+      if (!(singular_values(s.map).large <= largest_radius_px))
+        throw std::invalid_argument("layers: a blur ellipse exceeds 16384 pixels");
     std::stable_sort(sources_.begin(), sources_.end(), [&](const Source& a, const Source& b) {
       return std::tuple(a.layer, output(a.y), output(a.x)) < std::tuple(b.layer, output(b.y), output(b.x));
     });
@@ -90,7 +91,8 @@ class Layers {
         if (fragments.empty()) continue;
         const auto chief = field_.chief_ray({(x + 0.5) / n_, (y + 0.5) / n_});
         const std::size_t first = sources_.size();
-        const bool rim = at_lamp_rim(view_, x, y, 2);  // the lamp, what it shines into, and what that gives light to in turn
+        const bool rim =
+            at_lamp_rim(view_, x, y, 2);  // the lamp, what it shines into, and what that gives light to in turn
         for (const Fragment& f : fragments) {
           sources_.push_back({x, y, vergence_of(f, chief), f.share, f.radiance});
           if (rim) sources_.back().part = &f;
@@ -110,11 +112,12 @@ class Layers {
     }
   }
 
-  /// The sources of one pixel from `first` on: pieces of about the same depth are one sheet, and a sheet goes on behind what is nearer.
-  /// `unknown_shares`: nothing is known of the pieces but that they are there, except for lamps.
+  /// The sources of one pixel from `first` on: pieces of about the same depth are one sheet, and a sheet goes on behind
+  /// what is nearer. `unknown_shares`: nothing is known of the pieces but that they are there, except for lamps.
   void complete_sheets(std::size_t first, bool unknown_shares = false) {
     const auto begin = sources_.begin() + static_cast<std::ptrdiff_t>(first);
-    std::stable_sort(begin, sources_.end(), [](const Source& a, const Source& b) { return a.vergence_D > b.vergence_D; });
+    std::stable_sort(begin, sources_.end(),
+                     [](const Source& a, const Source& b) { return a.vergence_D > b.vergence_D; });
     float nearer = 0.0f;
     for (auto sheet = begin; sheet != sources_.end();) {
       auto end = sheet;
@@ -133,14 +136,15 @@ class Layers {
     s.place = center(s);
     if (!sight.reaches) return;
     const SightNeighbourhood around(field_, center(s), sight);
-    // A lamp is so bright that the rim of its ellipse shows where in the pixel it is; of all else the pixel's middle will do.
+    // A lamp is so bright that the rim of its ellipse shows where in the pixel it is; of all else the pixel's middle
+    // will do.
     if (s.part) s.place = within_pixel(s, s.part->middle.cast<double>());
     s.map = field_.eye().pupil_radius_m * around.picture_map(field_.slopes(sight, s.vergence_D), s.vergence_D);
   }
 
-  /// The part of its pixel that a lamp fills gives light to the next pixel as soon as blur is wider than what is between: spread from its
-  /// middle, it would not, and of a lamp little is much. What is beside it does the same, or coverage would not add up to 1. The
-  /// parallelogram of the same first and second moments stands for the part.
+  /// The part of its pixel that a lamp fills gives light to the next pixel as soon as blur is wider than what is
+  /// between: spread from its middle, it would not, and of a lamp little is much. What is beside it does the same, or
+  /// coverage would not add up to 1. The parallelogram of the same first and second moments stands for the part.
   void spread_lamps_from_all_over() {
     std::vector<Source> all;
     all.reserve(sources_.size());
@@ -197,8 +201,8 @@ class Layers {
 
 }  // namespace
 
-Prediction predict_by_layers(const FragmentImage& view, int oversampling, const SightField& field, const std::vector<UnseenPiece>& unseen,
-                             const PredictorSettings& settings) {
+Prediction predict_by_layers(const FragmentImage& view, int oversampling, const SightField& field,
+                             const std::vector<UnseenPiece>& unseen, const PredictorSettings& settings) {
   return Layers(view, oversampling, field, settings).run(unseen);
 }
 

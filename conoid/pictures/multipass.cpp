@@ -22,8 +22,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// The most that one ray which meets a lamp may be of what its pixel has: beyond it, the lamp's rim shows steps. Of very bright lamps much
-/// more would take too many rays, so that their many passes are left alone sooner.
+/// The most that one ray which meets a lamp may be of what its pixel has: beyond it, the lamp's rim shows steps. Of
+/// very bright lamps much more would take too many rays, so that their many passes are left alone sooner.
 constexpr double coarsest_step = 1.0 / 32.0, coarsest_step_of_many = 0.25;
 
 /// One ray that met what the sharp view does not show.
@@ -65,7 +65,8 @@ class PassSets {
         std::vector<double>& of_set = made_.weights.emplace_back();
         double sum = 0.0;
         for (const PupilPass& pass : set)
-          sum += of_set.emplace_back(std::pow(10.0, -eye_.stiles_crawford_per_m2 * a * a * static_cast<double>(pass.pupil.squaredNorm())));
+          sum += of_set.emplace_back(
+              std::pow(10.0, -eye_.stiles_crawford_per_m2 * a * a * static_cast<double>(pass.pupil.squaredNorm())));
         for (double& w : of_set) w /= sum;
       }
     });
@@ -81,8 +82,8 @@ class PassSets {
 
 class Passes {
  public:
-  Passes(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene, const PassSettings& settings,
-         bool tell_lamps)
+  Passes(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
+         const PassSettings& settings, bool tell_lamps)
       : field_(field),
         scene_(scene),
         settings_(settings),
@@ -100,7 +101,8 @@ class Passes {
     if (settings.lamp_factor > 1) lamps_ = lamp_reach(view, oversampling, field);
   }
 
-  /// Sends all rays. `sums` gets what the sharp view knows, one entry per pixel; the result is what it does not know, sorted.
+  /// Sends all rays. `sums` gets what the sharp view knows, one entry per pixel; the result is what it does not know,
+  /// sorted.
   std::vector<Unseen> trace(std::vector<PixelSum>& sums, PassCounters& counters) const {
     sums.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), {});
     std::vector<std::vector<Unseen>> rows(static_cast<std::size_t>(height_));
@@ -122,7 +124,8 @@ class Passes {
     return all;
   }
 
-  /// The places of sorted rays, with up to rays_per_place of each, evenly chosen; `begins` gets where each place begins in `unseen`.
+  /// The places of sorted rays, with up to rays_per_place of each, evenly chosen; `begins` gets where each place begins
+  /// in `unseen`.
   UnseenPlaces places(const std::vector<Unseen>& unseen, std::vector<std::size_t>& begins) const {
     begins.clear();
     for (std::size_t i = 0; i < unseen.size(); ++i)
@@ -170,7 +173,9 @@ class Passes {
     return static_cast<float>(met) / static_cast<float>(rows * rows);
   }
 
-  Vector2d place_of(const UnseenCell& cell) const { return {(cell.x + 0.5) / oversampling_, (cell.y + 0.5) / oversampling_}; }
+  Vector2d place_of(const UnseenCell& cell) const {
+    return {(cell.x + 0.5) / oversampling_, (cell.y + 0.5) / oversampling_};
+  }
 
  private:
   std::size_t index(int x, int y) const {
@@ -213,7 +218,8 @@ class Passes {
     ++counters.bright_lamp_pixels;
   }
 
-  void send(const PassSets& stage, PixelRays& rays, std::uint32_t pixel, PixelSum& sum, std::vector<Unseen>& unseen) const {
+  void send(const PassSets& stage, PixelRays& rays, std::uint32_t pixel, PixelSum& sum,
+            std::vector<Unseen>& unseen) const {
     const auto& points = stage.points(set_of(pixel));
     const auto& weights = stage.weights(set_of(pixel));
     UnseenPlaces::Ray bent[RayPacket::lanes];
@@ -251,15 +257,16 @@ class Passes {
     }
   }
 
-  std::optional<Vector3f> looked_up(const PixelRays& rays, const UnseenPlaces::Ray& ray, const RayPacket& packet, int lane,
-                                    UnseenCell& cell) const {
+  std::optional<Vector3f> looked_up(const PixelRays& rays, const UnseenPlaces::Ray& ray, const RayPacket& packet,
+                                    int lane, UnseenCell& cell) const {
     constexpr float far_away = 1e6f;  // [m]: a direction as a point; its place is off by a millionth of the pupil
     const float t = packet.distance(lane);
     const bool surroundings = std::isinf(t);
     const Vector3f along = (surroundings ? far_away : t) * ray.direction, position = ray.origin + along;
     const auto place = rays.around.place_of(position.cast<double>());
     if (!place || !(place->cwiseAbs().maxCoeff() < 1e6)) return std::nullopt;
-    const MetPoint point{*place, position, along.norm(), surroundings, !surroundings && scene_.emits(packet.hit(lane), ray.direction)};
+    const MetPoint point{*place, position, along.norm(), surroundings,
+                         !surroundings && scene_.emits(packet.hit(lane), ray.direction)};
     const auto known = lookup_.find(point);
     if (!known) cell = lookup_.cell_of(point);
     return known;
@@ -286,10 +293,11 @@ class Passes {
 
 }  // namespace
 
-PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
-                                 const PlaceShader& shade, const PassSettings& settings) {
+PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, const SightField& field,
+                                 const SeenScene& scene, const PlaceShader& shade, const PassSettings& settings) {
   const Passes passes(view, oversampling, field, scene, settings, true);
-  PassPrediction result{Image(field.plane().width, field.plane().height, 3), Image(field.plane().width, field.plane().height, 1), {}};
+  PassPrediction result{
+      Image(field.plane().width, field.plane().height, 3), Image(field.plane().width, field.plane().height, 1), {}};
   std::vector<PixelSum> sums;
   const std::vector<Unseen> unseen = passes.trace(sums, result.counters);
   std::vector<std::size_t> begins;
@@ -300,14 +308,16 @@ PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, co
     for (std::size_t i = begins[k]; i < (k + 1 < begins.size() ? begins[k + 1] : unseen.size()); ++i)
       sums[unseen[i].pixel].radiance += passes.weight_of(unseen[i]) * shaded[k].cast<double>();
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    for (int c = 0; c < 3; ++c) result.radiance.pixels[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(sums[i].radiance[c]);
+    for (int c = 0; c < 3; ++c)
+      result.radiance.pixels[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(sums[i].radiance[c]);
     result.unseen.pixels[i] = static_cast<float>(sums[i].unseen);
   }
   return result;
 }
 
-std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
-                                       const PlaceShader& shade, const PassSettings& settings, PassCounters& counters) {
+std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field,
+                                       const SeenScene& scene, const PlaceShader& shade, const PassSettings& settings,
+                                       PassCounters& counters) {
   PassSettings everywhere = settings;
   everywhere.lamp_factor = 1;
   const Passes passes(view, oversampling, field, scene, everywhere, false);
@@ -326,7 +336,8 @@ std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampli
     // The rays that found a lamp are those that met it, so that they cannot tell how much of the pixel it is.
     const float share = cell.kind == UnseenCell::lamp ? passes.lamp_share(cell) : 1.0f;
     // What t is along the chief ray differs from the distance by the blur's obliquity at most.
-    if (share > 0.0f) pieces.push_back({passes.place_of(cell), chief->direction.norm() / cell.distance(), shaded[k], share});
+    if (share > 0.0f)
+      pieces.push_back({passes.place_of(cell), chief->direction.norm() / cell.distance(), shaded[k], share});
   }
   return pieces;
 }

@@ -14,7 +14,9 @@ PixelRays::PixelRays(const SightField& field, const Eigen::Vector2d& center)
 
 void PixelRays::bend(double vergence_D) {
   const double a = field_.eye().pupil_radius_m, unseen_px = 0.01;
-  if (bent_for_D_ && (!field_.seeks_focus() || a * std::abs(vergence_D - *bent_for_D_) < unseen_px * field_.plane().pixel_slope)) return;
+  if (bent_for_D_ &&
+      (!field_.seeks_focus() || a * std::abs(vergence_D - *bent_for_D_) < unseen_px * field_.plane().pixel_slope))
+    return;
   bent_for_D_ = vergence_D;
   const Eigen::Matrix2d slopes = field_.slopes(sight, vergence_D);
   origin_by_pupil_ = (a * sight.offsets(slopes)).cast<float>();

@@ -7,14 +7,16 @@
 
 namespace sturm {
 
-/// All rays of one pixel: origin and direction, and how they move with the place in the pixel and with the point of the unit disc.
+/// All rays of one pixel: origin and direction, and how they move with the place in the pixel and with the point of the
+/// unit disc.
 struct PixelRays {
   Sight sight;
   SightNeighbourhood around;
 
   PixelRays(const SightField& field, const Eigen::Vector2d& center);
 
-  /// For an eye that looks at this vergence. An eye that accommodates stays as it is while its blur is off by less than 1/100 of a pixel.
+  /// For an eye that looks at this vergence. An eye that accommodates stays as it is while its blur is off by less than
+  /// 1/100 of a pixel.
   void bend(double vergence_D);
 
   UnseenPlaces::Ray chief(const Eigen::Vector2f& film) const {

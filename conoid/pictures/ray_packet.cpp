@@ -28,7 +28,8 @@ void RayPacket::trace(RTCScene scene, const UnseenPlaces::Ray* rays, int count, 
     packet_.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   rtcIntersect8(valid, scene, &context, &packet_);
-  for (int i = 0; i < count; ++i) distance_[i] = packet_.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? infinity : packet_.ray.tfar[i];
+  for (int i = 0; i < count; ++i)
+    distance_[i] = packet_.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? infinity : packet_.ray.tfar[i];
 }
 
 RTCHit RayPacket::hit(int lane) const {

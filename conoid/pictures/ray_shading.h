@@ -14,7 +14,8 @@ struct SeenScene {
   std::function<bool(const RTCHit& hit, const Eigen::Vector3f& direction)> emits;
 };
 
-/// Rays that see places which a sharp view does not show, place by place: those of place i are first[i] … first[i + 1] − 1.
+/// Rays that see places which a sharp view does not show, place by place: those of place i are first[i] … first[i + 1]
+/// − 1.
 struct UnseenPlaces {
   struct Ray {
     Eigen::Vector3f origin, direction;

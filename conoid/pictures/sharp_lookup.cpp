@@ -38,7 +38,8 @@ SharpLookup::SharpLookup(const FragmentImage& view, int oversampling, double pix
 }
 
 Eigen::Vector2i SharpLookup::pixel_of(const Eigen::Vector2d& place) const {
-  return {static_cast<int>(std::floor(place.x() * oversampling_)), static_cast<int>(std::floor(place.y() * oversampling_))};
+  return {static_cast<int>(std::floor(place.x() * oversampling_)),
+          static_cast<int>(std::floor(place.y() * oversampling_))};
 }
 
 std::optional<Vector3f> SharpLookup::find(const MetPoint& point) const {
@@ -50,7 +51,8 @@ std::optional<Vector3f> SharpLookup::find(const MetPoint& point) const {
     const bool fits = f.kind == kind || (!tell_lamps_ && kind == Kind::surface && f.kind == Kind::lamp);
     return fits ? std::abs(f.normal.dot(point.position) - f.offset) : std::numeric_limits<float>::infinity();
   };
-  const std::size_t index = static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(at.x());
+  const std::size_t index =
+      static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(at.x());
   const std::uint32_t first = first_[index], end = first_[index + 1];
   if (end == first + 1) return off_plane(known_[first]) <= pixel ? std::optional(known_[first].radiance) : std::nullopt;
   float best = pixel;

@@ -10,9 +10,11 @@
 
 namespace sturm {
 
-/// A pixel-sized place of the world that a sharp view does not show: where it would be in the sharp view, and about how far.
+/// A pixel-sized place of the world that a sharp view does not show: where it would be in the sharp view, and about how
+/// far.
 struct UnseenCell {
-  static constexpr std::int32_t nowhere = std::numeric_limits<std::int32_t>::min();  ///< no chief ray goes there; x, y: of the picture
+  static constexpr std::int32_t nowhere =
+      std::numeric_limits<std::int32_t>::min();  ///< no chief ray goes there; x, y: of the picture
   static constexpr std::int32_t lamp = 1;
   static constexpr std::int32_t at_infinity = std::numeric_limits<std::int32_t>::max();
   std::int32_t x, y, depth;
@@ -34,11 +36,13 @@ struct MetPoint {
 /// Finds what a sharp view knows of a point. Keeps what that takes of each fragment: the view may go.
 class SharpLookup {
  public:
-  /// `pixel_slope`: of the picture, of which the view has `oversampling` pixels along each side. A ray that met a lamp finds fragments that
-  /// emit alone. With `tell_lamps` no other ray finds these: a lamp and the ceiling around it share planes and pixels.
+  /// `pixel_slope`: of the picture, of which the view has `oversampling` pixels along each side. A ray that met a lamp
+  /// finds fragments that emit alone. With `tell_lamps` no other ray finds these: a lamp and the ceiling around it
+  /// share planes and pixels.
   SharpLookup(const FragmentImage& view, int oversampling, double pixel_slope, bool tell_lamps);
 
-  /// Radiance of the fragment in the pixel of the point's place on whose plane it lies to a pixel's size; none if there is no such.
+  /// Radiance of the fragment in the pixel of the point's place on whose plane it lies to a pixel's size; none if there
+  /// is no such.
   std::optional<Eigen::Vector3f> find(const MetPoint& point) const;
 
   UnseenCell cell_of(const MetPoint& point) const;
@@ -52,7 +56,9 @@ class SharpLookup {
     Kind kind;
   };
 
-  static Kind kind_of(bool surroundings, bool emits) { return surroundings ? Kind::surroundings : emits ? Kind::lamp : Kind::surface; }
+  static Kind kind_of(bool surroundings, bool emits) {
+    return surroundings ? Kind::surroundings : emits ? Kind::lamp : Kind::surface;
+  }
   Eigen::Vector2i pixel_of(const Eigen::Vector2d& place) const;
 
   int width_, height_, oversampling_;

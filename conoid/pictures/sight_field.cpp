@@ -45,7 +45,8 @@ Sight SightField::traced(const Eigen::Vector2d& place) const {
   const Eigen::Matrix3d& world = plane_.world_from_head;
   const bool foveal = plane_.gaze == Gaze::Foveal;
   const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
-  const Eigen::Vector3d pupil = foveal ? turned_pupil_center(gaze, eye_.rotation_center_m) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d pupil =
+      foveal ? turned_pupil_center(gaze, eye_.rotation_center_m) : Eigen::Vector3d(Eigen::Vector3d::Zero());
   Sight sight;
   if (!spectacles_) {
     sight.reaches = true;
@@ -63,8 +64,8 @@ Sight SightField::traced(const Eigen::Vector2d& place) const {
   frame << exit.e1, exit.e2;
   frame = world * frame;
   // The turned eye's pupil is across its line of sight; that of an eye that looks straight ahead is seen obliquely.
-  const Eigen::Matrix2d across =
-      foveal ? Eigen::Matrix2d(Eigen::Matrix2d::Identity()) : Eigen::Matrix2d(turn.leftCols<2>().transpose().leftCols<2>());
+  const Eigen::Matrix2d across = foveal ? Eigen::Matrix2d(Eigen::Matrix2d::Identity())
+                                        : Eigen::Matrix2d(turn.leftCols<2>().transpose().leftCols<2>());
   const double slope_scale = foveal ? 1.0 : 1.0 / toward.norm();
   sight.origin = plane_.position + world * conoid.chief_ray.origin;
   sight.direction = world * conoid.chief_ray.direction;
@@ -79,7 +80,8 @@ std::optional<SightField::Cell> SightField::cell_of(const Eigen::Vector2d& place
   const double column = place.x() / grid_px_ + 1.0, row = place.y() / grid_px_ + 1.0;
   const int i = static_cast<int>(std::floor(column)), j = static_cast<int>(std::floor(row));
   if (i < 0 || j < 0 || i + 1 >= columns_ || j + 1 >= rows_) return std::nullopt;
-  const Sight* upper = &grid_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)];
+  const Sight* upper =
+      &grid_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)];
   const Sight* lower = upper + columns_;
   if (!(upper[0].reaches && upper[1].reaches && lower[0].reaches && lower[1].reaches)) return std::nullopt;
   const double u = column - i, v = row - j;
@@ -144,11 +146,16 @@ Eigen::Matrix2d SightField::slopes(const Sight& sight, double vergence_D) const 
   const Eigen::Matrix<double, 2, 3> across = frame_across(plane_.world_from_head, sight.direction);
   const Eigen::Matrix2d by_point = across * (vergence_D * sight.offset_p + sight.slope_p),
                         by_slope = across * (vergence_D * sight.offset_s + sight.slope_s);
-  return eye_.slope_matrix(best_accommodation(by_point + by_slope * eye_.correction.matrix(), by_slope, best->amplitude_D)).matrix();
+  return eye_
+      .slope_matrix(best_accommodation(by_point + by_slope * eye_.correction.matrix(), by_slope, best->amplitude_D))
+      .matrix();
 }
 
 SightNeighbourhood::SightNeighbourhood(const SightField& field, const Eigen::Vector2d& place, const Sight& sight)
-    : field_(field), place_(place), sight_(sight), across_(frame_across(field.plane().world_from_head, sight.direction)) {
+    : field_(field),
+      place_(place),
+      sight_(sight),
+      across_(frame_across(field.plane().world_from_head, sight.direction)) {
   // Central differences over a pixel; one-sided beside a rim, and without any neighbour as if the picture stood still.
   const LightRay here{sight.origin, sight.direction};
   for (int k = 0; k < 2; ++k) {

@@ -13,8 +13,9 @@ namespace sturm {
 
 namespace {
 
-/// Slopes S of the rays that stand on the vertex sphere at p and leave the lens parallel to the chief ray. With the pupil's offset
-/// p − v S p: C (p − v S p) + D S p = 0, so S = −(D − v C)⁻¹ C. The light that comes back on them converges where they diverge.
+/// Slopes S of the rays that stand on the vertex sphere at p and leave the lens parallel to the chief ray. With the
+/// pupil's offset p − v S p: C (p − v S p) + D S p = 0, so S = −(D − v C)⁻¹ C. The light that comes back on them
+/// converges where they diverge.
 std::optional<PowerMatrix> vergence_at_vertex_sphere(const RayTransfer& rays, double vertex_distance_m) {
   const Eigen::Matrix2d c = rays.slope_from_offset, d = rays.slope_from_slope - vertex_distance_m * c;
   // Against the size of what was subtracted: at a point focus all of D − v C is rounding.

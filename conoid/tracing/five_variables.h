@@ -4,8 +4,9 @@
 
 namespace sturm {
 
-/// A wavefront as [Kakimoto2010] writes it: direction N, principal curvatures κ₁, κ₂ [1/m] (positive = centre ahead, ±∞ at a focus) and the
-/// principal directions e₁, e₂ across N. The formulas are scalar, so they check the matrix form (conoid/tracing/wavefront.h).
+/// A wavefront as [Kakimoto2010] writes it: direction N, principal curvatures κ₁, κ₂ [1/m] (positive = centre ahead, ±∞
+/// at a focus) and the principal directions e₁, e₂ across N. The formulas are scalar, so they check the matrix form
+/// (conoid/tracing/wavefront.h).
 struct FiveVariables {
   Eigen::Vector3d direction;
   double kappa1, kappa2;
@@ -19,14 +20,16 @@ struct PrincipalCurvatures {
 };
 
 /// Of a curvature matrix on two unit vectors across each other, the higher one first.
-PrincipalCurvatures principal_curvatures(const Eigen::Matrix2d& curvature, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2);
+PrincipalCurvatures principal_curvatures(const Eigen::Matrix2d& curvature, const Eigen::Vector3d& f1,
+                                         const Eigen::Vector3d& f2);
 
 /// Eq. 1: κ' = κ/(1 − dκ); through and beyond a focus.
 FiveVariables transferred(const FiveVariables& wave, double distance);
 
-/// Eqs. 2–6: refraction from index n₁ into n₂ at a surface of unit normal n, n · N > 0. None at total internal reflection.
-std::optional<FiveVariables> refracted(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface,
-                                       double index_before, double index_behind);
+/// Eqs. 2–6: refraction from index n₁ into n₂ at a surface of unit normal n, n · N > 0. None at total internal
+/// reflection.
+std::optional<FiveVariables> refracted(const FiveVariables& wave, const Eigen::Vector3d& normal,
+                                       const PrincipalCurvatures& surface, double index_before, double index_behind);
 
 /// Reflection: μ = 1, cos φ' = −cos φ.
 FiveVariables reflected(const FiveVariables& wave, const Eigen::Vector3d& normal, const PrincipalCurvatures& surface);

@@ -7,14 +7,14 @@
 
 namespace sturm {
 
-/// First-order footprint of the pupil at one target (physics.md §3, §7): a point p of the pupil sends its ray through X p at the target's
-/// distance. At infinity only the angular map exists.
+/// First-order footprint of the pupil at one target (physics.md §3, §7): a point p of the pupil sends its ray through X
+/// p at the target's distance. At infinity only the angular map exists.
 struct Footprint {
   double accommodation_D = 0.0;
   double distance_m = 0.0;  ///< may be ∞
   Eigen::Matrix2d angular;  ///< X/d [rad/m]; I/d + F − A·I for the naked eye
-  /// Of the wave that leaves the pupil, or the spectacles, at the chief ray [D], positive = converging towards the scene: −(F − A·I)
-  /// for the naked eye. None at a focal line.
+  /// Of the wave that leaves the pupil, or the spectacles, at the chief ray [D], positive = converging towards the
+  /// scene: −(F − A·I) for the naked eye. None at a focal line.
   std::optional<Eigen::Matrix2d> wavefront_curvature;
 
   /// X [m/m]; only for finite distances.

@@ -11,7 +11,8 @@ namespace sturm {
 namespace {
 
 /// A wave that comes in through a surface of the lens: normal and curvature are turned round.
-std::optional<Wavefront> inward(const Wavefront& wave, const SurfaceElement& surface, double index_before, double index_behind) {
+std::optional<Wavefront> inward(const Wavefront& wave, const SurfaceElement& surface, double index_before,
+                                double index_behind) {
   const auto at = Interface::refracting(wave.direction, -surface.normal, index_before, index_behind);
   if (!at) return std::nullopt;
   return through(wave, *at, -tangent_curvature(surface, at->u, at->tangent));
@@ -36,7 +37,9 @@ PreviousMethod::PreviousMethod(const Spectacles* lens, const Eigen::Vector3d& ga
   to_back_ = (path_.back_point - pupil).norm();
   to_front_ = (path_.exit.origin - path_.back_point).norm();
   outside_ = smallest_rotation(ahead, path_.exit.direction);
-  const auto angles = [](const Eigen::Vector3d& d) { return Eigen::Vector2d(std::atan2(d.x(), -d.z()), std::asin(d.y())); };
+  const auto angles = [](const Eigen::Vector3d& d) {
+    return Eigen::Vector2d(std::atan2(d.x(), -d.z()), std::asin(d.y()));
+  };
   const Eigen::Vector2d out = angles(path_.exit.direction), in = angles(gaze);
   widening_ = {ratio(out.x(), in.x()), ratio(out.y(), in.y())};
 }
@@ -58,15 +61,16 @@ std::optional<PreviousBlur> PreviousMethod::blur(const Eigen::Matrix2d& needed, 
   return PreviousBlur{needed - *vergence, widening_, 1.0 + target_vergence_D * inside_length()};
 }
 
-std::optional<PreviousBlur> previous_blur(const Eye& eye, double accommodation_D, const Spectacles* lens, const Eigen::Vector3d& gaze,
-                                          double distance_m) {
+std::optional<PreviousBlur> previous_blur(const Eye& eye, double accommodation_D, const Spectacles* lens,
+                                          const Eigen::Vector3d& gaze, double distance_m) {
   const PreviousMethod method(lens, gaze, eye.rotation_center_m);
   if (method.status() != LensStatus::ok) return std::nullopt;
   return method.blur(eye.slope_matrix(accommodation_D).matrix(), vergence_of(distance_m));
 }
 
-std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double accommodation_D, const Spectacles* lens,
-                                                          const Eigen::Vector3d& gaze, double distance_m) {
+std::optional<Eigen::Matrix2d> previous_angular_footprint(const Eye& eye, double accommodation_D,
+                                                          const Spectacles* lens, const Eigen::Vector3d& gaze,
+                                                          double distance_m) {
   const auto blur = previous_blur(eye, accommodation_D, lens, gaze, distance_m);
   return blur ? std::optional(blur->angular()) : std::nullopt;
 }

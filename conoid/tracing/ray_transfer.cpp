@@ -23,8 +23,11 @@ RayTransfer on_frame(const RayTransfer& rays, const Eigen::Vector3d& f1, const E
 RayTransfer through(const RayTransfer& rays, const Interface& at, const SurfaceElement& surface) {
   const RayTransfer in = on_frame(rays, at.u, at.v);
   const Eigen::Matrix2d bend = at.gamma * tangent_curvature(surface, at.u, at.tangent);
-  const Eigen::Vector2d c(1.0, at.cos_in), c_inverse(1.0, 1.0 / at.cos_in), out(1.0, at.cos_out), out_inverse(1.0, 1.0 / at.cos_out);
-  const auto offset = [&](const Eigen::Matrix2d& a) -> Eigen::Matrix2d { return out.asDiagonal() * (c_inverse.asDiagonal() * a); };
+  const Eigen::Vector2d c(1.0, at.cos_in), c_inverse(1.0, 1.0 / at.cos_in), out(1.0, at.cos_out),
+      out_inverse(1.0, 1.0 / at.cos_out);
+  const auto offset = [&](const Eigen::Matrix2d& a) -> Eigen::Matrix2d {
+    return out.asDiagonal() * (c_inverse.asDiagonal() * a);
+  };
   const auto slope = [&](const Eigen::Matrix2d& a, const Eigen::Matrix2d& b) -> Eigen::Matrix2d {
     const Eigen::Matrix2d on_surface = c_inverse.asDiagonal() * a;
     const Eigen::Matrix2d bent = at.mu * (c.asDiagonal() * b) - bend * on_surface;

@@ -44,8 +44,10 @@ SpectacleConoid trace_conoid_along(const Spectacles& lens, const LightRay& line_
   return conoid;
 }
 
-double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& correction, double vergence_D, double amplitude_D) {
-  return best_accommodation(conoid.angular_footprint(correction.matrix(), vergence_D), conoid.angular_q(vergence_D), amplitude_D);
+double best_accommodation(const SpectacleConoid& conoid, const PowerMatrix& correction, double vergence_D,
+                          double amplitude_D) {
+  return best_accommodation(conoid.angular_footprint(correction.matrix(), vergence_D), conoid.angular_q(vergence_D),
+                            amplitude_D);
 }
 
 double accommodation_through(const SpectacleConoid& conoid, const Eye& eye, double vergence_D) {
@@ -54,7 +56,8 @@ double accommodation_through(const SpectacleConoid& conoid, const Eye& eye, doub
   return eye.accommodation_for(vergence_D);
 }
 
-Footprint spectacle_footprint(const SpectacleConoid& conoid, const Eye& eye, double distance_m, double accommodation_D) {
+Footprint spectacle_footprint(const SpectacleConoid& conoid, const Eye& eye, double distance_m,
+                              double accommodation_D) {
   const Eigen::Matrix2d slopes = eye.slope_matrix(accommodation_D).matrix();
   Footprint f;
   f.accommodation_D = accommodation_D;

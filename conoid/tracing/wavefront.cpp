@@ -28,7 +28,8 @@ Wavefront through(const Wavefront& wave, const Interface& at, const SurfaceEleme
   return through(wave, at, tangent_curvature(surface, at.u, at.tangent));
 }
 
-Wavefront through_thin_lens(const Wavefront& wave, const Eigen::Matrix2d& power, double index_before, double index_behind) {
+Wavefront through_thin_lens(const Wavefront& wave, const Eigen::Matrix2d& power, double index_before,
+                            double index_behind) {
   Wavefront behind = wave;
   behind.curvature = (index_before * wave.curvature + power) / index_behind;
   return behind;

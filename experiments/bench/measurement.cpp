@@ -25,7 +25,8 @@ std::string run_key(const BenchSpec& spec, const std::vector<std::string>& refer
   return sha256(facts);
 }
 
-/// Rays that left the camera, over all parts of a render's counters (stereo pairs and predictions have them one level down).
+/// Rays that left the camera, over all parts of a render's counters (stereo pairs and predictions have them one level
+/// down).
 double camera_rays(const Json& counters) {
   double sum = 0.0;
   for (const auto& [key, value] : counters.items()) {
@@ -72,26 +73,26 @@ const char* layer_of(const std::string& method, const std::vector<BenchMethod>& 
 }
 
 /// All settings of one view, once.
-Json measured_round(const BenchView& view, const std::vector<BenchMethod>& methods, const ReferenceImage& reference, std::uint64_t seed,
-                    int round, MeasuringProgress& progress) {
+Json measured_round(const BenchView& view, const std::vector<BenchMethod>& methods, const ReferenceImage& reference,
+                    std::uint64_t seed, int round, MeasuringProgress& progress) {
   Json results = Json::array();
   for (std::size_t i = 0; i < view.settings.size(); ++i) {
     RenderSpec spec = view.settings[i].render;
     spec.seed = replicate_seed(replicate_seed(seed, static_cast<int>(i) + 1), round);
     const double samples = planned_samples(view.settings[i]);
     const RenderOutput output = render_view(spec, [&](double fraction) { progress.update(fraction, samples); });
-    results.push_back(
-        {{"seconds", rendering_seconds(output.seconds)},
-         {"samples", camera_rays(output.counters)},
-         {"errors", picture_errors_json(reference.errors_of(output.image.layers.at(layer_of(view.settings[i].method, methods))))}});
+    results.push_back({{"seconds", rendering_seconds(output.seconds)},
+                       {"samples", camera_rays(output.counters)},
+                       {"errors", picture_errors_json(reference.errors_of(
+                                      output.image.layers.at(layer_of(view.settings[i].method, methods))))}});
     progress.finish(samples);
   }
   return results;
 }
 
 /// The rounds of all views, in the order in which they are made: round by round.
-std::vector<MeasuredView> measured(const BenchSpec& spec, const std::vector<BenchReference>& references, const RunFolder& folder,
-                                   bool quiet) {
+std::vector<MeasuredView> measured(const BenchSpec& spec, const std::vector<BenchReference>& references,
+                                   const RunFolder& folder, bool quiet) {
   std::vector<MeasuredView> views;
   double samples_of_round = 0.0;
   for (std::size_t v = 0; v < spec.views.size(); ++v) {
@@ -102,20 +103,21 @@ std::vector<MeasuredView> measured(const BenchSpec& spec, const std::vector<Benc
     }
     views.push_back(std::move(view));
   }
-  render_view(spec.views.front().settings.front().render, {});  // the first rendering of a process starts its threads; it does not count
+  render_view(spec.views.front().settings.front().render,
+              {});  // the first rendering of a process starts its threads; it does not count
   MeasuringProgress progress(samples_of_round * spec.rounds, quiet);
   for (int round = 0; round < spec.rounds; ++round)
     for (std::size_t v = 0; v < spec.views.size(); ++v) {
       const RunFolder::Part part = folder.part("round_" + std::to_string(round) + "_" + spec.views[v].id, [&] {
-        return measured_round(spec.views[v], spec.methods, references[v].image, replicate_seed(spec.seed, static_cast<int>(v)), round,
-                              progress);
+        return measured_round(spec.views[v], spec.methods, references[v].image,
+                              replicate_seed(spec.seed, static_cast<int>(v)), round, progress);
       });
       if (part.reused && !quiet)
         std::fprintf(stderr, "round %d of %s: taken from the interrupted run\n", round + 1, spec.views[v].id.c_str());
       for (std::size_t i = 0; i < part.value.size(); ++i) {
         const Json& sample = part.value[i];
-        views[v].settings[i].rounds.push_back(
-            {sample.at("seconds").get<double>(), sample.at("samples").get<double>(), picture_errors_from(sample.at("errors"))});
+        views[v].settings[i].rounds.push_back({sample.at("seconds").get<double>(), sample.at("samples").get<double>(),
+                                               picture_errors_from(sample.at("errors"))});
         if (part.reused) progress.finish(planned_samples(spec.views[v].settings[i]));
       }
     }
@@ -144,7 +146,8 @@ Json measured_bench(const BenchSpec& spec, const BenchKeys& keys, const BenchPla
   const Machine machine = this_machine();
   std::vector<BenchReference> references;
   for (std::size_t v = 0; v < spec.views.size(); ++v)
-    references.push_back(bench_reference(spec.views[v], keys.references[v], spec.seed, place.folder.path(), place.quiet));
+    references.push_back(
+        bench_reference(spec.views[v], keys.references[v], spec.seed, place.folder.path(), place.quiet));
   const std::vector<MeasuredView> views = measured(spec, references, place.folder, place.quiet);
 
   Json section = {{"title", spec.title}, {"machine", machine_json(machine, place.threads)}, {"views", Json::array()}};

@@ -25,9 +25,9 @@ struct BenchPlace {
   bool quiet;
 };
 
-/// Makes the references, or takes them from the folder, then measures in rounds in which every setting of every view is rendered once, so
-/// that a slow spell of the machine meets all of them alike. The result: title, machine, views, requirements and verdict of a report
-/// (sturm.bench_report/1). Throws InputError or RuntimeFailure.
+/// Makes the references, or takes them from the folder, then measures in rounds in which every setting of every view is
+/// rendered once, so that a slow spell of the machine meets all of them alike. The result: title, machine, views,
+/// requirements and verdict of a report (sturm.bench_report/1). Throws InputError or RuntimeFailure.
 Json measured_bench(const BenchSpec& spec, const BenchKeys& keys, const BenchPlace& place);
 
 }  // namespace sturm

@@ -25,9 +25,11 @@ constexpr int reference_index = 0;  // of the seeds that a benchmark's seed give
 constexpr const char* half_names[] = {"first_half", "second_half"};
 
 /// Renders both halves and stores them. The JSON file appears last: without it the pictures do not count.
-void make_reference(const BenchView& view, std::uint64_t seed, const std::filesystem::path& stem, const std::string& key, bool quiet) {
+void make_reference(const BenchView& view, std::uint64_t seed, const std::filesystem::path& stem,
+                    const std::string& key, bool quiet) {
   RenderSpec spec = view.reference;
-  const double samples = static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
+  const double samples =
+      static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
   spec.samples_per_pixel /= 2;
   Progress progress("reference of " + view.id, samples, "samples", quiet);
   LayeredImage halves;
@@ -38,7 +40,8 @@ void make_reference(const BenchView& view, std::uint64_t seed, const std::filesy
     halves.layers[half_names[half]] = std::move(output.image.layers.at(""));
   }
   progress.update(1.0);
-  const ReferenceImage image(halves.layers.at(half_names[0]), halves.layers.at(half_names[1]), std::nullopt, view.exposure);
+  const ReferenceImage image(halves.layers.at(half_names[0]), halves.layers.at(half_names[1]), std::nullopt,
+                             view.exposure);
   halves.layers[""] = image.mean();
   write_exr(stem.string() + ".exr", halves);
   write_png(stem.string() + ".png", image.mean(), view.exposure);
@@ -61,13 +64,14 @@ Json noise_floor_json(const PictureErrors& floor) {
 }  // namespace
 
 std::string reference_key(const BenchView& view, std::uint64_t seed) {
-  std::string facts = spec_hash(*view.reference.resolved) + std::to_string(seed) + scene_fingerprint(build_scene(view.reference.scene));
+  std::string facts =
+      spec_hash(*view.reference.resolved) + std::to_string(seed) + scene_fingerprint(build_scene(view.reference.scene));
   for (const std::string& file : view.reference.input_files) facts += sha256_of_file(file);
   return sha256(facts);
 }
 
-BenchReference bench_reference(const BenchView& view, const std::string& key, std::uint64_t seed, const std::filesystem::path& folder,
-                               bool quiet) {
+BenchReference bench_reference(const BenchView& view, const std::string& key, std::uint64_t seed,
+                               const std::filesystem::path& folder, bool quiet) {
   const std::string name = "references/" + view.id + "_" + key.substr(0, 16);
   const std::filesystem::path stem = folder / name;
   const auto file = [&](const char* suffix) { return stem.string() + suffix; };
@@ -78,8 +82,10 @@ BenchReference bench_reference(const BenchView& view, const std::string& key, st
   }
   const LayeredImage halves = read_exr(file(".exr"));
   for (const char* half : half_names)
-    if (!halves.layers.contains(half)) throw InputError(file(".exr"), "", std::string("no layer ") + half, "a reference of this benchmark");
-  ReferenceImage image(halves.layers.at(half_names[0]), halves.layers.at(half_names[1]), view.max_neighbourhood_radiance, view.exposure);
+    if (!halves.layers.contains(half))
+      throw InputError(file(".exr"), "", std::string("no layer ") + half, "a reference of this benchmark");
+  ReferenceImage image(halves.layers.at(half_names[0]), halves.layers.at(half_names[1]),
+                       view.max_neighbourhood_radiance, view.exposure);
   Json facts = load_json(file(".json"));
   facts["file"] = name + ".exr";
   facts["picture"] = name + ".png";

@@ -13,14 +13,14 @@ struct BenchReference {
   Json facts;  ///< the member "reference" of the view in sturm.bench_report/1
 };
 
-/// What the reference's pixels depend on, the program aside: resolved view, seed, the scene as loaded, and all files that are named. Hex
-/// digits.
+/// What the reference's pixels depend on, the program aside: resolved view, seed, the scene as loaded, and all files
+/// that are named. Hex digits.
 std::string reference_key(const BenchView& view, std::uint64_t seed);
 
-/// Renders the two halves of a view's reference, or takes them from folder/references, where they lie under the name of their key: a
-/// reference outlives the program that made it, so that an error of a later one shows; the facts say which one that was. `key`: the
-/// view's `reference_key`.
-BenchReference bench_reference(const BenchView& view, const std::string& key, std::uint64_t seed, const std::filesystem::path& folder,
-                               bool quiet);
+/// Renders the two halves of a view's reference, or takes them from folder/references, where they lie under the name of
+/// their key: a reference outlives the program that made it, so that an error of a later one shows; the facts say which
+/// one that was. `key`: the view's `reference_key`.
+BenchReference bench_reference(const BenchView& view, const std::string& key, std::uint64_t seed,
+                               const std::filesystem::path& folder, bool quiet);
 
 }  // namespace sturm

@@ -16,7 +16,8 @@ BenchOutcome run_bench(const BenchSpec& spec, const std::string& bench_file, con
   RunFacts facts{options.threads, spec.seed, utc_now(), {}, spec.input_files};
   if (bench_file != "-") facts.input_files.insert(facts.input_files.begin(), bench_file);
   const BenchKeys keys = bench_keys(spec, options.threads);
-  const RunFolder folder(options.folder, keys.run, options.resume, {{"bench.json", "bench.html"}, {"references", "figures"}});
+  const RunFolder folder(options.folder, keys.run, options.resume,
+                         {{"bench.json", "bench.html"}, {"references", "figures"}});
 
   const std::string command = "sturm bench " + bench_file;
   Json report = measured_bench(spec, keys, {folder, options.threads, options.quiet});

@@ -24,7 +24,9 @@ struct Draw {
     return *svg;
   }
 
-  std::string operator()(const EllipseLayersFigure& layers) const { return layers_svg(layers.field, field_directions(layers.field)); }
+  std::string operator()(const EllipseLayersFigure& layers) const {
+    return layers_svg(layers.field, field_directions(layers.field));
+  }
 
   std::string operator()(const SturmConoidFigure& c) const {
     const Eigen::Vector3d gaze = gaze_direction(c.azimuth, c.elevation);
@@ -41,14 +43,16 @@ struct Draw {
   }
 
   std::string operator()(const LensMapsFigure& maps) const {
-    return lens_map_svg_file(as_worn_maps(*maps.lens.lens, nominal_power(maps.lens, {"", "figure " + spec.id}), maps.rotation_center_m));
+    return lens_map_svg_file(
+        as_worn_maps(*maps.lens.lens, nominal_power(maps.lens, {"", "figure " + spec.id}), maps.rotation_center_m));
   }
 
   std::string operator()(const DefocusMapsFigure& maps) const {
     std::vector<LensMap> drawn;
     for (std::size_t i = 0; i < maps.lenses.size(); ++i) {
       const Spectacles& lens = *maps.lenses[i].lens;
-      const PowerMatrix correction = nominal_power(maps.lenses[i], {"", "figure " + spec.id}).moved_towards_eye(lens.vertex_distance_m);
+      const PowerMatrix correction =
+          nominal_power(maps.lenses[i], {"", "figure " + spec.id}).moved_towards_eye(lens.vertex_distance_m);
       drawn.push_back(defocus_map(lens, correction, maps.rotation_center_m, maps.distance_m, maps.amplitude_D));
       drawn.back().title = maps.names[i] + "\\n" + drawn.back().title;
     }

@@ -6,7 +6,8 @@
 
 namespace sturm {
 
-/// The pictures that an experiment names, drawn. Throws InputError for a file that is not SVG and for a lens that has no map.
+/// The pictures that an experiment names, drawn. Throws InputError for a file that is not SVG and for a lens that has
+/// no map.
 std::vector<Figure> drawn_figures(const std::vector<FigureSpec>& specs);
 
 }  // namespace sturm

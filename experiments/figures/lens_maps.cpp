@@ -20,13 +20,14 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double clear_D = 0.5;  // about what a sharp-sighted observer notices
 
-/// Line of sight from the eye's centre of rotation to the place (x, y) [m] of the back surface; none where that is not on the lens.
+/// Line of sight from the eye's centre of rotation to the place (x, y) [m] of the back surface; none where that is not
+/// on the lens.
 std::optional<Eigen::Vector3d> gaze_to(const Spectacles& lens, double x, double y, double rotation_center_m) {
   const auto there = sag(lens.back, x, y);
   if (!there || std::hypot(x, y) > 0.5 * lens.diameter_m) return std::nullopt;
   const Eigen::Matrix3d wearer_from_back = lens.mounting.wearer_from_lens() * lens.mounting.lens_from_back();
-  const Eigen::Vector3d way =
-      lens.back_vertex() + wearer_from_back * Eigen::Vector3d(x, y, there->value) - Eigen::Vector3d(0.0, 0.0, rotation_center_m);
+  const Eigen::Vector3d way = lens.back_vertex() + wearer_from_back * Eigen::Vector3d(x, y, there->value) -
+                              Eigen::Vector3d(0.0, 0.0, rotation_center_m);
   return way.z() < 0.0 ? std::optional<Eigen::Vector3d>(way.normalized()) : std::nullopt;
 }
 
@@ -49,7 +50,8 @@ LensMap empty_map(const Spectacles& lens, double rotation_center_m, const std::s
   const LensPath straight = trace(lens, {{0.0, 0.0, rotation_center_m}, {0.0, 0.0, -1.0}});
   if (straight.status == LensStatus::ok) {
     const Eigen::Matrix3d wearer_from_back = lens.mounting.wearer_from_lens() * lens.mounting.lens_from_back();
-    map.fitting_cross_mm = (wearer_from_back.transpose() * (straight.back_point - lens.back_vertex())).head<2>() / metres_per_millimetre;
+    map.fitting_cross_mm =
+        (wearer_from_back.transpose() * (straight.back_point - lens.back_vertex())).head<2>() / metres_per_millimetre;
   }
   return map;
 }
@@ -106,7 +108,8 @@ LensMap defocus_map(const Spectacles& lens, const PowerMatrix& correction, doubl
     // Slopes of the rays that come from one point of the target: P + Q S = 0.
     const Eigen::Matrix2d present = -q.inverse() * conoid.angular_p(vergence);
     const Eigen::Matrix2d lack = correction.matrix() - present;
-    const double relaxed = 0.5 * lack.trace(), mean = relaxed - std::clamp(relaxed, 0.0, amplitude_D);  // exactly 0 within the range
+    const double relaxed = 0.5 * lack.trace(),
+                 mean = relaxed - std::clamp(relaxed, 0.0, amplitude_D);  // exactly 0 within the range
     const double half_difference = std::hypot(0.5 * (lack(0, 0) - lack(1, 1)), 0.5 * (lack(0, 1) + lack(1, 0)));
     map.values(row, column) = mean;
     (*map.limit_values)(row, column) = std::abs(mean) + half_difference;

@@ -27,7 +27,8 @@ struct StudyGaze {
   std::optional<double> direction_deg;  ///< none straight ahead
 
   Eigen::Vector3d vector() const {
-    const SineCosine away = sine_cosine_of_degrees(eccentricity_deg), about = sine_cosine_of_degrees(direction_deg.value_or(0.0));
+    const SineCosine away = sine_cosine_of_degrees(eccentricity_deg),
+                     about = sine_cosine_of_degrees(direction_deg.value_or(0.0));
     return {away.sine * about.cosine, away.sine * about.sine, -away.cosine};
   }
 };
@@ -88,7 +89,8 @@ Sight sight_of(const LensStudySpec& spec, const StudyLens& lens, const Eigen::Ve
   return s;
 }
 
-/// Second moments [rad²] of the real rays through a pupil; none where any ray was lost, since the rest is another pupil.
+/// Second moments [rad²] of the real rays through a pupil; none where any ray was lost, since the rest is another
+/// pupil.
 struct RealRays {
   std::optional<Eigen::Matrix2d> covariance;
   std::uint64_t lost = 0;
@@ -99,8 +101,8 @@ RealRays real_rays(const Sight& sight, const QuadratureSpec& rule, double vergen
   eye.pupil_radius_m = pupil_radius_m;
   RayBundleSpec rays;
   rays.quadrature = rule;
-  const MeasuredBundle bundle =
-      measure_bundle(EyeRays<double>(RayModel::power_matrix, eye, sight.accommodation_D), vergence_D, rays, 0, &*sight.lens);
+  const MeasuredBundle bundle = measure_bundle(EyeRays<double>(RayModel::power_matrix, eye, sight.accommodation_D),
+                                               vergence_D, rays, 0, &*sight.lens);
   RealRays result{std::nullopt, bundle.losses.total()};
   if (result.lost == 0 && bundle.angular) result.covariance = bundle.angular->covariance;
   return result;
@@ -111,10 +113,12 @@ bool of_revolution(const Surface& surface) {
 }
 
 bool of_revolution(const Spectacles& lens) {
-  return of_revolution(lens.front) && of_revolution(lens.back) && lens.mounting.straight() && !lens.mounting.has_wedge();
+  return of_revolution(lens.front) && of_revolution(lens.back) && lens.mounting.straight() &&
+         !lens.mounting.has_wedge();
 }
 
-/// Splines have jumps in their third derivative: where a knot lies in the pupil's footprint no power of the pupil is exact.
+/// Splines have jumps in their third derivative: where a knot lies in the pupil's footprint no power of the pupil is
+/// exact.
 bool analytic(const Spectacles& lens) {
   return !std::holds_alternative<BSplineSurface>(lens.front) && !std::holds_alternative<BSplineSurface>(lens.back);
 }
@@ -151,8 +155,10 @@ Json first_order_json(const std::optional<Eigen::Matrix2d>& map, const Eigen::Ma
   return {{"relative_frobenius", number_or_null(e.relative_frobenius)}, {"defocus_D", e.half_width}};
 }
 
-/// How far the previous method is from the exact first order once its scaling to the object is replaced by the true one, Q.
-Json unscaled_error(const Sight& sight, const std::optional<PreviousBlur>& previous, const Eigen::Matrix2d& exact, double vergence_D) {
+/// How far the previous method is from the exact first order once its scaling to the object is replaced by the true
+/// one, Q.
+Json unscaled_error(const Sight& sight, const std::optional<PreviousBlur>& previous, const Eigen::Matrix2d& exact,
+                    double vergence_D) {
   if (!previous) return nullptr;
   const Eigen::Matrix2d q = sight.conoid.angular_q(vergence_D);
   // Against the size of what the footprint is the difference of, where the blur itself nearly vanishes.
@@ -177,7 +183,8 @@ Json view_json(const LensStudySpec& spec, const Sight& sight, const SpectacleCon
   const SingularValues blur = singular_values(exact);
   Json view = {{"distance_m", distance_json(distance_m)},
                {"blur_D", {blur.large, blur.small}},
-               {"first_order", {{"published", first_order_json(published, exact)}, {"previous", first_order_json(previous, exact)}}},
+               {"first_order",
+                {{"published", first_order_json(published, exact)}, {"previous", first_order_json(previous, exact)}}},
                {"previous_unscaled_error", unscaled_error(sight, blur_inside, exact, vergence)}};
   std::optional<Eigen::Matrix2d> small, large;
   Json pupils = Json::array();
@@ -187,13 +194,15 @@ Json view_json(const LensStudySpec& spec, const Sight& sight, const SpectacleCon
     if (diameter == spec.order_small_m) small = rays.covariance;
     if (diameter == spec.order_large_m) large = rays.covariance;
     const auto against_rays = [&](const std::optional<Eigen::Matrix2d>& map) -> Json {
-      return map && rays.covariance ? error_json(covariance_of_disc_image(*map, a), *rays.covariance, a) : Json(nullptr);
+      return map && rays.covariance ? error_json(covariance_of_disc_image(*map, a), *rays.covariance, a)
+                                    : Json(nullptr);
     };
     pupils.push_back(
         {{"pupil_mm", 1e3 * diameter},
          {"rays_lost", rays.lost},
          {"real_semi_axes_arcmin",
-          rays.covariance ? semi_axes_json(Ellipse::of_second_moments(*rays.covariance), arcminutes_per_radian) : Json(nullptr)},
+          rays.covariance ? semi_axes_json(Ellipse::of_second_moments(*rays.covariance), arcminutes_per_radian)
+                          : Json(nullptr)},
          {"ray_transfer", against_rays(exact)},
          {"published", against_rays(published)},
          {"previous", against_rays(previous)}});
@@ -203,8 +212,8 @@ Json view_json(const LensStudySpec& spec, const Sight& sight, const SpectacleCon
   if (small && large) {
     fit = fit_orders(exact, *small, 0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
     if (mirrored.status == LensStatus::ok)
-      mutants = mutant_orders(sight, mirrored.angular_footprint(sight.slopes(), vergence), vergence, *small, 0.5 * spec.order_small_m,
-                              *large, 0.5 * spec.order_large_m);
+      mutants = mutant_orders(sight, mirrored.angular_footprint(sight.slopes(), vergence), vergence, *small,
+                              0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
   }
   view["order"] = number_or_null(fit.absolute);
   view["relative_order"] = number_or_null(fit.relative);
@@ -221,12 +230,15 @@ struct GazeResult {
 GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const StudyGaze& gaze) {
   const Eigen::Vector3d direction = gaze.vector();
   const Sight sight = sight_of(spec, lens, direction);
-  const SpectacleConoid mirrored = trace_conoid(lens.lens, {-direction.x(), direction.y(), direction.z()}, spec.rotation_center_m);
+  const SpectacleConoid mirrored =
+      trace_conoid(lens.lens, {-direction.x(), direction.y(), direction.z()}, spec.rotation_center_m);
   GazeResult result{gaze_json(gaze), Json::array()};
   result.gaze["lens"] = lens.id;
   result.gaze["status"] = word_for(sight.conoid.status);
   const bool ok = sight.conoid.status == LensStatus::ok;
-  result.gaze["eq11"] = ok ? Json{{"principal", word_for(sight.published[0])}, {"incidence", word_for(sight.published[1])}} : Json(nullptr);
+  result.gaze["eq11"] =
+      ok ? Json{{"principal", word_for(sight.published[0])}, {"incidence", word_for(sight.published[1])}}
+         : Json(nullptr);
   if (!ok) return result;
   for (const double distance : spec.distances_m) {
     Json view = view_json(spec, sight, mirrored, distance);
@@ -241,7 +253,8 @@ GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const S
 Json ellipse_json(const std::optional<Eigen::Matrix2d>& covariance) {
   if (!covariance) return nullptr;
   const Ellipse e = Ellipse::of_second_moments(*covariance);
-  return {{"semi_axes_arcmin", semi_axes_json(e, arcminutes_per_radian)}, {"orientation_deg", number_or_null(e.orientation_deg)}};
+  return {{"semi_axes_arcmin", semi_axes_json(e, arcminutes_per_radian)},
+          {"orientation_deg", number_or_null(e.orientation_deg)}};
 }
 
 }  // namespace
@@ -292,7 +305,10 @@ Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
     }
     points.push_back(std::move(point));
   }
-  return {{"lens", lens.id}, {"distance_m", distance_json(field.distance_m)}, {"pupil_mm", 2e3 * a}, {"points", std::move(points)}};
+  return {{"lens", lens.id},
+          {"distance_m", distance_json(field.distance_m)},
+          {"pupil_mm", 2e3 * a},
+          {"points", std::move(points)}};
 }
 
 }  // namespace sturm

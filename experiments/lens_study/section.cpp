@@ -47,7 +47,8 @@ Json mutant(const Json& section, const char* id, const char* what, const std::st
 double worst_defocus(const Json& section, const std::string& method) {
   double worst = 0.0;
   for (const Json& view : array_at(section, "views"))
-    for (const Json& pupil : array_at(view, "pupils")) worst = std::max(worst, number_at(pupil, method + "/defocus_D").value_or(0.0));
+    for (const Json& pupil : array_at(view, "pupils"))
+      worst = std::max(worst, number_at(pupil, method + "/defocus_D").value_or(0.0));
   return worst;
 }
 
@@ -72,16 +73,19 @@ Json assembled_lens_study(const LensStudySpec& spec, const Json& parts, const Js
                   {"field", field}};
   for (const Json& part : parts) {
     section["lenses"].push_back(part.at("lens"));
-    for (const char* list : {"gazes", "views"}) section[list].insert(section[list].end(), part.at(list).begin(), part.at(list).end());
+    for (const char* list : {"gazes", "views"})
+      section[list].insert(section[list].end(), part.at(list).begin(), part.at(list).end());
   }
   return section;
 }
 
 Json lens_study_mutants(const Json& section) {
-  return {mutant(section, "published_as_exact", "eq. 11 was passed off as the exact first order in the fit of the order",
-                 "mutant_orders/published_as_exact"),
-          mutant(section, "mirrored_gaze", "the footprint was traced for the gaze mirrored left to right; the real rays were not",
-                 "mutant_orders/mirrored_gaze")};
+  return {
+      mutant(section, "published_as_exact", "eq. 11 was passed off as the exact first order in the fit of the order",
+             "mutant_orders/published_as_exact"),
+      mutant(section, "mirrored_gaze",
+             "the footprint was traced for the gaze mirrored left to right; the real rays were not",
+             "mutant_orders/mirrored_gaze")};
 }
 
 Json lens_study_sentence(const Json& section) {
@@ -99,14 +103,16 @@ Json lens_study_sentence(const Json& section) {
     failed += !word.empty() && word != "ok" && word != "free_axes";
   }
   char text[768];
-  std::snprintf(
-      text, sizeof text,
-      "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its truncation alone, which falls with "
-      "the pupil to the "
-      "power %s and is at most %.2g D at the widest pupil; at every pupil alike, eq. 11 as published errs by up to %.2g D in first order "
-      "(no solution in %zu of %zu gazes) and the previous method by up to %.2g D.",
-      array_at(section, "lenses").size(), array_at(section, "views").size(), order_text, worst_defocus(section, "ray_transfer"),
-      worst_first_order(section, "published"), failed, traced, worst_first_order(section, "previous"));
+  std::snprintf(text, sizeof text,
+                "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its "
+                "truncation alone, which falls with "
+                "the pupil to the "
+                "power %s and is at most %.2g D at the widest pupil; at every pupil alike, eq. 11 as published errs by "
+                "up to %.2g D in first order "
+                "(no solution in %zu of %zu gazes) and the previous method by up to %.2g D.",
+                array_at(section, "lenses").size(), array_at(section, "views").size(), order_text,
+                worst_defocus(section, "ray_transfer"), worst_first_order(section, "published"), failed, traced,
+                worst_first_order(section, "previous"));
   return text;
 }
 

@@ -32,8 +32,10 @@ const std::vector<Mutation>& all_mutations() {
       {"mirrored_axis", "the conoid is given AXIS 180° − α", mutation::WrongPrescription{mirrored_axis}},
       {"vertex_distance", "the conoid is given a vertex distance that is 1.5 mm too large (0.05 D at −6 D)",
        mutation::WrongPrescription{farther_lens}},
-      {"tangential_term", "the path tracer's rays lack the tangential part of the slope", mutation::DroppedTangentialTerm{}},
-      {"half_pixel", "path-traced spots and predicted pictures stand half a pixel too far to the right", mutation::HalfPixelShift{}},
+      {"tangential_term", "the path tracer's rays lack the tangential part of the slope",
+       mutation::DroppedTangentialTerm{}},
+      {"half_pixel", "path-traced spots and predicted pictures stand half a pixel too far to the right",
+       mutation::HalfPixelShift{}},
       {"lost_light", "predicted pictures have lost 1 % of their light", mutation::LostLight{0.99}},
   };
   return all;
@@ -55,8 +57,10 @@ Replicates changed(const Replicates& pictures, const Change& change) {
 std::vector<Mutation> mutations_named(std::span<const std::string> names) {
   std::vector<Mutation> chosen;
   for (const std::string& name : names) {
-    const auto found = std::find_if(all_mutations().begin(), all_mutations().end(), [&](const Mutation& m) { return m.id == name; });
-    if (found == all_mutations().end()) throw std::logic_error("the schema of experiments allows a mutation that is not known");
+    const auto found =
+        std::find_if(all_mutations().begin(), all_mutations().end(), [&](const Mutation& m) { return m.id == name; });
+    if (found == all_mutations().end())
+      throw std::logic_error("the schema of experiments allows a mutation that is not known");
     chosen.push_back(*found);
   }
   return chosen;
@@ -75,7 +79,8 @@ std::optional<Footprint> mutated_footprint(const Mutation& mutation, const Eye& 
   return std::nullopt;
 }
 
-std::optional<Replicates> mutated_pictures(const Mutation& mutation, const Eye& eye, const PredictedReplicates& honest) {
+std::optional<Replicates> mutated_pictures(const Mutation& mutation, const Eye& eye,
+                                           const PredictedReplicates& honest) {
   if (const auto* wrong = std::get_if<mutation::WrongPrescription>(&mutation.kind)) {
     const Eye other = with_prescription(eye, *wrong);
     Replicates pictures;
@@ -83,7 +88,8 @@ std::optional<Replicates> mutated_pictures(const Mutation& mutation, const Eye& 
       pictures.images.push_back(predict_image(view, other, other.accommodation_for(0.0)).radiance);
     return pictures;
   }
-  if (std::holds_alternative<mutation::HalfPixelShift>(mutation.kind)) return changed(honest.predictions, moved_half_pixel);
+  if (std::holds_alternative<mutation::HalfPixelShift>(mutation.kind))
+    return changed(honest.predictions, moved_half_pixel);
   if (const auto* lost = std::get_if<mutation::LostLight>(&mutation.kind))
     return changed(honest.predictions, [&](Image image) {
       for (float& value : image.pixels) value *= static_cast<float>(lost->factor);

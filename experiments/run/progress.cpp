@@ -72,8 +72,10 @@ void Progress::show_bar(double fraction) {
   last_shown_ = now;
   constexpr int width = 30;
   const int filled = static_cast<int>(std::lround(fraction * width));
-  std::fprintf(stderr, "\r\033[K%s [%s%s] %3.0f %%  %s", label_.c_str(), std::string(static_cast<std::size_t>(filled), '#').c_str(),
-               std::string(static_cast<std::size_t>(width - filled), ' ').c_str(), 100.0 * fraction, pace(fraction).c_str());
+  std::fprintf(stderr, "\r\033[K%s [%s%s] %3.0f %%  %s", label_.c_str(),
+               std::string(static_cast<std::size_t>(filled), '#').c_str(),
+               std::string(static_cast<std::size_t>(width - filled), ' ').c_str(), 100.0 * fraction,
+               pace(fraction).c_str());
   std::fflush(stderr);
   bar_open_ = true;
 }

@@ -5,8 +5,8 @@
 
 namespace sturm {
 
-/// Tells on stderr how far a piece of work is: a bar with rate and time left on a terminal, a plain line every tenth otherwise,
-/// nothing when quiet. Thread-safe.
+/// Tells on stderr how far a piece of work is: a bar with rate and time left on a terminal, a plain line every tenth
+/// otherwise, nothing when quiet. Thread-safe.
 class Progress {
  public:
   /// `units` is what the work counts (e.g. samples), for the rate; 0 shows no rate.

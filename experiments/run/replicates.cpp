@@ -52,7 +52,8 @@ Image Replicates::variance_of_mean() const {
     }
   Image variance(center.width, center.height, center.channels);
   const double n = static_cast<double>(images.size());
-  for (std::size_t i = 0; i < squares.size(); ++i) variance.pixels[i] = static_cast<float>(squares[i] / (n * (n - 1.0)));
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    variance.pixels[i] = static_cast<float>(squares[i] / (n * (n - 1.0)));
   return variance;
 }
 
@@ -60,8 +61,8 @@ std::uint64_t replicate_seed(std::uint64_t seed, int index) {
   return mixed_seed(mixed_seed(seed) + static_cast<std::uint64_t>(index));
 }
 
-Replicates render_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, RenderSettings settings,
-                             std::uint64_t seed, int count, const ProgressFunction& progress) {
+Replicates render_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model,
+                             RenderSettings settings, std::uint64_t seed, int count, const ProgressFunction& progress) {
   Replicates replicates;
   for (int r = 0; r < count; ++r) {
     settings.seed = replicate_seed(seed, r);
@@ -71,8 +72,9 @@ Replicates render_replicates(const Scene& scene, const CameraPose& pose, const E
   return replicates;
 }
 
-PredictedReplicates predict_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RenderSettings settings,
-                                       std::uint64_t seed, int count, const ProgressFunction& progress) {
+PredictedReplicates predict_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye,
+                                       RenderSettings settings, std::uint64_t seed, int count,
+                                       const ProgressFunction& progress) {
   PredictedReplicates result;
   for (int r = 0; r < count; ++r) {
     settings.seed = replicate_seed(seed, r);

@@ -5,7 +5,8 @@
 
 namespace sturm {
 
-/// The same view rendered several times with independent seeds: the only honest source of a picture's noise (physics.md §8).
+/// The same view rendered several times with independent seeds: the only honest source of a picture's noise (physics.md
+/// §8).
 struct Replicates {
   std::vector<Image> images;
 
@@ -23,8 +24,8 @@ struct Replicates {
 /// Seed of replicate number `index` of a run: independent of the seeds of other runs and replicates.
 std::uint64_t replicate_seed(std::uint64_t seed, int index);
 
-Replicates render_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model, RenderSettings settings,
-                             std::uint64_t seed, int count, const ProgressFunction& progress);
+Replicates render_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model,
+                             RenderSettings settings, std::uint64_t seed, int count, const ProgressFunction& progress);
 
 /// Predictions from independently seeded sharp views, and the seconds of all of them.
 struct PredictedReplicates {
@@ -33,7 +34,8 @@ struct PredictedReplicates {
   PredictionTimes times;
 };
 
-PredictedReplicates predict_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RenderSettings settings,
-                                       std::uint64_t seed, int count, const ProgressFunction& progress);
+PredictedReplicates predict_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye,
+                                       RenderSettings settings, std::uint64_t seed, int count,
+                                       const ProgressFunction& progress);
 
 }  // namespace sturm

@@ -16,7 +16,8 @@ constexpr std::size_t key_digits = 16;
 /// Folders of parts are named after their key; whatever else lies there belongs to somebody else and stays.
 bool holds_parts(const fs::path& path) {
   const std::string name = path.filename().string();
-  return fs::is_directory(path) && name.size() == key_digits && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+  return fs::is_directory(path) && name.size() == key_digits &&
+         name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 /// Parts name the pictures that belong to them under "file" or "files".
@@ -56,7 +57,8 @@ RunFolder::RunFolder(fs::path folder, const std::string& key, bool resume, const
       clear_leftovers(place);
     }
     clear_leftovers(folder_);
-    AtomicFile probe(folder_ / layout.reports.front());  // creating its temporary file shows that reports can be written
+    AtomicFile probe(folder_ /
+                     layout.reports.front());  // creating its temporary file shows that reports can be written
   } catch (const fs::filesystem_error& error) {
     throw RuntimeFailure("the output folder cannot be used: " + std::string(error.what()));
   }

@@ -9,8 +9,8 @@
 
 namespace sturm {
 
-/// The output folder of a run. Finished parts are kept in parts/<key>/, where the key stands for the resolved spec, the program and the
-/// contents of all inputs: a part of another run is never taken for one of this run.
+/// The output folder of a run. Finished parts are kept in parts/<key>/, where the key stands for the resolved spec, the
+/// program and the contents of all inputs: a part of another run is never taken for one of this run.
 class RunFolder {
  public:
   /// What a run writes into its folder besides the parts.
@@ -25,8 +25,8 @@ class RunFolder {
 
   const std::filesystem::path& path() const { return folder_; }
 
-  /// The finished part of this name, if it and its pictures are there; else the result of `make`, stored before it is returned.
-  /// `reused` tells which.
+  /// The finished part of this name, if it and its pictures are there; else the result of `make`, stored before it is
+  /// returned. `reused` tells which.
   struct Part {
     Json value;
     bool reused;

@@ -57,7 +57,8 @@ std::string scene_fingerprint(const SceneDescription& scene) {
   if (scene.environment) {
     add(facts, scene.environment->radiance);
     add_number(facts, scene.environment->rotation);
-    if (scene.environment->map) facts += std::to_string(scene.environment->map->width) + hash_of(scene.environment->map->pixels);
+    if (scene.environment->map)
+      facts += std::to_string(scene.environment->map->width) + hash_of(scene.environment->map->pixels);
   }
   for (const Sphere& s : scene.spheres) {
     add(facts, s.center);

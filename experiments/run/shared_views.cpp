@@ -39,7 +39,8 @@ std::string SharedViews::key(std::size_t index, RayModel model) const {
       .dump();
 }
 
-std::shared_ptr<const SharedViews::View> SharedViews::get(std::size_t index, RayModel model, const std::function<View()>& make) {
+std::shared_ptr<const SharedViews::View> SharedViews::get(std::size_t index, RayModel model,
+                                                          const std::function<View()>& make) {
   if (!spec_.share_views) return std::make_shared<const View>(make());
   Shared& shared = views_.at(key(index, model));
   if (!shared.view) shared.view = std::make_shared<const View>(make());

@@ -10,9 +10,9 @@
 
 namespace sturm {
 
-/// Path-traced pictures that several entries of an experiment ask for, the same bit by bit: the same scene, camera, eye, samples and seed,
-/// and ray models with the same rays (power_matrix and thin_lens without a cylinder). Each is rendered for the first that asks, and kept
-/// until the last has asked. All images of an experiment share its seed.
+/// Path-traced pictures that several entries of an experiment ask for, the same bit by bit: the same scene, camera,
+/// eye, samples and seed, and ray models with the same rays (power_matrix and thin_lens without a cylinder). Each is
+/// rendered for the first that asks, and kept until the last has asked. All images of an experiment share its seed.
 class SharedViews {
  public:
   struct View {

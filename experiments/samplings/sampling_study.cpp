@@ -16,7 +16,8 @@ namespace sturm {
 namespace {
 
 constexpr double exposure = 1.0;
-constexpr std::uint64_t reference_stream = 0x5245464552454e43ull;  // the reference shares no numbers with what is compared with it
+constexpr std::uint64_t reference_stream =
+    0x5245464552454e43ull;  // the reference shares no numbers with what is compared with it
 
 /// E[r²] over that of a uniform disc (physics.md §5).
 double mean_square_radius(const PupilSamplingSpec& spec) {
@@ -62,7 +63,8 @@ Replicates sampled(const Scene& scene, const SamplingStudySpec& study, const Sam
                    const PupilSamplingSpec& sampling, Sequence sampler, std::uint64_t seed) {
   ViewOptions options;
   options.pupil = PupilSampler(sampling, 0.0);
-  const ViewCamera camera(camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model), std::move(options));
+  const ViewCamera camera(camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model),
+                          std::move(options));
   RenderSettings settings = settings_of(study);
   settings.sequence = sampler;
   Replicates replicates;
@@ -80,8 +82,8 @@ Json sampling_entries(const SamplingStudySpec& study, std::size_t index, const S
   const SamplingConfiguration& configuration = study.configurations[index];
   const std::uint64_t own_seed = replicate_seed(seed, static_cast<int>(index));
   const Replicates reference =
-      render_replicates(scene, camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model), settings_of(study),
-                        own_seed ^ reference_stream, study.replicates, [](double) {});
+      render_replicates(scene, camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model),
+                        settings_of(study), own_seed ^ reference_stream, study.replicates, [](double) {});
   const double brightness = mean_radiance(reference.mean());
   Json entries = Json::array();
   const double steps = static_cast<double>(study.samplings.size() * study.samplers.size()) + 1.0;

@@ -19,8 +19,8 @@ namespace sturm {
 
 namespace {
 
-/// Two rules with n/2 and n angles that differ by more than this do not resolve the pattern: their error falls as ρⁿ, so that of the finer
-/// one is about its square, 1e-10.
+/// Two rules with n/2 and n angles that differ by more than this do not resolve the pattern: their error falls as ρⁿ,
+/// so that of the finer one is about its square, 1e-10.
 constexpr double resolved = 1e-5;
 
 /// A principal difference below this [D] is rounding of a round eye seen through its vertex distance.
@@ -48,12 +48,14 @@ View view_of(const Eye& eye, double distance_m) {
   return v;
 }
 
-/// The closed form of the sin² pattern with a coefficient that is wrong on purpose: (4V₁² + 2V₁V₂ + V₂²)/8, and so for the other axis.
+/// The closed form of the sin² pattern with a coefficient that is wrong on purpose: (4V₁² + 2V₁V₂ + V₂²)/8, and so for
+/// the other axis.
 Eigen::Matrix2d wrong_sin2_covariance(const View& v) {
   const double h = v.principal.high, l = v.principal.low, quarter = 0.25 * v.eye.pupil_radius_m * v.eye.pupil_radius_m;
   const Eigen::Matrix2d axis = v.principal.high_direction * v.principal.high_direction.transpose();
   return quarter / 8.0 *
-         ((4.0 * h * h + 2.0 * h * l + l * l) * axis + (h * h + 2.0 * h * l + 4.0 * l * l) * (Eigen::Matrix2d::Identity() - axis));
+         ((4.0 * h * h + 2.0 * h * l + l * l) * axis +
+          (h * h + 2.0 * h * l + 4.0 * l * l) * (Eigen::Matrix2d::Identity() - axis));
 }
 
 Eigen::Matrix2d mirrored_truth(const View& v) {
@@ -70,11 +72,13 @@ void add_principal_variances(StudyCase& c, const View& v, const Eigen::Matrix2d&
   const double true_high = u.dot(v.truth * u), true_low = v.truth.trace() - true_high;
   const double high = u.dot(measured * u), low = measured.trace() - high;
   // At a circle of least confusion both differences are zero, and their ratio means nothing.
-  if (std::abs(true_high - true_low) > 1e-3 * (true_high + true_low)) c[Quantity::difference_ratio] = (high - low) / (true_high - true_low);
+  if (std::abs(true_high - true_low) > 1e-3 * (true_high + true_low))
+    c[Quantity::difference_ratio] = (high - low) / (true_high - true_low);
   c[Quantity::lost_variance_ratio] = (v.truth.trace() - measured.trace()) / (a * a * cylinder * cylinder / 16.0);
 }
 
-void add_samplings(StudyCase& c, const View& v, const EyeRays<double>& rays, const StudyPupils& pupils, const Eigen::Matrix2d& uniform) {
+void add_samplings(StudyCase& c, const View& v, const EyeRays<double>& rays, const StudyPupils& pupils,
+                   const Eigen::Matrix2d& uniform) {
   const double variance = uniform.trace();
   if (!(variance > 0.0)) return;
   const auto rms = [&](const std::vector<WeightedPoint>& points) -> std::optional<double> {
@@ -93,7 +97,8 @@ double largest_radial_deviation(const View& v, const EyeRays<double>& sin2, cons
   for (const WeightedPoint& node : pupils.uniform_disk) {
     const Eigen::Vector2d p = sin2.pupil_radius() * node.point;
     const PupilRay<double> is = sin2.through(p.x(), p.y()), should = matrix.through(p.x(), p.y());
-    largest = std::max(largest, std::abs(p.dot(Eigen::Vector2d(is.sx - should.sx, is.sy - should.sy))) / p.squaredNorm());
+    largest =
+        std::max(largest, std::abs(p.dot(Eigen::Vector2d(is.sx - should.sx, is.sy - should.sy))) / p.squaredNorm());
   }
   return largest;
 }
@@ -103,12 +108,15 @@ std::optional<Eigen::Matrix2d> closed_form(const View& v, StudyModel model) {
   const double a = v.eye.pupil_radius_m;
   if (model == StudyModel::sin2_radial) return sin2_closed_form_covariance(v.vergence, a);
   if (model == StudyModel::power_matrix) return v.truth;
-  return metalstigmatism_covariance(v.eye.correction.matrix(), v.target_vergence_D, v.eye.stated_focus_distance_m().value(), a);
+  return metalstigmatism_covariance(v.eye.correction.matrix(), v.target_vergence_D,
+                                    v.eye.stated_focus_distance_m().value(), a);
 }
 
-void add_mutants(StudyCase& c, const View& v, const EyeRays<double>& rays, const StudyPupils& pupils, const Eigen::Matrix2d& measured) {
+void add_mutants(StudyCase& c, const View& v, const EyeRays<double>& rays, const StudyPupils& pupils,
+                 const Eigen::Matrix2d& measured) {
   const double a = v.eye.pupil_radius_m;
-  if (c.model == StudyModel::power_matrix) c[Quantity::mutant_mirrored_axis] = relative_deviation(measured, mirrored_truth(v), a);
+  if (c.model == StudyModel::power_matrix)
+    c[Quantity::mutant_mirrored_axis] = relative_deviation(measured, mirrored_truth(v), a);
   if (c.model != StudyModel::sin2_radial) return;
   const TangentialTerm tangential(v.eye.correction);
   const Eigen::Matrix2d repaired = *traced(rays, pupils.uniform_disk, v.target_vergence_D, &tangential).covariance;
@@ -136,8 +144,8 @@ void measure(StudyCase& c, const View& v, const StudyPupils& pupils) {
   const double a = v.eye.pupil_radius_m;
   if (c.model == StudyModel::metalstigmatism) {
     const TracedPupil half = traced(*rays, pupils.every_second, v.target_vergence_D);
-    if (has_pole(v.eye.correction.matrix(), *v.eye.stated_focus_distance_m()) || !uniform.covariance || !half.covariance ||
-        relative_deviation(*half.covariance, *uniform.covariance, a) > resolved) {
+    if (has_pole(v.eye.correction.matrix(), *v.eye.stated_focus_distance_m()) || !uniform.covariance ||
+        !half.covariance || relative_deviation(*half.covariance, *uniform.covariance, a) > resolved) {
       c.status = StudyStatus::pole;
       return;
     }
@@ -151,7 +159,8 @@ void measure(StudyCase& c, const View& v, const StudyPupils& pupils) {
   c[Quantity::error_arcmin] = arcminutes_per_radian * error;
   if (v.truth_ellipse.semi_major > 0.0) c[Quantity::error_percent] = 100.0 * error / v.truth_ellipse.semi_major;
   c[Quantity::theory_deviation] = relative_deviation(measured, v.truth, a);
-  if (const auto expected = closed_form(v, c.model)) c[Quantity::closed_form_deviation] = relative_deviation(measured, *expected, a);
+  if (const auto expected = closed_form(v, c.model))
+    c[Quantity::closed_form_deviation] = relative_deviation(measured, *expected, a);
   if (c.model == StudyModel::sin2_radial) {
     c[Quantity::radial_deviation_D] = largest_radial_deviation(v, *rays, pupils);
     add_principal_variances(c, v, measured);
@@ -164,7 +173,8 @@ std::vector<Json> rows_of_eye(const Sin2StudySpec& spec, const StudyPupils& pupi
   std::vector<Json> rows;
   for (std::size_t accommodation = 0; accommodation < spec.accommodations.size(); ++accommodation)
     for (std::size_t pupil = 0; pupil < spec.pupil_diameters_m.size(); ++pupil) {
-      const Eye worn = Eye::with(spec.eyes[eye].prescription, spec.pupil_diameters_m[pupil], spec.accommodations[accommodation]);
+      const Eye worn =
+          Eye::with(spec.eyes[eye].prescription, spec.pupil_diameters_m[pupil], spec.accommodations[accommodation]);
       for (std::size_t distance = 0; distance < spec.distances_m.size(); ++distance) {
         const View view = view_of(worn, spec.distances_m[distance]);
         for (const StudyModel model : study_models) {

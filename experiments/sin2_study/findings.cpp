@@ -32,23 +32,27 @@ const Json& anywhere(const Json& section, const char* model) {
 }  // namespace
 
 Json sin2_study_mutants(const Json& section) {
-  return {mutant(section, "repaired_as_sin2", "sin² rays got the tangential term that they lack, and were passed off as sin² rays"),
-          mutant(section, "wrong_coefficient", "the closed form of sin² was given 4 in place of 5"),
-          mutant(section, "mirrored_axis", "wavefront theory was given AXIS 180 − α instead of α; matrix rays were not"),
-          mutant(section, "sin2_as_matrix", "sin² rays were passed off as matrix rays")};
+  return {
+      mutant(section, "repaired_as_sin2",
+             "sin² rays got the tangential term that they lack, and were passed off as sin² rays"),
+      mutant(section, "wrong_coefficient", "the closed form of sin² was given 4 in place of 5"),
+      mutant(section, "mirrored_axis", "wavefront theory was given AXIS 180 − α instead of α; matrix rays were not"),
+      mutant(section, "sin2_as_matrix", "sin² rays were passed off as matrix rays")};
 }
 
 Json sin2_study_sentence(const Json& section) {
-  const auto cases = number_at(section, "checks/cases/value"), least = number_at(section, "checks/sin2_error_per_cylinder_min/value"),
+  const auto cases = number_at(section, "checks/cases/value"),
+             least = number_at(section, "checks/sin2_error_per_cylinder_min/value"),
              most = number_at(section, "checks/sin2_error_per_cylinder_max/value"),
              repaired = number_at(section, "checks/repaired_vs_theory_max/value");
   if (!cases || !least || !most || !repaired) return nullptr;
   char text[768];
-  int used =
-      std::snprintf(text, sizeof text,
-                    "In %.0f traced cases sin² interpolation is exact within each meridian and without a cylinder; with one its blur is "
-                    "wrong by %.3f to %.3f D per dioptre of cylinder, and its missing tangential term repairs it to %.1g",
-                    *cases, *least, *most, *repaired);
+  int used = std::snprintf(
+      text, sizeof text,
+      "In %.0f traced cases sin² interpolation is exact within each meridian and without a cylinder; with one its blur "
+      "is "
+      "wrong by %.3f to %.3f D per dioptre of cylinder, and its missing tangential term repairs it to %.1g",
+      *cases, *least, *most, *repaired);
   const Json &sin2 = anywhere(section, "sin2_radial"), &printed = anywhere(section, "metalstigmatism");
   if (const auto eyes = number_at(sin2, "eyes"), noticed = number_at(sin2, "noticeable"); eyes && noticed) {
     used += std::snprintf(text + used, sizeof text - static_cast<std::size_t>(used),
@@ -56,7 +60,8 @@ Json sin2_study_sentence(const Json& section) {
     const auto wrong = number_at(printed, "noticeable"), pole = number_at(printed, "pole");
     if (wrong && pole)
       std::snprintf(text + used, sizeof text - static_cast<std::size_t>(used),
-                    ", and by the focal-distance formula as printed %.0f, %.0f more having its pole within the pupil", *wrong, *pole);
+                    ", and by the focal-distance formula as printed %.0f, %.0f more having its pole within the pupil",
+                    *wrong, *pole);
   }
   return std::string(text) + ".";
 }

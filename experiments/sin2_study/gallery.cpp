@@ -67,7 +67,8 @@ PointSpread spread_about_cells(const std::vector<Eigen::Vector2d>& angles, doubl
 /// Share of the light per arcmin²; rays beyond the picture are not shown.
 Image density(const std::vector<Eigen::Vector2d>& angles, double half_side_arcmin) {
   Image image(picture_px, picture_px, 3);
-  const double pixel = 2.0 * half_side_arcmin / picture_px, each = 1.0 / (static_cast<double>(angles.size()) * pixel * pixel);
+  const double pixel = 2.0 * half_side_arcmin / picture_px,
+               each = 1.0 / (static_cast<double>(angles.size()) * pixel * pixel);
   for (const Eigen::Vector2d& angle : angles) {
     const Eigen::Vector2d at = arcminutes_per_radian * angle / pixel;
     const double x = std::floor(at.x() + 0.5 * picture_px), y = std::floor(0.5 * picture_px - at.y());
@@ -78,14 +79,17 @@ Image density(const std::vector<Eigen::Vector2d>& angles, double half_side_arcmi
   return image;
 }
 
-Json model_entry(const GalleryModel& m, const std::vector<Eigen::Vector2d>& angles, const PointSpread& truth, double noise, double cell) {
+Json model_entry(const GalleryModel& m, const std::vector<Eigen::Vector2d>& angles, const PointSpread& truth,
+                 double noise, double cell) {
   const PointSpread spread = spread_about_cells(angles, cell);
   const double distance = total_variation(spread, truth, cell).value;
-  // Points of a scrambled Sobol' sequence scatter less than the independent ones of these errors, by how much is not known from one set.
-  // Radii are about the centroid, whose own scatter moves them by no more than itself; where a pattern has a pole it is most of it.
+  // Points of a scrambled Sobol' sequence scatter less than the independent ones of these errors, by how much is not
+  // known from one set. Radii are about the centroid, whose own scatter moves them by no more than itself; where a
+  // pattern has a pole it is most of it.
   PointSpread independent = spread;
   independent.independent_rays = static_cast<double>(angles.size());
-  const WithError radius_50 = encircled_energy_radius(independent, 0.5), radius_80 = encircled_energy_radius(independent, 0.8);
+  const WithError radius_50 = encircled_energy_radius(independent, 0.5),
+                  radius_80 = encircled_energy_radius(independent, 0.8);
   const double centroid_error = std::sqrt(spread.covariance().trace() / independent.independent_rays);
   return {{"model", m.name},
           {"total_variation", distance},
@@ -98,10 +102,11 @@ Json model_entry(const GalleryModel& m, const std::vector<Eigen::Vector2d>& angl
 
 }  // namespace
 
-Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed, const std::filesystem::path& folder) {
+Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
+                        const std::filesystem::path& folder) {
   const double vergence = vergence_of(view.distance_m), accommodation = view.eye.accommodation_for(vergence);
-  const Ellipse truth =
-      Ellipse::image_of_disc(naked_eye_footprint(view.eye, view.distance_m, accommodation).angular, view.eye.pupil_radius_m);
+  const Ellipse truth = Ellipse::image_of_disc(naked_eye_footprint(view.eye, view.distance_m, accommodation).angular,
+                                               view.eye.pupil_radius_m);
   const double longest = arcminutes_per_radian * truth.semi_major;
   Json entry = {{"id", view.id},
                 {"title", view.title},
@@ -118,7 +123,9 @@ Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, 
   const GalleryScene scene{view, vergence, accommodation, spec.gallery_rays, seed};
   const auto wavefront = *scene.angles(gallery_models[0], gallery_models[0].replicate);
   const PointSpread reference = spread_about_cells(wavefront, cell);
-  const double noise = total_variation(spread_about_cells(*scene.angles(gallery_models[0], noise_replicate), cell), reference, cell).value;
+  const double noise =
+      total_variation(spread_about_cells(*scene.angles(gallery_models[0], noise_replicate), cell), reference, cell)
+          .value;
   entry["cell_arcmin"] = cell;
   entry["noise_total_variation"] = noise;
   for (const GalleryModel& m : gallery_models) {

@@ -48,7 +48,8 @@ TangentialTerm::TangentialTerm(const PowerMatrix& correction) {
 void TangentialTerm::add_to(PupilRay<double>& ray) const {
   const double square = ray.px * ray.px + ray.py * ray.py;
   if (square == 0.0) return;
-  const double across = ray.py * cosine_ - ray.px * sine_, along = ray.px * cosine_ + ray.py * sine_;  // r sin, r cos of φ − α
+  const double across = ray.py * cosine_ - ray.px * sine_,
+               along = ray.px * cosine_ + ray.py * sine_;  // r sin, r cos of φ − α
   const double term = cylinder_D_ * across * along / square;
   ray.sx -= term * ray.py;
   ray.sy += term * ray.px;

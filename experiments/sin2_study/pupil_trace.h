@@ -10,17 +10,20 @@
 
 namespace sturm {
 
-/// The pupil points of the study, by sampling (unit disc, weights that add up to 1). The radii of uniform_polar are Gauss–Legendre nodes in
-/// r itself, so these are the expectations of the samplings, without noise; rings are the very points.
+/// The pupil points of the study, by sampling (unit disc, weights that add up to 1). The radii of uniform_polar are
+/// Gauss–Legendre nodes in r itself, so these are the expectations of the samplings, without noise; rings are the very
+/// points.
 struct StudyPupils {
-  std::vector<WeightedPoint> uniform_disk, every_second;  ///< the second with half as many angles, which shows how well they resolve
+  std::vector<WeightedPoint> uniform_disk,
+      every_second;  ///< the second with half as many angles, which shows how well they resolve
   std::vector<WeightedPoint> polar, polar_weighted, rings;
 
   explicit StudyPupils(const Sin2StudySpec& spec);
 };
 
-/// The part of the wavefront's slope that sin² interpolation drops (physics.md §4.1): r·C sin(φ − α) cos(φ − α) along e_φ, from the
-/// prescription's own numbers at the cornea (Euler's theorem: W = −½ r² P(φ), so the tangential slope is ½ r dP/dφ).
+/// The part of the wavefront's slope that sin² interpolation drops (physics.md §4.1): r·C sin(φ − α) cos(φ − α) along
+/// e_φ, from the prescription's own numbers at the cornea (Euler's theorem: W = −½ r² P(φ), so the tangential slope is
+/// ½ r dP/dφ).
 class TangentialTerm {
  public:
   explicit TangentialTerm(const PowerMatrix& correction);
@@ -37,7 +40,8 @@ struct TracedPupil {
   RayCounters counters;
 };
 
-/// Traces the rays of a naked eye through `pupil` to a target of vergence 1/d [D]; with `added`, each gets the tangential term.
+/// Traces the rays of a naked eye through `pupil` to a target of vergence 1/d [D]; with `added`, each gets the
+/// tangential term.
 TracedPupil traced(const EyeRays<double>& rays, std::span<const WeightedPoint> pupil, double target_vergence_D,
                    const TangentialTerm* added = nullptr);
 

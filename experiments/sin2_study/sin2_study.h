@@ -6,13 +6,15 @@
 
 namespace sturm {
 
-/// All cases of one group of eyes: traced rays of each model against wavefront theory (the conoid) and against the model's closed form. A
-/// list of rows (compare/studies/sin2/study_case.h). Eyes are traced in parallel; the result does not depend on the number of threads.
+/// All cases of one group of eyes: traced rays of each model against wavefront theory (the conoid) and against the
+/// model's closed form. A list of rows (compare/studies/sin2/study_case.h). Eyes are traced in parallel; the result
+/// does not depend on the number of threads.
 Json sin2_study_rows(const Sin2StudySpec& spec, const StudyEyeGroup& group, const ProgressFunction& progress);
 
-/// Point-spread functions of one gallery view by wavefront theory, sin², sin² with the tangential term and added focal distances: their
-/// distances from the first, and their densities as EXR files in `folder`.
-Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed, const std::filesystem::path& folder);
+/// Point-spread functions of one gallery view by wavefront theory, sin², sin² with the tangential term and added focal
+/// distances: their distances from the first, and their densities as EXR files in `folder`.
+Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
+                        const std::filesystem::path& folder);
 
 /// The study's checks again with inputs that are wrong on purpose; each must be noticed. From the finished section.
 Json sin2_study_mutants(const Json& section);

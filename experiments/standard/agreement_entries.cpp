@@ -25,8 +25,9 @@ namespace sturm {
 namespace {
 
 constexpr double exposure = 1.0;
-constexpr std::uint64_t sharp_view_stream = 0x41475245ull;  // the predictions' noise is independent of the path tracer's
-constexpr std::uint64_t fewer_stream = 0x46455745ull;       // and so is that of its pictures of fewer samples
+constexpr std::uint64_t sharp_view_stream =
+    0x41475245ull;                                     // the predictions' noise is independent of the path tracer's
+constexpr std::uint64_t fewer_stream = 0x46455745ull;  // and so is that of its pictures of fewer samples
 constexpr std::uint64_t fewer_divisor = 8;
 
 /// Pictures of one view by one method, and the seconds of the fastest: other work on the machine only adds to a time.
@@ -93,7 +94,8 @@ class Case {
     for (int r = 0; r < spec_.replicates; ++r) {
       settings.seed = replicate_seed(seed_ ^ sharp_view_stream, r);
       if (prediction.kind == PredictionKind::Ellipses) {
-        PredictedImage image = predict(scene_, camera_pose(spec_.camera), spec_.worn.eye, prediction.oversampling, settings);
+        PredictedImage image =
+            predict(scene_, camera_pose(spec_.camera), spec_.worn.eye, prediction.oversampling, settings);
         pictures.add(std::move(image.prediction.radiance),
                      {{"sharp_view", image.times.sharp_view_seconds}, {"spreading", image.times.spreading_seconds}});
       } else {
@@ -111,7 +113,8 @@ class Case {
     const std::vector<Region> regions = regions_of_case(pictures.linear.front());
     Json parts = Json::array({part_json("whole", whole, whole, errors.similarity())});
     for (const Region& region : regions)
-      if (region.pixels() > 0) parts.push_back(part_json(region.name, errors.within(&region.mask), whole, errors.similarity(region.mask)));
+      if (region.pixels() > 0)
+        parts.push_back(part_json(region.name, errors.within(&region.mask), whole, errors.similarity(region.mask)));
     Json result = time_json(whole, pictures.seconds.at("total"));
     const SimilarityLoss loss = errors.similarity_loss();
     result["seconds"] = pictures.seconds;
@@ -121,7 +124,8 @@ class Case {
                                  {"reference_noise", loss.reference_noise},
                                  {"prediction_noise", loss.prediction_noise},
                                  {"method", loss.method}};
-    result["squared_error"] = {{"total", whole.error}, {"prediction_noise", whole.prediction_noise}, {"method", whole.method()}};
+    result["squared_error"] = {
+        {"total", whole.error}, {"prediction_noise", whole.prediction_noise}, {"method", whole.method()}};
     return result;
   }
 
@@ -135,7 +139,8 @@ class Case {
   }
   double seconds_path_traced() const { return more_.seconds; }
 
-  /// SSIM and error of two halves of the replicates: what noise alone makes of a comparison with half of the samples each.
+  /// SSIM and error of two halves of the replicates: what noise alone makes of a comparison with half of the samples
+  /// each.
   Json noise_floor() const {
     const Replicates all{traced_linear_};
     const Image a = all.first_half(), b = all.second_half();
@@ -155,7 +160,8 @@ class Case {
     view.camera = spec_.camera;
     view.ray_model = "power_matrix";
     ViewPlan plan;
-    plan.naked = spec_.camera.gaze == Gaze::Camera && !spec_.worn.spectacles && spec_.worn.eye.stiles_crawford_per_m2 == 0.0;
+    plan.naked =
+        spec_.camera.gaze == Gaze::Camera && !spec_.worn.spectacles && spec_.worn.eye.stiles_crawford_per_m2 == 0.0;
     RenderSettings settings;
     settings.samples_per_pixel = samples;
     settings.max_bounces = spec_.max_bounces;
@@ -201,7 +207,8 @@ class Case {
             {"mean_square_display", measured(part.mean_square)},
             {"noise_display", std::sqrt(part.reference_noise)},
             {"prediction_noise_display", std::sqrt(part.prediction_noise)},
-            {"share_of_squared_error", all > 0.0 ? Json(part.raw * static_cast<double>(part.pixels) / all) : Json(nullptr)}};
+            {"share_of_squared_error",
+             all > 0.0 ? Json(part.raw * static_cast<double>(part.pixels) / all) : Json(nullptr)}};
   }
 
   /// The error by parts of the picture that do not overlap; the first name that fits a pixel has it.
@@ -215,11 +222,12 @@ class Case {
     for (const Region& region : first_of(std::move(ordered))) {
       const ErrorParts part = errors.within(&region.mask);
       const auto pixels = static_cast<double>(part.pixels);
-      causes.push_back({{"name", region.name},
-                        {"pixels", part.pixels},
-                        {"share_of_squared_error", all > 0.0 ? Json(part.error * pixels / all) : Json(nullptr)},
-                        {"share_of_prediction_noise", all > 0.0 ? Json(part.prediction_noise * pixels / all) : Json(nullptr)},
-                        {"share_of_similarity_loss", errors.share_of_similarity_loss(region.mask)}});
+      causes.push_back(
+          {{"name", region.name},
+           {"pixels", part.pixels},
+           {"share_of_squared_error", all > 0.0 ? Json(part.error * pixels / all) : Json(nullptr)},
+           {"share_of_prediction_noise", all > 0.0 ? Json(part.prediction_noise * pixels / all) : Json(nullptr)},
+           {"share_of_similarity_loss", errors.share_of_similarity_loss(region.mask)}});
     }
     return causes;
   }

@@ -40,41 +40,48 @@ Json agreement_json(const EllipseComparison& c) {
 
 Json against_conoid_json(const EllipseComparison& c, const EllipseMeasures& measures) {
   Json json = agreement_json(c);
-  json.update({{"measures", measures_json(measures)},
-               {"semi_axis_errors", {number_or_null(c.semi_major_relative_error), number_or_null(c.semi_minor_relative_error)}},
-               {"minor_axis_error_arcmin", c.semi_minor_error * arcminutes_per_radian},
-               {"orientation_error_deg", number_or_null(c.orientation_error_deg)},
-               {"bures_wasserstein_arcmin", c.bures_wasserstein * arcminutes_per_radian}});
+  json.update(
+      {{"measures", measures_json(measures)},
+       {"semi_axis_errors", {number_or_null(c.semi_major_relative_error), number_or_null(c.semi_minor_relative_error)}},
+       {"minor_axis_error_arcmin", c.semi_minor_error * arcminutes_per_radian},
+       {"orientation_error_deg", number_or_null(c.orientation_error_deg)},
+       {"bures_wasserstein_arcmin", c.bures_wasserstein * arcminutes_per_radian}});
   return json;
 }
 
 /// The bundles of one case; none for models that are undefined there.
 using Bundles = std::vector<std::pair<RayModel, std::optional<MeasuredBundle>>>;
 
-Json rays_json(RayModel model, const std::optional<MeasuredBundle>& bundle, const Eye& eye, const Footprint& footprint) {
-  Json entry = {{"ray_model", name_of(model)}, {"status", "undefined"},         {"semi_axes_rad", nullptr},
-                {"orientation_deg", nullptr},  {"covariance_rad2", nullptr},    {"covariance_standard_error_rad2", nullptr},
+Json rays_json(RayModel model, const std::optional<MeasuredBundle>& bundle, const Eye& eye,
+               const Footprint& footprint) {
+  Json entry = {{"ray_model", name_of(model)}, {"status", "undefined"},
+                {"semi_axes_rad", nullptr},    {"orientation_deg", nullptr},
+                {"covariance_rad2", nullptr},  {"covariance_standard_error_rad2", nullptr},
                 {"against_conoid", nullptr},   {"against_closed_form", nullptr}};
   if (!bundle) return entry;
-  entry["counters"] = {
-      {"launched", bundle->counters.launched}, {"dropped", bundle->counters.dropped}, {"negative_focus", bundle->counters.negative_focus}};
+  entry["counters"] = {{"launched", bundle->counters.launched},
+                       {"dropped", bundle->counters.dropped},
+                       {"negative_focus", bundle->counters.negative_focus}};
   if (!bundle->angular) return entry;
   const BundleEllipse& measured = *bundle->angular;
   entry["status"] = "ok";
   entry["semi_axes_rad"] = semi_axes_json(measured.ellipse);
   entry["orientation_deg"] = number_or_null(measured.ellipse.orientation_deg);
   entry["covariance_rad2"] = symmetric_json(measured.covariance);
-  if (const auto error = measured.covariance_standard_error()) entry["covariance_standard_error_rad2"] = json_of(*error);
+  if (const auto error = measured.covariance_standard_error())
+    entry["covariance_standard_error_rad2"] = json_of(*error);
   const Eigen::Matrix2d predicted = covariance_of_disc_image(footprint.angular, eye.pupil_radius_m);
-  entry["against_conoid"] = against_conoid_json(compare_to_prediction(measured, predicted), measure_ellipses(measured, predicted));
+  entry["against_conoid"] =
+      against_conoid_json(compare_to_prediction(measured, predicted), measure_ellipses(measured, predicted));
   if (model == RayModel::sin2_radial)
-    entry["against_closed_form"] =
-        agreement_json(compare_to_prediction(measured, sin2_closed_form_covariance(footprint.angular, eye.pupil_radius_m)));
+    entry["against_closed_form"] = agreement_json(
+        compare_to_prediction(measured, sin2_closed_form_covariance(footprint.angular, eye.pupil_radius_m)));
   return entry;
 }
 
-/// What a mutation makes of a case, as a patch (RFC 7396) of it; null where it is none of ellipses. `eye` and `footprint` are the honest
-/// ones: the closed form of sin², which is no ellipse of the conoid's, follows a wrong prescription but not a wrong semi-axis.
+/// What a mutation makes of a case, as a patch (RFC 7396) of it; null where it is none of ellipses. `eye` and
+/// `footprint` are the honest ones: the closed form of sin², which is no ellipse of the conoid's, follows a wrong
+/// prescription but not a wrong semi-axis.
 Json mutated_case(const Mutation& mutation, const Bundles& bundles, const Eye& eye, const Footprint& footprint) {
   const std::optional<Footprint> wrong = mutated_footprint(mutation, eye, footprint);
   const bool dropped = std::holds_alternative<mutation::DroppedTangentialTerm>(mutation.kind);
@@ -86,9 +93,11 @@ Json mutated_case(const Mutation& mutation, const Bundles& bundles, const Eye& e
   Json rays = Json::array();
   const auto add = [&](RayModel passed_off_as, const std::optional<MeasuredBundle>& bundle) {
     const bool measured = bundle && bundle->angular;
-    rays.push_back({{"ray_model", name_of(passed_off_as)},
-                    {"against_conoid", measured ? agreement_json(compare_to_prediction(*bundle->angular, conoid)) : Json(nullptr)},
-                    {"against_closed_form", measured ? agreement_json(compare_to_prediction(*bundle->angular, sin2)) : Json(nullptr)}});
+    rays.push_back(
+        {{"ray_model", name_of(passed_off_as)},
+         {"against_conoid", measured ? agreement_json(compare_to_prediction(*bundle->angular, conoid)) : Json(nullptr)},
+         {"against_closed_form",
+          measured ? agreement_json(compare_to_prediction(*bundle->angular, sin2)) : Json(nullptr)}});
   };
   for (const auto& [model, bundle] : bundles) {
     if (dropped && model == RayModel::sin2_radial) add(RayModel::power_matrix, bundle);
@@ -99,8 +108,8 @@ Json mutated_case(const Mutation& mutation, const Bundles& bundles, const Eye& e
           {"rays", std::move(rays)}};
 }
 
-Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye, const EllipseExperiment& spec, std::uint64_t seed,
-               std::span<const Mutation> mutations) {
+Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye, const EllipseExperiment& spec,
+               std::uint64_t seed, std::span<const Mutation> mutations) {
   const Footprint footprint = naked_eye_footprint(eye, distance_m);
   const double a = eye.pupil_radius_m;
   const Ellipse ellipse = Ellipse::image_of_disc(footprint.angular, a);
@@ -111,7 +120,8 @@ Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye
     const RayModel model = *ray_model_named(name);
     const auto eye_rays = eye_rays_for(model, eye, footprint.accommodation_D);
     bundles.emplace_back(
-        model, eye_rays ? std::optional(measure_bundle(*eye_rays, vergence_of(footprint.distance_m), spec.rays, seed)) : std::nullopt);
+        model, eye_rays ? std::optional(measure_bundle(*eye_rays, vergence_of(footprint.distance_m), spec.rays, seed))
+                        : std::nullopt);
     rays.push_back(rays_json(model, bundles.back().second, eye, footprint));
   }
   const Prescription& rx = named.prescription;
@@ -129,10 +139,12 @@ Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye
                  {"orientation_deg", number_or_null(ellipse.orientation_deg)},
                  {"covariance_rad2", symmetric_json(covariance_of_disc_image(footprint.angular, a))}}},
                {"sin2_closed_form",
-                {{"covariance_rad2", symmetric_json(sin2)}, {"semi_axes_rad", semi_axes_json(Ellipse::of_second_moments(sin2))}}},
+                {{"covariance_rad2", symmetric_json(sin2)},
+                 {"semi_axes_rad", semi_axes_json(Ellipse::of_second_moments(sin2))}}},
                {"rays", std::move(rays)}};
   for (const Mutation& mutation : mutations)
-    if (Json patch = mutated_case(mutation, bundles, eye, footprint); !patch.is_null()) json["mutated"][mutation.id] = std::move(patch);
+    if (Json patch = mutated_case(mutation, bundles, eye, footprint); !patch.is_null())
+      json["mutated"][mutation.id] = std::move(patch);
   return json;
 }
 
@@ -141,7 +153,8 @@ Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye
 Json ellipse_results(const EllipseExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
                      const ProgressFunction& progress) {
   Json cases = Json::array();
-  const double total = static_cast<double>(spec.prescriptions.size() * spec.distances_m.size() * spec.pupil_diameters_m.size());
+  const double total =
+      static_cast<double>(spec.prescriptions.size() * spec.distances_m.size() * spec.pupil_diameters_m.size());
   for (const NamedPrescription& named : spec.prescriptions)
     for (double pupil : spec.pupil_diameters_m) {
       const Eye eye = Eye::with(named.prescription, pupil, spec.accommodation);

@@ -11,10 +11,11 @@ namespace sturm {
 
 namespace {
 
-constexpr std::uint64_t sharp_view_stream = 0x5348415250ull;  // the prediction's noise is independent of the path tracer's
+constexpr std::uint64_t sharp_view_stream =
+    0x5348415250ull;  // the prediction's noise is independent of the path tracer's
 
-/// What mutations make of the finished entries of one image, as patches (RFC 7396) of each entry: predicted pictures of the mutated
-/// predictor against the path-traced ones.
+/// What mutations make of the finished entries of one image, as patches (RFC 7396) of each entry: predicted pictures of
+/// the mutated predictor against the path-traced ones.
 void add_mutated(Json& entries, const std::vector<std::shared_ptr<const SharedViews::View>>& traced, const Eye& eye,
                  const PredictedReplicates& predicted, std::span<const Mutation> mutations) {
   for (const Mutation& mutation : mutations) {
@@ -31,8 +32,8 @@ void add_mutated(Json& entries, const std::vector<std::shared_ptr<const SharedVi
 
 }  // namespace
 
-Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description, SharedViews& views,
-                   const std::filesystem::path& folder, const ProgressFunction& progress) {
+Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description,
+                   SharedViews& views, const std::filesystem::path& folder, const ProgressFunction& progress) {
   const ImageExperiment& spec = experiment.images[index];
   const std::uint64_t seed = experiment.seed;
   const Scene scene(description);
@@ -60,7 +61,8 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
       settings.max_bounces = spec.max_bounces;
       settings.guide_emitters = spec.guide_emitters;
       const Stopwatch watch;
-      Replicates replicates = render_replicates(scene, pose, spec.eye, model, settings, seed, spec.replicates, part(k + 1));
+      Replicates replicates =
+          render_replicates(scene, pose, spec.eye, model, settings, seed, spec.replicates, part(k + 1));
       return SharedViews::View{std::move(replicates), watch.seconds(), spec.id + "/" + spec.ray_models[k]};
     });
     all_traced.push_back(view);
@@ -86,7 +88,8 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
                        {"metrics", image_metrics_json(predicted.predictions, traced)},
                        {"noise_floor", image_noise_floor_json(traced)},
                        {"noise_floor_uncertainty", image_noise_floor_uncertainty_json(traced)}});
-    if (const std::string own = spec.id + "/" + spec.ray_models[k]; view->made_for != own) entries.back()["same_view_as"] = view->made_for;
+    if (const std::string own = spec.id + "/" + spec.ray_models[k]; view->made_for != own)
+      entries.back()["same_view_as"] = view->made_for;
   }
   add_mutated(entries, all_traced, spec.eye, predicted, mutations_named(experiment.mutations));
   return entries;

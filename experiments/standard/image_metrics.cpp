@@ -64,7 +64,8 @@ class SimilarityJackknife {
   }
 
  private:
-  static constexpr int least_part_px = 48;  // four windows of SSIM and more: a tenth of the variance lies across the borders
+  static constexpr int least_part_px =
+      48;  // four windows of SSIM and more: a tenth of the variance lies across the borders
 
   double mean_ = 0.0;
   std::vector<std::vector<double>> shares_;
@@ -114,7 +115,9 @@ using Measure = double (*)(const Image&, const Image&);
 /// What a noise floor has, by the metric's key.
 constexpr std::pair<const char*, Measure> noise_floor_measures[] = {
     {"ssim_display",
-     [](const Image& a, const Image& b) { return ssim(to_display(a, metrics_exposure), to_display(b, metrics_exposure)).mean; }},
+     [](const Image& a, const Image& b) {
+       return ssim(to_display(a, metrics_exposure), to_display(b, metrics_exposure)).mean;
+     }},
     {"rmse_linear", [](const Image& a, const Image& b) { return rmse(a, b); }},
     {"relative_mse", [](const Image& a, const Image& b) { return relative_mse(a, b).plain; }}};
 

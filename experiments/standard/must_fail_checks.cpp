@@ -16,7 +16,8 @@ constexpr double agreement_bound = 0.005;
 using Mutation = std::function<Prescription(Prescription)>;
 
 /// Largest relative error over all cases between the rays of `ray_model` and the conoid of the mutated prescription.
-Json worst_error(const EllipseExperiment& spec, const Json& ellipses, const std::string& ray_model, const Mutation& mutate) {
+Json worst_error(const EllipseExperiment& spec, const Json& ellipses, const std::string& ray_model,
+                 const Mutation& mutate) {
   Json worst = nullptr;
   auto entry = ellipses.at("cases").begin();
   // The cases of the section stand in the order in which they were computed.
@@ -54,12 +55,13 @@ Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses) {
     return rx;
   };
   const auto unchanged = [](const Prescription& rx) { return rx; };
-  return {
-      entry("mirrored_axis", "the conoid was given AXIS 180 − α instead of α; matrix rays were not",
-            worst_error(spec, ellipses, "power_matrix", mirrored)),
-      entry("dropped_vertex_distance", "the conoid was given the spectacle prescription as if written at the cornea; matrix rays were not",
-            worst_error(spec, ellipses, "power_matrix", at_cornea)),
-      entry("meridional_as_matrix", "sin² rays were passed off as matrix rays", worst_error(spec, ellipses, "sin2_radial", unchanged))};
+  return {entry("mirrored_axis", "the conoid was given AXIS 180 − α instead of α; matrix rays were not",
+                worst_error(spec, ellipses, "power_matrix", mirrored)),
+          entry("dropped_vertex_distance",
+                "the conoid was given the spectacle prescription as if written at the cornea; matrix rays were not",
+                worst_error(spec, ellipses, "power_matrix", at_cornea)),
+          entry("meridional_as_matrix", "sin² rays were passed off as matrix rays",
+                worst_error(spec, ellipses, "sin2_radial", unchanged))};
 }
 
 }  // namespace sturm

@@ -6,7 +6,8 @@
 
 namespace sturm {
 
-std::optional<double> noise_floor_error(const Replicates& replicates, const std::function<double(const Image&, const Image&)>& measure) {
+std::optional<double> noise_floor_error(const Replicates& replicates,
+                                        const std::function<double(const Image&, const Image&)>& measure) {
   const int count = static_cast<int>(replicates.images.size()), half = count / 2;
   if (half < 2) return std::nullopt;
   const Image first = replicates.first_half(), second = replicates.second_half();

@@ -11,11 +11,13 @@ namespace sturm {
 
 namespace {
 
-/// Points that stand for the light, on Vogel's spiral. What a pixel gets from a point of the light is continuous in the point, except
-/// within a focal line; the mean over so many of them is off by some 1e-3 of the peak on the rim of the ellipse and exact inside.
+/// Points that stand for the light, on Vogel's spiral. What a pixel gets from a point of the light is continuous in the
+/// point, except within a focal line; the mean over so many of them is off by some 1e-3 of the peak on the rim of the
+/// ellipse and exact inside.
 constexpr int points_of_light = 512;
 constexpr double golden_angle = std::numbers::pi * (3.0 - 2.2360679774997896964);
-constexpr double first_angle = 1.0;  // rad; turned so that no point has a whole number as a coordinate, where a pixel would end
+constexpr double first_angle =
+    1.0;  // rad; turned so that no point has a whole number as a coordinate, where a pixel would end
 
 }  // namespace
 
@@ -33,7 +35,8 @@ Image predicted_spot(const Eigen::Matrix2d& map, double light_radius_px, int res
       const auto put = [&](int column, double weight) {
         const int x = static_cast<int>(corner.x()) + column;
         if (x >= 0 && x < resolution && y >= 0 && y < resolution)
-          sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution) + static_cast<std::size_t>(x)] += share * weight;
+          sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(resolution) + static_cast<std::size_t>(x)] +=
+              share * weight;
       };
       std::size_t edge = row.edges;
       for (int x = row.begin; x < row.inner_begin; ++x) put(x, kernel.edge_weights()[edge++]);

@@ -28,7 +28,8 @@ struct Spot {
   BundleEllipse bundle;
 };
 
-/// A black world with one small sphere that glows with radiance 1, `distance_m` ahead. Its outline is a circle of slope `radius`.
+/// A black world with one small sphere that glows with radiance 1, `distance_m` ahead. Its outline is a circle of slope
+/// `radius`.
 SceneDescription emitter_ahead(double distance_m, double radius) {
   SceneDescription scene;
   Material glow;
@@ -37,7 +38,8 @@ SceneDescription emitter_ahead(double distance_m, double radius) {
   scene.materials.push_back(glow);
   // Tangents from the eye touch a sphere of radius R at slope R/√(d² − R²).
   const double sphere_radius = distance_m * radius / std::sqrt(1.0 + radius * radius);
-  scene.spheres.push_back({Eigen::Vector3f(0.0f, 0.0f, static_cast<float>(-distance_m)), static_cast<float>(sphere_radius), 0});
+  scene.spheres.push_back(
+      {Eigen::Vector3f(0.0f, 0.0f, static_cast<float>(-distance_m)), static_cast<float>(sphere_radius), 0});
   return scene;
 }
 
@@ -63,8 +65,10 @@ Json measured_json(const ImageEllipse& e, double hits) {
   Json entry = ellipse_json(e.ellipse);
   entry["hits"] = hits;
   entry["centroid_arcmin"] = arcminutes(e.centroid);
-  entry["centroid_standard_error_arcmin"] = e.centroid_standard_error ? arcminutes(*e.centroid_standard_error) : Json(nullptr);
-  entry["standard_error_arcmin"] = e.semi_axis_standard_errors ? arcminutes(*e.semi_axis_standard_errors) : Json(nullptr);
+  entry["centroid_standard_error_arcmin"] =
+      e.centroid_standard_error ? arcminutes(*e.centroid_standard_error) : Json(nullptr);
+  entry["standard_error_arcmin"] =
+      e.semi_axis_standard_errors ? arcminutes(*e.semi_axis_standard_errors) : Json(nullptr);
   return entry;
 }
 
@@ -81,9 +85,11 @@ std::vector<Spot> bundles_of(const PsfExperiment& spec, const Footprint& footpri
 }
 
 /// What mutations make of the finished entries of one PSF, as patches (RFC 7396) of the `power_matrix` entry.
-void add_mutated(Json& entries, const PsfExperiment& spec, const Footprint& footprint, std::span<const Mutation> mutations) {
+void add_mutated(Json& entries, const PsfExperiment& spec, const Footprint& footprint,
+                 std::span<const Mutation> mutations) {
   const auto entry_of = [&](RayModel model) {
-    return std::find_if(entries.begin(), entries.end(), [&](const Json& entry) { return entry.at("ray_model") == name_of(model); });
+    return std::find_if(entries.begin(), entries.end(),
+                        [&](const Json& entry) { return entry.at("ray_model") == name_of(model); });
   };
   const auto matrix = entry_of(RayModel::power_matrix), sin2 = entry_of(RayModel::sin2_radial);
   if (matrix == entries.end()) return;
@@ -96,7 +102,8 @@ void add_mutated(Json& entries, const PsfExperiment& spec, const Footprint& foot
     else if (std::holds_alternative<mutation::HalfPixelShift>(mutation.kind)) {
       const Json& pixel = matrix->at("pixel_arcmin");
       patch["measured"]["centroid_arcmin"] = matrix->at("measured").at("centroid_arcmin");
-      patch["measured"]["centroid_arcmin"][0] = patch["measured"]["centroid_arcmin"][0].get<double>() + 0.5 * pixel.get<double>();
+      patch["measured"]["centroid_arcmin"][0] =
+          patch["measured"]["centroid_arcmin"][0].get<double>() + 0.5 * pixel.get<double>();
     }
     if (!patch.is_null()) (*matrix)["mutated"][mutation.id] = std::move(patch);
   }
@@ -111,8 +118,8 @@ void require_defined_models(const PsfExperiment& spec) {
                        "{\"mode\": \"fixed\", \"focus_distance_m\": …} as accommodation");
 }
 
-Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations, const std::filesystem::path& folder,
-                 const ProgressFunction& progress) {
+Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
+                 const std::filesystem::path& folder, const ProgressFunction& progress) {
   const Footprint footprint = naked_eye_footprint(spec.eye, spec.distance_m);
   // One target, one accommodation: the picture is taken with the one that the eye chose for it.
   Eye eye = spec.eye;
@@ -133,7 +140,8 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const 
   imaging.emitter_covariance = 0.25 * emitter * emitter * Eigen::Matrix2d::Identity();
 
   const std::string predicted_file = "psf/" + spec.id + "_predicted.exr";
-  const Image prediction = predicted_spot(spec.eye.pupil_radius_m / pixel * footprint.angular, emitter_radius_px, spec.resolution);
+  const Image prediction =
+      predicted_spot(spec.eye.pupil_radius_m / pixel * footprint.angular, emitter_radius_px, spec.resolution);
   write_exr(folder / predicted_file, LayeredImage{{{"", prediction}}, {}});
 
   Json entries = Json::array();
@@ -141,9 +149,9 @@ Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const 
     RenderSettings settings;
     settings.samples_per_pixel = std::max(1, static_cast<int>(spec.samples_per_pixel) / replicate_count);
     settings.max_bounces = 0;
-    const Replicates pictures = render_replicates(scene, pose, eye, spots[k].model, settings, seed, replicate_count, [&](double fraction) {
-      progress((static_cast<double>(k) + fraction) / static_cast<double>(spots.size()));
-    });
+    const Replicates pictures = render_replicates(
+        scene, pose, eye, spots[k].model, settings, seed, replicate_count,
+        [&](double fraction) { progress((static_cast<double>(k) + fraction) / static_cast<double>(spots.size())); });
     const Image variance = pictures.variance_of_mean();
     const Image mean = pictures.mean();
     const ImageEllipse measured = measure_image_ellipse(mean, &variance, imaging);

@@ -47,16 +47,17 @@ void compare_case(const Json& entry, WorstErrors& worst) {
 
   const double major = out.at("semi_major_rad"), minor = out.at("semi_minor_rad");
   if (major > 0.0)
-    worst.semi_axes =
-        std::max({worst.semi_axes, std::abs(ellipse.semi_major - major) / major, std::abs(ellipse.semi_minor - minor) / major});
-  worst.covariance = std::max(
-      worst.covariance, relative_difference(covariance_of_disc_image(footprint.angular, a), wearer_frame(out.at("cov_rad2_xx_xy_yy"))));
+    worst.semi_axes = std::max(
+        {worst.semi_axes, std::abs(ellipse.semi_major - major) / major, std::abs(ellipse.semi_minor - minor) / major});
+  worst.covariance = std::max(worst.covariance, relative_difference(covariance_of_disc_image(footprint.angular, a),
+                                                                    wearer_frame(out.at("cov_rad2_xx_xy_yy"))));
   worst.sin2 = std::max(worst.sin2, relative_difference(sin2_closed_form_covariance(footprint.angular, a),
                                                         wearer_frame(out.at("sin2_radial").at("cov_rad2_xx_xy_yy"))));
   const Json& orientation = out.at("major_orientation_deg");
   if (orientation.is_number()) {
     const double expected = wearer_orientation_deg(orientation.get<double>());
-    const double error = ellipse.orientation_deg ? std::abs(std::remainder(*ellipse.orientation_deg - expected, 180.0)) : 90.0;
+    const double error =
+        ellipse.orientation_deg ? std::abs(std::remainder(*ellipse.orientation_deg - expected, 180.0)) : 90.0;
     worst.orientation_deg = std::max(worst.orientation_deg, error);
   }
 }

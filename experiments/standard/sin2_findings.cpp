@@ -18,7 +18,8 @@ namespace {
 constexpr double least_cylinder_D = 0.1;
 
 Json arcminutes(const Json& semi_axes_rad) {
-  return {semi_axes_rad.at(0).get<double>() * arcminutes_per_radian, semi_axes_rad.at(1).get<double>() * arcminutes_per_radian};
+  return {semi_axes_rad.at(0).get<double>() * arcminutes_per_radian,
+          semi_axes_rad.at(1).get<double>() * arcminutes_per_radian};
 }
 
 const Json* rays_of(const Json& entry, const char* model) {
@@ -29,8 +30,8 @@ const Json* rays_of(const Json& entry, const char* model) {
 
 /// The vergence matrix I/d + F − A·I of a case and its principal values.
 PrincipalValues vergence_of(const Json& entry) {
-  const PowerMatrix f = power_at_cornea(
-      {entry.at("sphere_D"), entry.at("cylinder_D"), entry.at("axis_deg"), 1e-3 * entry.at("vertex_distance_mm").get<double>()});
+  const PowerMatrix f = power_at_cornea({entry.at("sphere_D"), entry.at("cylinder_D"), entry.at("axis_deg"),
+                                         1e-3 * entry.at("vertex_distance_mm").get<double>()});
   const Json& d = entry.at("distance_m");
   const double shift = (d.is_string() ? 0.0 : 1.0 / d.get<double>()) - entry.at("accommodation_D").get<double>();
   return principal_values(f.xx() + shift, f.xy(), f.yy() + shift);
@@ -68,8 +69,10 @@ Json sin2_findings(const Json& ellipses) {
       worst_ratio = std::max(worst_ratio, std::abs(ratios.back() - 0.5));
     }
     const double predicted_loss = a * a * c * c / 16.0;
-    worst_loss = std::max(worst_loss, std::abs((truth.high + truth.low - measured.high - measured.low) / predicted_loss - 1.0));
-    const Json truth_axes = arcminutes(entry.at("conoid").at("semi_axes_rad")), axes = arcminutes(sin2->at("semi_axes_rad"));
+    worst_loss =
+        std::max(worst_loss, std::abs((truth.high + truth.low - measured.high - measured.low) / predicted_loss - 1.0));
+    const Json truth_axes = arcminutes(entry.at("conoid").at("semi_axes_rad")),
+               axes = arcminutes(sin2->at("semi_axes_rad"));
     const double true_major = truth_axes.at(0), true_minor = truth_axes.at(1);
     table.push_back({{"case", entry.at("id")},
                      {"V1_D", v.high},
@@ -78,7 +81,8 @@ Json sin2_findings(const Json& ellipses) {
                      {"sin2_semi_axes_arcmin", axes},
                      {"closed_form_semi_axes_arcmin", arcminutes(entry.at("sin2_closed_form").at("semi_axes_rad"))},
                      {"ratio_major", axes.at(0).get<double>() / true_major},
-                     {"ratio_minor", true_minor > 0.01 * true_major ? Json(axes.at(1).get<double>() / true_minor) : Json(nullptr)}});
+                     {"ratio_minor",
+                      true_minor > 0.01 * true_major ? Json(axes.at(1).get<double>() / true_minor) : Json(nullptr)}});
   }
   Json section = {{"cases_with_cylinder", table.size()},
                   {"table", std::move(table)},
@@ -102,11 +106,13 @@ Json sin2_sentence(const Json& sin2) {
   }
   char text[512];
   std::snprintf(text, sizeof text,
-                "In %zu cases with cylinder, sin² interpolation reproduces %.4f of the true difference of the principal variances (closed "
+                "In %zu cases with cylinder, sin² interpolation reproduces %.4f of the true difference of the "
+                "principal variances (closed "
                 "form: 0.5, worst deviation %.1e): "
-                "it keeps only the radial part of the wavefront's slope, and its major axes come out at %.2f to %.2f of the true ones.",
-                sin2.at("table").size(), ratio.at("measured_median").get<double>(), ratio.at("worst_deviation").get<double>(), least_major,
-                most_major);
+                "it keeps only the radial part of the wavefront's slope, and its major axes come out at %.2f to %.2f "
+                "of the true ones.",
+                sin2.at("table").size(), ratio.at("measured_median").get<double>(),
+                ratio.at("worst_deviation").get<double>(), least_major, most_major);
   return text;
 }
 

@@ -15,7 +15,8 @@ namespace sturm::stress {
 
 namespace {
 
-/// Every such case is searched along the whole ray as well, to see that the program took the first crossing; it costs as much as the rest.
+/// Every such case is searched along the whole ray as well, to see that the program took the first crossing; it costs
+/// as much as the rest.
 constexpr std::uint64_t searched_every = 8;
 
 Prescription prescription_of(const CaseNumbers& n) {
@@ -23,7 +24,8 @@ Prescription prescription_of(const CaseNumbers& n) {
 }
 
 bool finite(const Footprint& f) {
-  return std::isfinite(f.accommodation_D) && f.angular.allFinite() && (!f.wavefront_curvature || f.wavefront_curvature->allFinite());
+  return std::isfinite(f.accommodation_D) && f.angular.allFinite() &&
+         (!f.wavefront_curvature || f.wavefront_curvature->allFinite());
 }
 
 bool finite(const SpectacleConoid& c) {
@@ -42,7 +44,8 @@ void check_other_methods(CaseRun& run, double vergence_D) {
   run.published_failed = !published;
   const Eigen::Vector3d out = run.conoid ? run.conoid->chief_ray.direction : run.gaze;
   const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, out);
-  if (published) run.outcomes.expect(Check::finite, angular_map(*published, across.col(0), across.col(1), vergence_D).allFinite());
+  if (published)
+    run.outcomes.expect(Check::finite, angular_map(*published, across.col(0), across.col(1), vergence_D).allFinite());
   const auto previous = previous_angular_footprint(eye, a, lens, run.gaze, run.numbers.distance_m);
   if (previous) run.outcomes.expect(Check::finite, previous->allFinite());
 }
@@ -53,7 +56,8 @@ void run_naked(CaseRun& run, double vergence_D) {
   run.outcomes.expect(Check::finite, finite(*run.footprint));
   const Eigen::Matrix2d expected = run.eye->correction.matrix() + (vergence_D - a) * Eigen::Matrix2d::Identity();
   const double size = run.eye->correction.matrix().norm() + std::abs(vergence_D) + a;
-  run.outcomes.record(Check::correction, (run.footprint->angular - expected).norm(), formula_error * size, std::fmax(size, 1.0));
+  run.outcomes.record(Check::correction, (run.footprint->angular - expected).norm(), formula_error * size,
+                      std::fmax(size, 1.0));
 }
 
 /// Where a path met the surfaces: `trace` leaves the points of a lost ray in the lens's frame.
@@ -63,16 +67,19 @@ StartingPoints in_wearer_frame(const Spectacles& lens, const LensPath& path) {
   return {lens.back_vertex() + turn * path.back_point, lens.back_vertex() + turn * path.exit.origin};
 }
 
-void run_through_lens(CaseRun& run, std::uint64_t seed, std::uint64_t index, double vergence_D, const ConoidTracer& tracer) {
+void run_through_lens(CaseRun& run, std::uint64_t seed, std::uint64_t index, double vergence_D,
+                      const ConoidTracer& tracer) {
   const Spectacles& lens = *run.lens;
   const Eye& eye = *run.eye;
   const double center = eye.rotation_center_m;
   const SpectacleConoid conoid = tracer(lens, run.gaze, center);
   run.conoid = conoid;
   std::optional<StartingPoints> start;
-  // Where the program met the surfaces the oracle only has to confirm it; a ray that it lost before is searched along its whole way.
+  // Where the program met the surfaces the oracle only has to confirm it; a ray that it lost before is searched along
+  // its whole way.
   const LensPath path = trace(lens, {turned_pupil_center(run.gaze, center), run.gaze});
-  if (path.status == LensStatus::ok || path.status == LensStatus::total_internal_reflection) start = in_wearer_frame(lens, path);
+  if (path.status == LensStatus::ok || path.status == LensStatus::total_internal_reflection)
+    start = in_wearer_frame(lens, path);
   run.oracle = trace_extended(lens, run.gaze, center, start);
   run.bounds = error_bounds(lens, center, *run.oracle);
   check_status(run.outcomes, conoid.status, lens, *run.oracle, *run.bounds);
@@ -85,7 +92,8 @@ void run_through_lens(CaseRun& run, std::uint64_t seed, std::uint64_t index, dou
   if (index % searched_every == 0) {
     const ExtendedTrace searched = trace_extended(lens, run.gaze, center, std::nullopt);
     const Vec3<Extended> d = searched.exit_point - run.oracle->exit_point;
-    const bool same = searched.status == LensStatus::ok && dot(d, d) < 1e-24L;  // the search may pass two crossings closer than its steps
+    const bool same = searched.status == LensStatus::ok &&
+                      dot(d, d) < 1e-24L;  // the search may pass two crossings closer than its steps
     if (!same && searched.status == LensStatus::ok) run.outcomes.expect(Check::status, false);
   }
 
@@ -114,7 +122,8 @@ void check_forms(CaseRun& run) {
 
 }  // namespace
 
-CaseRun run_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& free_forms, const ConoidTracer& tracer) {
+CaseRun run_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& free_forms,
+                 const ConoidTracer& tracer) {
   CaseRun run;
   try {
     run.numbers = draw_case(seed, index, free_forms);
@@ -126,7 +135,8 @@ CaseRun run_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& 
     if (!run.eye) return run;
     if (run.numbers.lens) {
       run.lens = spectacles_of(*run.numbers.lens, free_forms);
-      if (const auto& made = run.numbers.lens->made) check_prism(run.outcomes, *run.lens, made->prism_cm_per_m, made->prism_base_deg);
+      if (const auto& made = run.numbers.lens->made)
+        check_prism(run.outcomes, *run.lens, made->prism_cm_per_m, made->prism_base_deg);
       run_through_lens(run, seed, index, vergence_D, tracer);
     } else {
       run_naked(run, vergence_D);

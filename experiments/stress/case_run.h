@@ -19,6 +19,7 @@ struct CaseRun {
 };
 
 /// Draws a case and runs every check that applies to it. Never throws for what the program does.
-CaseRun run_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& free_forms, const ConoidTracer& tracer = trace_conoid);
+CaseRun run_case(std::uint64_t seed, std::uint64_t index, const FreeFormLenses& free_forms,
+                 const ConoidTracer& tracer = trace_conoid);
 
 }  // namespace sturm::stress

@@ -59,7 +59,8 @@ enum class Skip : std::uint8_t {
 };
 inline constexpr std::array<const char*, 5> skips{"none", "not_applicable", "lost", "at_the_edge", "focal_line"};
 
-/// Error of one check in one case. `ratio` = error over bound: more than 1 is a defect of the program, or of the error model.
+/// Error of one check in one case. `ratio` = error over bound: more than 1 is a defect of the program, or of the error
+/// model.
 struct Outcome {
   bool ran = false;
   Skip skip = Skip::not_applicable;

@@ -17,7 +17,8 @@ struct SurfaceErrors {
   double hessian = 0.0;  ///< [1/m]
 };
 
-/// The radicands p², q² lose their digits where the surface turns vertical: relative error eta · (size of their terms)/(their value).
+/// The radicands p², q² lose their digits where the surface turns vertical: relative error eta · (size of their
+/// terms)/(their value).
 double loss_of_radicands(const Surface& surface, double x, double y) {
   if (const auto* torus = std::get_if<TorusSurface>(&surface)) {
     const double cs = torus->sweep_curvature(), cg = torus->generator_curvature();
@@ -25,17 +26,19 @@ double loss_of_radicands(const Surface& surface, double x, double y) {
     const double g = torus->sweep_direction().x() * y - torus->sweep_direction().y() * x;
     const double p2 = 1.0 - cg * cg * g * g, z0 = cg * g * g / (1.0 + std::sqrt(std::max(0.0, p2))), m = 1.0 - cs * z0;
     const double q2 = m * m - cs * cs * s * s;
-    return (1.0 + cg * cg * g * g) / p2 * ((1.0 + std::abs(cs * z0)) * (1.0 + std::abs(cs * z0)) + cs * cs * s * s) / q2;
+    return (1.0 + cg * cg * g * g) / p2 * ((1.0 + std::abs(cs * z0)) * (1.0 + std::abs(cs * z0)) + cs * cs * s * s) /
+           q2;
   }
   const auto* conic = std::get_if<ConicSurface>(&surface);
-  const double c = conic ? conic->curvature : std::get<SphereSurface>(surface).curvature, k1 = conic ? 1.0 + conic->conic_constant : 1.0;
+  const double c = conic ? conic->curvature : std::get<SphereSurface>(surface).curvature,
+               k1 = conic ? 1.0 + conic->conic_constant : 1.0;
   const double term = k1 * c * c * (x * x + y * y);
   return (1.0 + std::abs(term)) / (1.0 - term);
 }
 
-/// A spline is a sum of the cell's 16 coefficients, as large as C, with basis polynomials whose absolute values sum to 1; those of the
-/// first derivative to at most 3/2, of the second to 4, by the knot's number. The number itself, (x − first)/h, is rounded: as if the point
-/// stood aside.
+/// A spline is a sum of the cell's 16 coefficients, as large as C, with basis polynomials whose absolute values sum to
+/// 1; those of the first derivative to at most 3/2, of the second to 4, by the knot's number. The number itself, (x −
+/// first)/h, is rounded: as if the point stood aside.
 SurfaceErrors errors_of(const BSplineSurface& spline, const Crossing& at) {
   const KnotGrid& grid = spline.grid();
   const auto cell = [](double x, int cells) { return std::clamp(static_cast<int>(x), 0, cells - 1); };
@@ -83,8 +86,10 @@ struct PassErrors {
 /// Transfer A + LB, then refraction A' = C'C⁻¹A, B' = C'⁻¹(μCB − γ K C⁻¹A), each rounded.
 void pass(Blocks& e, const Crossing& at, const PassErrors& by, double offset_in, double slope_in, double offset_out) {
   const double c = at.cos_in, c_out = at.cos_out;
-  const double stretch = std::max(1.0, c_out / c), squeeze = at.mu * std::max(1.0, c / c_out), bend = by.gamma * by.curvature / (c * c_out);
-  const double offset_error = e.offset + at.path_m * e.slope + slope_in * by.length + eta * (offset_in + at.path_m * slope_in);
+  const double stretch = std::max(1.0, c_out / c), squeeze = at.mu * std::max(1.0, c / c_out),
+               bend = by.gamma * by.curvature / (c * c_out);
+  const double offset_error =
+      e.offset + at.path_m * e.slope + slope_in * by.length + eta * (offset_in + at.path_m * slope_in);
   e.slope = squeeze * e.slope + bend * offset_error + (squeeze * slope_in + bend * offset_in) * by.relative +
             offset_in * (by.gamma_error * by.curvature + by.gamma * by.curvature_error) / (c * c_out);
   e.offset = stretch * offset_error + (stretch * offset_in + offset_out) * by.relative;
@@ -108,9 +113,12 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
     const SurfaceShape& shape = at.shape;
     // Into the back's own frame and out of it again, and out of the lens's.
     const double frames = 2.0 * (i == 0 ? wedged : 0.0) + turned;
-    const double c = at.cos_in, sine = std::sqrt(std::max(0.0, 1.0 - c * c)), length = at.path_m + std::hypot(at.x, at.y) + lens.diameter_m;
-    // Where it meets the surface: the ray stands aside, the height is rounded, the search stops within 2 eta of its bracket.
-    const double aside = point + at.path_m * direction + 2.0 * eta * length + frames * (at.path_m + reach + std::hypot(at.x, at.y, at.z));
+    const double c = at.cos_in, sine = std::sqrt(std::max(0.0, 1.0 - c * c)),
+                 length = at.path_m + std::hypot(at.x, at.y) + lens.diameter_m;
+    // Where it meets the surface: the ray stands aside, the height is rounded, the search stops within 2 eta of its
+    // bracket.
+    const double aside = point + at.path_m * direction + 2.0 * eta * length +
+                         frames * (at.path_m + reach + std::hypot(at.x, at.y, at.z));
     const double hit = (aside + s.value / s.inclination) / c;
     const double gradient = shape.hessian * hit + s.gradient, normal = gradient / s.inclination + eta + frames;
     const double tilt = direction + normal, cos_in = sine * tilt + tilt * tilt + eta;
@@ -119,7 +127,8 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
     bounds.radicand[k] = 2.0 * at.mu * at.mu * c * cos_in + eta * (1.0 + at.mu * at.mu);
     if (!(at.radicand > 0.0)) return bounds;
     const double c_out = at.cos_out, cos_out = 0.5 * bounds.radicand[k] / c_out + eta;
-    const double gamma = std::abs(c_out - at.mu * c), gamma_error = cos_out + at.mu * cos_in + eta * (c_out + at.mu * c);
+    const double gamma = std::abs(c_out - at.mu * c),
+                 gamma_error = cos_out + at.mu * cos_in + eta * (c_out + at.mu * c);
     const double bent = at.mu * direction + gamma * normal + gamma_error + eta * (1.0 + at.mu);
 
     // A turn of (u, v) by tilt/sin cancels but for 1/(cc') − 1.
@@ -128,8 +137,8 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
     const double relative = cos_in / c + cos_out / c_out + turn + eta;
     const double curvature = shape.hessian / s.inclination;
     const double curvature_error =
-        (shape.hessian * (2.0 * normal + shape.gradient * gradient / (s.inclination * s.inclination) + 2.0 * frames) + s.hessian +
-         shape.hessian_change * hit) /
+        (shape.hessian * (2.0 * normal + shape.gradient * gradient / (s.inclination * s.inclination) + 2.0 * frames) +
+         s.hessian + shape.hessian_change * hit) /
         s.inclination;
     const PassErrors by{length_error, relative, gamma_error, curvature_error, gamma, curvature};
     pass(p, at, by, at.offset_p_in, at.slope_p_in, at.offset_p_out);

@@ -8,8 +8,8 @@ namespace sturm::stress {
 /// Extended precision: 64 bits of mantissa on x86, 2^-64 of rounding against double's 2^-53.
 using Extended = long double;
 
-/// A number with its derivatives by the four coordinates of a ray that starts near the chief ray: offset x, y and slope x, y at the pupil.
-/// Forward-mode differentiation: exact first derivatives, nothing is expanded by hand.
+/// A number with its derivatives by the four coordinates of a ray that starts near the chief ray: offset x, y and slope
+/// x, y at the pupil. Forward-mode differentiation: exact first derivatives, nothing is expanded by hand.
 struct Dual {
   Extended value = 0.0L;
   std::array<Extended, 4> d{};

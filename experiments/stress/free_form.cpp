@@ -14,8 +14,8 @@ namespace {
 constexpr double front_radius_mm = 120.0;
 constexpr double index = 1.6, thickness_mm = 3.0, diameter_mm = 60.0;
 
-Json progressive(double sphere_D, double cylinder_D, double addition_D, double length_mm, const char* eye, Json zone_width_mm,
-                 double knot_spacing_mm) {
+Json progressive(double sphere_D, double cylinder_D, double addition_D, double length_mm, const char* eye,
+                 Json zone_width_mm, double knot_spacing_mm) {
   return {{"progressive",
            {{"prescription", {{"sphere_D", sphere_D}, {"cylinder_D", cylinder_D}, {"axis_deg", 35.0}}},
             {"addition_D", addition_D},
@@ -49,7 +49,8 @@ double rippled(double x, double y) {
 
 FreeFormLenses::FreeFormLenses() {
   const auto add = [&](const Json& document) {
-    const SpectaclesSpec spec = read_spectacles(document, {"", ""}, Eye());  // its prescription is stated: no eye is asked
+    const SpectaclesSpec spec =
+        read_spectacles(document, {"", ""}, Eye());  // its prescription is stated: no eye is asked
     made_.push_back({document.dump(), spec.lens.value(), std::nullopt});
   };
   add(progressive(1.0, -0.75, 2.0, 18.0, "right", 10.0, 0.5));
@@ -63,7 +64,8 @@ FreeFormLenses::FreeFormLenses() {
   made_.push_back(with_table("rippled", 32, 2.0, rippled));
 }
 
-FreeFormLenses::Made FreeFormLenses::with_table(const char* name, int cells, double spacing_mm, double (*height_mm)(double, double)) {
+FreeFormLenses::Made FreeFormLenses::with_table(const char* name, int cells, double spacing_mm,
+                                                double (*height_mm)(double, double)) {
   Made made;
   made.table = Table{std::string(name) + ".csv", "x_mm,y_mm,z_mm\n"};
   Eigen::MatrixXd heights(cells + 1, cells + 1);
@@ -78,7 +80,8 @@ FreeFormLenses::Made FreeFormLenses::with_table(const char* name, int cells, dou
     }
   // As io/specs/sag_grid.cpp makes it, so that the table repeats the case to the last bit.
   const double first = metres_per_millimetre * first_mm, last = metres_per_millimetre * (first_mm + cells * spacing_mm);
-  const KnotGrid grid{Eigen::Vector2d::Constant(first), Eigen::Vector2d::Constant((last - first) / cells), cells, cells};
+  const KnotGrid grid{Eigen::Vector2d::Constant(first), Eigen::Vector2d::Constant((last - first) / cells), cells,
+                      cells};
   const BSplineSurface surface = BSplineSurface::interpolating(grid, heights);
   made.lens.back = surface.raised(-surface.sag(0.0, 0.0).value().value);
   made.lens.front = SphereSurface{1.0 / (metres_per_millimetre * front_radius_mm)};

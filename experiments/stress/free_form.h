@@ -8,9 +8,9 @@
 
 namespace sturm::stress {
 
-/// The lenses of the suite that have a B-spline surface: progressive fronts of every kind that the maker knows, on knots from fine to
-/// coarse, and backs through a table of heights: a torus (oblique, strong), one whose table ends before the rim, one with ripples. Made
-/// once and shared by all cases.
+/// The lenses of the suite that have a B-spline surface: progressive fronts of every kind that the maker knows, on
+/// knots from fine to coarse, and backs through a table of heights: a torus (oblique, strong), one whose table ends
+/// before the rim, one with ripples. Made once and shared by all cases.
 class FreeFormLenses {
  public:
   static constexpr int count = 9;

@@ -44,7 +44,8 @@ double radius_mm(double power_D, double index) {
   return power_D == 0.0 ? flat : std::clamp(1e3 * (index - 1.0) / power_D, -1e9, 1e9);
 }
 
-/// A lens like those that are made: a spherical or mildly conic front, a back that has the prescription within a few dioptres.
+/// A lens like those that are made: a spherical or mildly conic front, a back that has the prescription within a few
+/// dioptres.
 LensNumbers real_lens(Random& random, const CaseNumbers& n) {
   constexpr std::array indices{1.498, 1.523, 1.586, 1.6, 1.67, 1.74};
   LensNumbers lens;
@@ -87,7 +88,8 @@ MountingNumbers drawn_mounting(Random& random, bool extreme) {
 void make_prism(Random& random, CaseNumbers& n, double most_cm_per_m) {
   const double base_curve = std::max(0.5, random.uniform(0.0, 8.0) + 0.5 * std::max(0.0, n.sphere_D));
   SingleVisionNumbers made{n.sphere_D, n.cylinder_D, n.axis_deg, base_curve, 0.0, 0.0};
-  made.prism_cm_per_m = random.chance(0.5) ? random.stepped(0.25, most_cm_per_m, 0.25) : random.uniform(0.0, most_cm_per_m);
+  made.prism_cm_per_m =
+      random.chance(0.5) ? random.stepped(0.25, most_cm_per_m, 0.25) : random.uniform(0.0, most_cm_per_m);
   if (random.chance(0.1)) made.prism_cm_per_m = random.log_uniform(1e-17, 1e-3);
   made.prism_base_deg = random.chance(0.5) ? random.stepped(0.0, 360.0, 45.0) : random.uniform(0.0, 360.0);
   n.lens->made = made;
@@ -105,11 +107,12 @@ void draw_ordinary(Random& random, CaseNumbers& n) {
   n.distance_m = drawn_distance(random);
 }
 
-/// The lens's back becomes a sphere about the eye's centre of rotation, off by the part `off` of its radius: every gaze meets it at right
-/// angles. That takes a lens that stands straight.
+/// The lens's back becomes a sphere about the eye's centre of rotation, off by the part `off` of its radius: every gaze
+/// meets it at right angles. That takes a lens that stands straight.
 void make_concentric(CaseNumbers& n, double off) {
   n.lens->mounting = {};
-  n.lens->back = {SurfaceNumbers::Kind::sphere, (n.rotation_center_mm + n.lens->vertex_distance_mm) * (1.0 + off), flat, 0.0, 0.0};
+  n.lens->back = {SurfaceNumbers::Kind::sphere, (n.rotation_center_mm + n.lens->vertex_distance_mm) * (1.0 + off), flat,
+                  0.0, 0.0};
 }
 
 /// Sets the distance at which X = A + dB loses its rank, where there is one ahead.
@@ -126,17 +129,21 @@ void aim_at_focal_line(CaseNumbers& n, const FreeFormLenses& free_forms) {
     if (kappa > 1e-6 && kappa < 1e5) n.distance_m = 1.0 / kappa;
 }
 
-/// Accommodation that focuses the sphere `fraction` of the way through the glass: slopes S = −1/distance, the way to the back at least.
+/// Accommodation that focuses the sphere `fraction` of the way through the glass: slopes S = −1/distance, the way to
+/// the back at least.
 void focus_near_lens(Random& random, CaseNumbers& n, bool on_surface, const FreeFormLenses& free_forms) {
   n.sphere_D = n.cylinder_D = 0.0;
   if (random.chance(0.5)) n.cylinder_D = random.uniform(-4.0, 4.0);
   n.mode = CaseNumbers::Mode::fixed;
-  const LensPath path = trace(spectacles_of(*n.lens, free_forms),
-                              {turned_pupil_center(gaze_of(n), metres_per_millimetre * n.rotation_center_mm), gaze_of(n)});
-  const double to_back = path.status == LensStatus::ok
-                             ? (path.back_point - turned_pupil_center(gaze_of(n), metres_per_millimetre * n.rotation_center_mm)).norm()
-                             : metres_per_millimetre * n.lens->vertex_distance_mm;
-  const double inside = on_surface ? 0.0 : random.unit() * metres_per_millimetre * n.lens->center_thickness_mm / n.lens->refractive_index;
+  const LensPath path =
+      trace(spectacles_of(*n.lens, free_forms),
+            {turned_pupil_center(gaze_of(n), metres_per_millimetre * n.rotation_center_mm), gaze_of(n)});
+  const double to_back =
+      path.status == LensStatus::ok
+          ? (path.back_point - turned_pupil_center(gaze_of(n), metres_per_millimetre * n.rotation_center_mm)).norm()
+          : metres_per_millimetre * n.lens->vertex_distance_mm;
+  const double inside =
+      on_surface ? 0.0 : random.unit() * metres_per_millimetre * n.lens->center_thickness_mm / n.lens->refractive_index;
   n.accommodation_D = 1.0 / (to_back + inside);
 }
 
@@ -169,14 +176,17 @@ void make_adversarial(Random& random, CaseNumbers& n, const FreeFormLenses& free
     case Family::grazing:
       lens.diameter_mm = 200.0;
       draw_gaze(random, n, 89.0);
-      if (random.chance(0.5)) lens.back.radius_mm = lens.back.generator_radius_mm = random.either_sign(random.log_uniform(10.0, 1e3));
+      if (random.chance(0.5))
+        lens.back.radius_mm = lens.back.generator_radius_mm = random.either_sign(random.log_uniform(10.0, 1e3));
       break;
     case Family::plano:
       if (random.chance(0.6))
-        lens.back = {random.chance(0.5) ? SurfaceNumbers::Kind::torus : SurfaceNumbers::Kind::sphere, flat, flat, 30.0, 0.0};
+        lens.back = {random.chance(0.5) ? SurfaceNumbers::Kind::torus : SurfaceNumbers::Kind::sphere, flat, flat, 30.0,
+                     0.0};
       if (random.chance(0.5)) lens.back = {SurfaceNumbers::Kind::torus, lens.back.radius_mm, flat, n.axis_deg, 0.0};
       if (random.chance(0.6))
-        lens.front = {random.chance(0.5) ? SurfaceNumbers::Kind::conic : SurfaceNumbers::Kind::sphere, flat, flat, 0.0, -1.0};
+        lens.front = {random.chance(0.5) ? SurfaceNumbers::Kind::conic : SurfaceNumbers::Kind::sphere, flat, flat, 0.0,
+                      -1.0};
       break;
     case Family::concentric:
       make_concentric(n, 0.0);
@@ -216,7 +226,8 @@ void make_adversarial(Random& random, CaseNumbers& n, const FreeFormLenses& free
       break;
     case Family::vertex_at_focus:
       n.rx_vertex_distance_mm = random.uniform(25.0, 50.0);
-      n.sphere_D = 1e3 / n.rx_vertex_distance_mm * (random.chance(0.4) ? 1.0 : 1.0 + random.either_sign(random.log_uniform(1e-16, 1e-3)));
+      n.sphere_D = 1e3 / n.rx_vertex_distance_mm *
+                   (random.chance(0.4) ? 1.0 : 1.0 + random.either_sign(random.log_uniform(1e-16, 1e-3)));
       n.sphere_D = std::min(n.sphere_D, 40.0);
       if (random.chance(0.3)) n.cylinder_D = 0.0;
       break;
@@ -235,8 +246,8 @@ void make_adversarial(Random& random, CaseNumbers& n, const FreeFormLenses& free
       break;
     case Family::surface_ends:
       lens.back = {random.chance(0.5) ? SurfaceNumbers::Kind::sphere : SurfaceNumbers::Kind::torus,
-                   random.either_sign(random.uniform(4.0, 30.0)), random.either_sign(random.uniform(4.0, 30.0)), random.uniform(0.0, 180.0),
-                   0.0};
+                   random.either_sign(random.uniform(4.0, 30.0)), random.either_sign(random.uniform(4.0, 30.0)),
+                   random.uniform(0.0, 180.0), 0.0};
       lens.diameter_mm = random.uniform(60.0, 200.0);
       break;
     case Family::mounted:

@@ -8,8 +8,8 @@
 
 namespace sturm::stress {
 
-/// A surface as the zero set of a function G with G ≈ −2z at the vertex: another description than the heights z(x, y) that the program
-/// works with. `gradient` points outward on the sheet through the vertex.
+/// A surface as the zero set of a function G with G ≈ −2z at the vertex: another description than the heights z(x, y)
+/// that the program works with. `gradient` points outward on the sheet through the vertex.
 template <class T>
 struct Implicit {
   T value;
@@ -26,8 +26,9 @@ Implicit<T> conic_function(Extended c, Extended one_plus_k, const Vec3<T>& p) {
           value_of(bend) < 0.0L};
 }
 
-/// Torus: a point at (s, g, z) came from the height w = (1 − D)/c_s of the generator, D² = (1 − c_s z)² + c_s² s²: the sweep keeps the
-/// distance D/c_s from its axis. There c_g (g² + w²) − 2w = 0. Written so that both curvatures may vanish.
+/// Torus: a point at (s, g, z) came from the height w = (1 − D)/c_s of the generator, D² = (1 − c_s z)² + c_s² s²: the
+/// sweep keeps the distance D/c_s from its axis. There c_g (g² + w²) − 2w = 0. Written so that both curvatures may
+/// vanish.
 template <class T>
 Implicit<T> torus_function(const TorusSurface& torus, const Vec3<T>& p) {
   using std::sqrt;
@@ -43,8 +44,8 @@ Implicit<T> torus_function(const TorusSurface& torus, const Vec3<T>& p) {
           value_of(m) > 0.0L && value_of(by_w) < 0.0L};
 }
 
-/// Value and derivative (by the knot number) of a uniform cubic spline in a cell, at t of it, by de Boor's triangle. The last step's
-/// difference, times the degree over the knots' span, is the derivative.
+/// Value and derivative (by the knot number) of a uniform cubic spline in a cell, at t of it, by de Boor's triangle.
+/// The last step's difference, times the degree over the knots' span, is the derivative.
 template <class T>
 std::pair<T, T> de_boor(std::array<T, 4> d, const T& t) {
   for (int level = 1; level <= 2; ++level)
@@ -57,8 +58,8 @@ std::pair<T, T> de_boor(std::array<T, 4> d, const T& t) {
   return {d[2] + t * difference, T(3.0L) * difference};
 }
 
-/// B-spline: 2 (s(x, y) − z), by de Boor's triangle in each direction (the program sums basis polynomials). Beyond the grid the border
-/// cells' polynomials go on, off the sheet.
+/// B-spline: 2 (s(x, y) − z), by de Boor's triangle in each direction (the program sums basis polynomials). Beyond the
+/// grid the border cells' polynomials go on, off the sheet.
 template <class T>
 Implicit<T> spline_function(const BSplineSurface& spline, const Vec3<T>& p) {
   const KnotGrid& grid = spline.grid();

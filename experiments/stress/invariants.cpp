@@ -16,8 +16,8 @@ namespace sturm::stress {
 
 namespace {
 
-/// Errors of the case and of its copy, whose inputs are rounded once more (8 u on top of the model's 16 u): 1 + 24/16, and some for the
-/// transformation itself.
+/// Errors of the case and of its copy, whose inputs are rounded once more (8 u on top of the model's 16 u): 1 + 24/16,
+/// and some for the transformation itself.
 constexpr double of_both = 4.0;
 
 /// True where rounding decides what becomes of the ray, so that a copy may be lost.
@@ -60,7 +60,8 @@ RayTransfer conjugated(const RayTransfer& r, const Eigen::Matrix2d& by) {
 
 void check_symplectic(Outcomes& outcomes, const Traced& t) {
   const RayTransfer& r = t.conoid.exit;
-  const Eigen::Matrix2d &a = r.offset_from_offset, &b = r.offset_from_slope, &c = r.slope_from_offset, &d = r.slope_from_slope;
+  const Eigen::Matrix2d &a = r.offset_from_offset, &b = r.offset_from_slope, &c = r.slope_from_offset,
+                        &d = r.slope_from_slope;
   const ErrorBounds& e = t.bounds;
   const double na = a.norm(), nb = b.norm(), nc = c.norm(), nd = d.norm();
   const auto record = [&](const Eigen::Matrix2d& m, double bound, double size) {
@@ -68,12 +69,14 @@ void check_symplectic(Outcomes& outcomes, const Traced& t) {
   };
   record(a.transpose() * d - c.transpose() * b - Eigen::Matrix2d::Identity(),
          na * e.slope_q + nd * e.offset_p + nc * e.offset_q + nb * e.slope_p, 1.0 + na * nd + nb * nc);
-  record(a.transpose() * c - c.transpose() * a, 2.0 * (na * e.slope_p + nc * e.offset_p), std::max(1e-300, 2.0 * na * nc));
+  record(a.transpose() * c - c.transpose() * a, 2.0 * (na * e.slope_p + nc * e.offset_p),
+         std::max(1e-300, 2.0 * na * nc));
   record(b.transpose() * d - d.transpose() * b, 2.0 * (nb * e.slope_q + nd * e.offset_q), 2.0 * nb * nd);
   const Eigen::Matrix2d offsets = r.offsets(t.slopes), slopes = r.slopes(t.slopes);
   const double s = t.slopes.norm(), no = na + nb * s, ns = nc + nd * s;
   record(offsets.transpose() * slopes - slopes.transpose() * offsets,
-         2.0 * (no * (e.slope_p + e.slope_q * s) + ns * (e.offset_p + e.offset_q * s)), std::max(1e-300, 2.0 * no * ns));
+         2.0 * (no * (e.slope_p + e.slope_q * s) + ns * (e.offset_p + e.offset_q * s)),
+         std::max(1e-300, 2.0 * no * ns));
 }
 
 void check_split(Outcomes& outcomes, const Traced& t, double fraction) {
@@ -107,7 +110,8 @@ void check_turned(Outcomes& outcomes, const Traced& t, const ConoidTracer& trace
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() << cosine, -sine, sine, cosine;
   const SpectacleConoid copy = tracer(turned(t.lens, by_deg), turn * t.gaze, t.eye.rotation_center_m);
-  compare(outcomes, Check::turned, t, copy, conjugated(copy.exit, turn.topLeftCorner<2, 2>()), turn.transpose() * copy.chief_ray.origin);
+  compare(outcomes, Check::turned, t, copy, conjugated(copy.exit, turn.topLeftCorner<2, 2>()),
+          turn.transpose() * copy.chief_ray.origin);
 }
 
 void check_scaled(Outcomes& outcomes, const Traced& t, const ConoidTracer& tracer, double k) {
@@ -128,13 +132,15 @@ void check_mirrored(Outcomes& outcomes, const Traced& t, const ConoidTracer& tra
 void check_transposed(Outcomes& outcomes, const Prescription& rx, const SingleVisionDesign* design) {
   const double size = std::abs(rx.sphere_D) + 2.0 * std::abs(rx.cylinder_D);
   const Prescription other = transposed(rx);
-  outcomes.record(Check::transposed, (PowerMatrix::from(rx).matrix() - PowerMatrix::from(other).matrix()).norm(), formula_error * size,
-                  std::max(1.0, size));
+  outcomes.record(Check::transposed, (PowerMatrix::from(rx).matrix() - PowerMatrix::from(other).matrix()).norm(),
+                  formula_error * size, std::max(1.0, size));
   if (!design || !(design->refractive_index > 1.0)) return;
   const Spectacles a = single_vision(rx, *design), b = single_vision(other, *design);
   const auto here = sag(a.back, 0.0, 0.0), there = sag(b.back, 0.0, 0.0);
-  const double powers = (size + std::abs(design->base_curve_D.value_or(usual_base_curve_D(rx))) * 2.0) / (design->refractive_index - 1.0);
-  outcomes.record(Check::transposed, (here->hessian - there->hessian).norm(), formula_error * powers, std::max(1.0, powers));
+  const double powers =
+      (size + std::abs(design->base_curve_D.value_or(usual_base_curve_D(rx))) * 2.0) / (design->refractive_index - 1.0);
+  outcomes.record(Check::transposed, (here->hessian - there->hessian).norm(), formula_error * powers,
+                  std::max(1.0, powers));
 }
 
 namespace {
@@ -151,8 +157,10 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
   const auto matrix_form = t.conoid.exit_curvature(t.slopes);
   const double a_error = t.bounds.offset_p + t.bounds.offset_q * s, b_error = t.bounds.slope_p + t.bounds.slope_q * s;
   if (!matrix_form || !(a_error * inverse < 0.01)) return outcomes.skip(Check::five_variables, Skip::focal_line);
-  // An error δK at a place where the bundle has A_j arrives as n_j A⁻ᵀA_jᵀ δK A_jA⁻¹; each step adds some formula_error |K_j|.
-  double bound = 1.1 * (b_error + matrix_form->norm() * a_error) * inverse + formula_error * a.norm() * inverse * matrix_form->norm();
+  // An error δK at a place where the bundle has A_j arrives as n_j A⁻ᵀA_jᵀ δK A_jA⁻¹; each step adds some formula_error
+  // |K_j|.
+  double bound = 1.1 * (b_error + matrix_form->norm() * a_error) * inverse +
+                 formula_error * a.norm() * inverse * matrix_form->norm();
   const auto arriving = [&](double index, double offset_p, double offset_q, double error) {
     const double grown = (offset_p + offset_q * s) * inverse;
     bound += index * grown * grown * error;
@@ -180,8 +188,9 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
     const auto refracted_wave = refracted(wave, normal, principal_curvatures(bend, t1, t2), before, behind);
     if (!refracted_wave) return outcomes.skip(Check::five_variables, Skip::at_the_edge);
     wave = *refracted_wave;
-    const double amplified = (formula_error + t.bounds.cos_in[i] / at.cos_in + 0.5 * t.bounds.radicand[i] / (at.cos_out * at.cos_out)) /
-                             (at.cos_out * at.cos_out);
+    const double amplified =
+        (formula_error + t.bounds.cos_in[i] / at.cos_in + 0.5 * t.bounds.radicand[i] / (at.cos_out * at.cos_out)) /
+        (at.cos_out * at.cos_out);
     const double gamma = std::abs(at.cos_out - at.mu * at.cos_in), gamma_terms = at.cos_out + at.mu * at.cos_in;
     arriving(behind, at.offset_p_out, at.offset_q_out,
              amplified * (at.mu * k_in + (gamma + gamma_terms) * bend.norm()) + formula_error * largest(wave));
@@ -190,24 +199,26 @@ void check_five_variables(Outcomes& outcomes, const Traced& t) {
   const Eigen::Vector3d &f1 = t.conoid.exit.e1, &f2 = t.conoid.exit.e2;
   const Eigen::Vector2d p(wave.e1.dot(f1), wave.e1.dot(f2)), q(wave.e2.dot(f1), wave.e2.dot(f2));
   const Eigen::Matrix2d scalar_form = wave.kappa1 * p * p.transpose() + wave.kappa2 * q * q.transpose();
-  outcomes.record(Check::five_variables, (scalar_form - *matrix_form).norm(), bound, std::max(1.0, matrix_form->norm()));
+  outcomes.record(Check::five_variables, (scalar_form - *matrix_form).norm(), bound,
+                  std::max(1.0, matrix_form->norm()));
 }
 
 void check_accommodation(Outcomes& outcomes, const Traced& t) {
   const double amplitude = std::max(1.0, t.numbers.accommodation_D), v = t.vergence_D;
-  const Eigen::Matrix2d relaxed = t.eye.correction.matrix(), x0 = t.conoid.angular_footprint(relaxed, v), q = t.conoid.angular_q(v);
+  const Eigen::Matrix2d relaxed = t.eye.correction.matrix(), x0 = t.conoid.angular_footprint(relaxed, v),
+                        q = t.conoid.angular_q(v);
   const double size = t.conoid.angular_p(v).norm() + q.norm() * (relaxed.norm() + 2.0 * amplitude);
   const double rounding =
-      formula_error *
-      (size + v * (t.conoid.exit.offset_from_offset.norm() + t.conoid.exit.offset_from_slope.norm() * (relaxed.norm() + 2.0 * amplitude)));
+      formula_error * (size + v * (t.conoid.exit.offset_from_offset.norm() +
+                                   t.conoid.exit.offset_from_slope.norm() * (relaxed.norm() + 2.0 * amplitude)));
   const auto x = [&](double a) { return t.conoid.angular_footprint(t.eye.slope_matrix(a).matrix(), v); };
   outcomes.record(Check::accommodation, (x(amplitude) - (x0 - amplitude * q)).norm(), rounding, size);
   if (t.numbers.mode != CaseNumbers::Mode::best) return;
   const double best = accommodation_through(t.conoid, t.eye, v);
   outcomes.expect(Check::accommodation, best >= 0.0 && best <= t.numbers.accommodation_D);
   const double least = singular_values(x(best)).large;
-  for (const double other :
-       {0.0, 0.5 * t.numbers.accommodation_D, t.numbers.accommodation_D, 0.99 * best, std::min(1.01 * best, t.numbers.accommodation_D)})
+  for (const double other : {0.0, 0.5 * t.numbers.accommodation_D, t.numbers.accommodation_D, 0.99 * best,
+                             std::min(1.01 * best, t.numbers.accommodation_D)})
     outcomes.record(Check::accommodation, std::max(0.0, least - singular_values(x(other)).large), rounding, size);
 }
 
@@ -216,22 +227,27 @@ void check_infinity(Outcomes& outcomes, const Traced& t) {
   const double s = t.slopes.norm(), a = r.offset_from_offset.norm() + r.offset_from_slope.norm() * s,
                b = r.slope_from_offset.norm() + r.slope_from_slope.norm() * s;
   const double infinite = std::numeric_limits<double>::infinity();
-  const auto footprint = [&](double distance_m) { return spectacle_footprint(t.conoid, t.eye, distance_m, 0.0).angular; };
+  const auto footprint = [&](double distance_m) {
+    return spectacle_footprint(t.conoid, t.eye, distance_m, 0.0).angular;
+  };
   const Eigen::Matrix2d limit = footprint(infinite);
   const double s0 = t.eye.correction.matrix().norm(), a0 = a + r.offset_from_slope.norm() * (s0 + s),
                b0 = b + r.slope_from_slope.norm() * (s0 + s);
   const Eigen::Matrix2d offsets = r.offsets(t.eye.correction.matrix());
   for (const double distance_m : {1e3, 1e6, 1e12})
-    outcomes.record(Check::infinity, (footprint(distance_m) - limit - offsets / distance_m).norm(), formula_error * (b0 + a0 / distance_m),
-                    std::max(1e-300, b0));
+    outcomes.record(Check::infinity, (footprint(distance_m) - limit - offsets / distance_m).norm(),
+                    formula_error * (b0 + a0 / distance_m), std::max(1e-300, b0));
   if (t.numbers.mode != CaseNumbers::Mode::best) return;
   // The least major axis over A changes with 1/d no faster than the footprints do.
   const double amplitude = t.numbers.accommodation_D, all_a = a0 + r.offset_from_slope.norm() * amplitude,
                all_b = b0 + r.slope_from_slope.norm() * amplitude;
   const auto least = [&](double v) {
-    return singular_values(t.conoid.angular_footprint(t.eye.slope_matrix(accommodation_through(t.conoid, t.eye, v)).matrix(), v)).large;
+    return singular_values(
+               t.conoid.angular_footprint(t.eye.slope_matrix(accommodation_through(t.conoid, t.eye, v)).matrix(), v))
+        .large;
   };
-  outcomes.record(Check::infinity, std::abs(least(1e-9) - least(0.0)), 2.0 * 1e-9 * all_a + formula_error * all_b, std::max(1e-300, all_b));
+  outcomes.record(Check::infinity, std::abs(least(1e-9) - least(0.0)), 2.0 * 1e-9 * all_a + formula_error * all_b,
+                  std::max(1e-300, all_b));
 }
 
 }  // namespace sturm::stress

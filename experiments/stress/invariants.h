@@ -10,7 +10,8 @@
 namespace sturm::stress {
 
 /// What is checked: `trace_conoid`, or in a test something that is wrong on purpose.
-using ConoidTracer = std::function<SpectacleConoid(const Spectacles&, const Eigen::Vector3d& gaze, double rotation_center_m)>;
+using ConoidTracer =
+    std::function<SpectacleConoid(const Spectacles&, const Eigen::Vector3d& gaze, double rotation_center_m)>;
 
 /// A case whose chief ray comes through, with what is known of it.
 struct Traced {
@@ -31,8 +32,8 @@ void check_symplectic(Outcomes& outcomes, const Traced& traced);
 /// The same chain with every transfer in two pieces at `fraction`.
 void check_split(Outcomes& outcomes, const Traced& traced, double fraction);
 
-/// Eye and lens turned by `angle_deg` (a B-spline surface by quarters) about the primary line of sight, all lengths times `scale`, and x
-/// turned to −x.
+/// Eye and lens turned by `angle_deg` (a B-spline surface by quarters) about the primary line of sight, all lengths
+/// times `scale`, and x turned to −x.
 void check_turned(Outcomes& outcomes, const Traced& traced, const ConoidTracer& tracer, double angle_deg);
 void check_scaled(Outcomes& outcomes, const Traced& traced, const ConoidTracer& tracer, double scale);
 void check_mirrored(Outcomes& outcomes, const Traced& traced, const ConoidTracer& tracer);

@@ -31,11 +31,12 @@ DualRay launched(const Vec3<Extended>& gaze, double rotation_center_m) {
   const auto lifted = [](const Vec3<Extended>& v) { return Vec3<Dual>{v.x, v.y, v.z}; };
   const Extended c = rotation_center_m;
   const Vec3<Dual> center = lifted({c * gaze.x, c * gaze.y, c * (gaze.z + 1.0L)});
-  return {center + px * lifted(f.e1) + py * lifted(f.e2), normalized(lifted(gaze) + sx * lifted(f.e1) + sy * lifted(f.e2))};
+  return {center + px * lifted(f.e1) + py * lifted(f.e2),
+          normalized(lifted(gaze) + sx * lifted(f.e1) + sy * lifted(f.e2))};
 }
 
-/// Newton's iteration along the ray; none unless its last step is below 2^-58 of the way and the coordinates (64 bits less what
-/// evaluation loses).
+/// Newton's iteration along the ray; none unless its last step is below 2^-58 of the way and the coordinates (64 bits
+/// less what evaluation loses).
 std::optional<Extended> converged(const Surface& surface, const PlainRay& ray, Extended t) {
   const Extended enough = std::ldexp(1.0L, -58), size = std::sqrt(dot(ray.origin, ray.origin));
   for (int i = 0; i < 60; ++i) {
@@ -51,7 +52,8 @@ std::optional<Extended> converged(const Surface& surface, const PlainRay& ray, E
 /// The first outward crossing within the rim, searched in 256 steps, so two crossings closer than that stay unseen.
 std::optional<Extended> searched(const Surface& surface, const PlainRay& ray, Extended rim) {
   // Within the rim |z| is bounded by the rim's diameter, or the ray leaves the rim before.
-  const Extended reach = 4.0L * rim + std::abs(ray.origin.z) + std::sqrt(ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y);
+  const Extended reach =
+      4.0L * rim + std::abs(ray.origin.z) + std::sqrt(ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y);
   constexpr int steps = 256;
   const auto outward = [&](Extended t) -> std::optional<Extended> {
     const auto g = implicit(surface, ray.at(t));
@@ -70,10 +72,12 @@ std::optional<Extended> searched(const Surface& surface, const PlainRay& ray, Ex
     const Extended next = reach * i / steps;
     const std::optional<Extended> now = outward(next);
     // Where the sheet ends between two steps, look at its last point.
-    const Extended t = before && !now ? bisected(t_before, next, [&](Extended at) { return outward(at).has_value(); }) : next;
+    const Extended t =
+        before && !now ? bisected(t_before, next, [&](Extended at) { return outward(at).has_value(); }) : next;
     const std::optional<Extended> there = now ? now : outward(t);
     if (before && there && *before <= 0.0L && *there > 0.0L) {
-      const auto crossing = converged(surface, ray, bisected(t_before, t, [&](Extended at) { return outward(at).value_or(0.0L) <= 0.0L; }));
+      const auto crossing = converged(
+          surface, ray, bisected(t_before, t, [&](Extended at) { return outward(at).value_or(0.0L) <= 0.0L; }));
       if (!crossing) return std::nullopt;
       const Vec3<Extended> p = ray.at(*crossing);
       if (std::sqrt(p.x * p.x + p.y * p.y) <= rim) return crossing;
@@ -95,8 +99,8 @@ double across(const Vec3<Dual>& v, const Vec3<Extended>& direction, std::size_t 
 }
 
 /// Through one surface. Changes ray; false where it is lost.
-bool pass(ExtendedTrace& trace, DualRay& ray, const Surface& surface, const Placement& place, double rim, double index_before,
-          double index_behind, const std::optional<Eigen::Vector3d>& start) {
+bool pass(ExtendedTrace& trace, DualRay& ray, const Surface& surface, const Placement& place, double rim,
+          double index_before, double index_behind, const std::optional<Eigen::Vector3d>& start) {
   const DualRay local{place.point_on_surface(ray.origin), place.direction_on_surface(ray.direction)};
   const PlainRay chief = plain(local);
   std::optional<Extended> t;
@@ -117,7 +121,8 @@ bool pass(ExtendedTrace& trace, DualRay& ray, const Surface& surface, const Plac
   const Vec3<Dual> normal = normalized(g.gradient);
 
   Crossing& c = trace.at[static_cast<std::size_t>(trace.crossings++)];
-  const Dual mu(static_cast<Extended>(index_before) / static_cast<Extended>(index_behind)), cosine = dot(local.direction, normal);
+  const Dual mu(static_cast<Extended>(index_before) / static_cast<Extended>(index_behind)),
+      cosine = dot(local.direction, normal);
   const Dual radicand = Dual(1.0L) - mu * mu * (Dual(1.0L) - cosine * cosine);
   c.path_m = static_cast<double>(*t);
   c.x = static_cast<double>(point.x.value);
@@ -153,7 +158,8 @@ ExtendedTrace trace_extended(const Spectacles& lens, const Eigen::Vector3d& gaze
   ExtendedTrace trace;
   DualRay ray = launched(normalized(extended(gaze)), rotation_center_m);
   const double rim = 0.5 * lens.diameter_m, n = lens.refractive_index;
-  const auto back = start ? std::optional(start->back) : std::nullopt, front = start ? std::optional(start->front) : std::nullopt;
+  const auto back = start ? std::optional(start->back) : std::nullopt,
+             front = start ? std::optional(start->front) : std::nullopt;
   if (!pass(trace, ray, lens.back, Placement(lens, Placement::Side::back), rim, 1.0, n, back)) return trace;
   if (!pass(trace, ray, lens.front, Placement(lens, Placement::Side::front), rim, n, 1.0, front)) return trace;
   trace.status = LensStatus::ok;
@@ -198,7 +204,8 @@ std::optional<Matrix> ExtendedTrace::exit_curvature(const Eigen::Matrix2d& slope
   const Extended det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
   if (det == 0.0L) return std::nullopt;
   const auto row = [&](std::size_t i) {
-    return std::array<Extended, 2>{-(b[i][0] * a[1][1] - b[i][1] * a[1][0]) / det, -(b[i][1] * a[0][0] - b[i][0] * a[0][1]) / det};
+    return std::array<Extended, 2>{-(b[i][0] * a[1][1] - b[i][1] * a[1][0]) / det,
+                                   -(b[i][1] * a[0][0] - b[i][0] * a[0][1]) / det};
   };
   return Matrix{row(0), row(1)};
 }

@@ -8,7 +8,8 @@
 
 namespace sturm::stress {
 
-/// One surface on the chief ray's way, as the error model wants it. Norms are Frobenius; "in" is just before the surface, across the ray.
+/// One surface on the chief ray's way, as the error model wants it. Norms are Frobenius; "in" is just before the
+/// surface, across the ray.
 struct Crossing {
   double path_m = 0.0;                                           ///< from the point before
   double cos_in = 1.0, cos_out = 1.0, radicand = 1.0, mu = 1.0;  ///< radicand: 1 − μ² sin²φ; ≤ 0 is total reflection
@@ -19,8 +20,8 @@ struct Crossing {
   double offset_p_out = 0.0, offset_q_out = 0.0, slope_p_out = 0.0, slope_q_out = 0.0;
 };
 
-/// The chief ray and its neighbourhood in extended precision: real rays, differentiated. It shares the description of lens and eye with
-/// the program, no formula of surfaces, of ray transfer or of waves.
+/// The chief ray and its neighbourhood in extended precision: real rays, differentiated. It shares the description of
+/// lens and eye with the program, no formula of surfaces, of ray transfer or of waves.
 struct ExtendedTrace {
   LensStatus status = LensStatus::missed_lens;
   int crossings = 0;  ///< surfaces that were met
@@ -37,13 +38,15 @@ struct ExtendedTrace {
   std::optional<std::array<std::array<Extended, 2>, 2>> exit_curvature(const Eigen::Matrix2d& slopes) const;
 };
 
-/// Points where the ray is known to meet back and front, to start Newton's iteration from; their accuracy does not matter.
+/// Points where the ray is known to meet back and front, to start Newton's iteration from; their accuracy does not
+/// matter.
 struct StartingPoints {
   Eigen::Vector3d back, front;  ///< wearer frame
 };
 
-/// Follows the eye's chief ray of the gaze, a vector of length 1 but for rounding. Without starting points each surface is searched along
-/// the whole ray, for rays of which the program says that they are lost. `no_convergence`: Newton's iteration did not settle to 2^-58.
+/// Follows the eye's chief ray of the gaze, a vector of length 1 but for rounding. Without starting points each surface
+/// is searched along the whole ray, for rays of which the program says that they are lost. `no_convergence`: Newton's
+/// iteration did not settle to 2^-58.
 ExtendedTrace trace_extended(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m,
                              const std::optional<StartingPoints>& start);
 

@@ -39,16 +39,19 @@ double distance(const Eigen::Vector3d& a, const Vec3<Extended>& b) {
   return static_cast<double>(std::sqrt(dot(d, d)));
 }
 
-void check_curvature(Outcomes& outcomes, const SpectacleConoid& conoid, const ExtendedTrace& oracle, const ErrorBounds& bounds,
-                     const Eigen::Matrix2d& slopes) {
+void check_curvature(Outcomes& outcomes, const SpectacleConoid& conoid, const ExtendedTrace& oracle,
+                     const ErrorBounds& bounds, const Eigen::Matrix2d& slopes) {
   const double s = slopes.norm();
   const Eigen::Matrix2d a = conoid.exit.offsets(slopes);
-  const double a_error = bounds.offset_p + bounds.offset_q * s +
-                         formula_error * (conoid.exit.offset_from_offset.norm() + conoid.exit.offset_from_slope.norm() * s);
-  const double b_error = bounds.slope_p + bounds.slope_q * s +
-                         formula_error * (conoid.exit.slope_from_offset.norm() + conoid.exit.slope_from_slope.norm() * s);
+  const double a_error =
+      bounds.offset_p + bounds.offset_q * s +
+      formula_error * (conoid.exit.offset_from_offset.norm() + conoid.exit.offset_from_slope.norm() * s);
+  const double b_error =
+      bounds.slope_p + bounds.slope_q * s +
+      formula_error * (conoid.exit.slope_from_offset.norm() + conoid.exit.slope_from_slope.norm() * s);
   const double inverse = 1.0 / singular_values(a).small;  // ‖A⁻¹‖ in the spectral norm: ‖δB A⁻¹‖ ≤ ‖δB‖ of that
-  // First order in the errors: where A's error is not small against A there is no bound, and a program that says none is right.
+  // First order in the errors: where A's error is not small against A there is no bound, and a program that says none
+  // is right.
   if (!(a_error * inverse < 0.01)) return outcomes.skip(Check::curvature, Skip::focal_line);
   const auto k = conoid.exit_curvature(slopes);
   const auto exact = oracle.exit_curvature(slopes);
@@ -60,8 +63,8 @@ void check_curvature(Outcomes& outcomes, const SpectacleConoid& conoid, const Ex
 
 }  // namespace
 
-void check_against_oracle(Outcomes& outcomes, const SpectacleConoid& conoid, const ExtendedTrace& oracle, const ErrorBounds& bounds,
-                          const Eigen::Matrix2d& slopes, double vergence_D) {
+void check_against_oracle(Outcomes& outcomes, const SpectacleConoid& conoid, const ExtendedTrace& oracle,
+                          const ErrorBounds& bounds, const Eigen::Matrix2d& slopes, double vergence_D) {
   outcomes.record(Check::exit_point, distance(conoid.chief_ray.origin, oracle.exit_point), bounds.exit_point, 1.0);
   outcomes.record(Check::exit_direction, distance(conoid.chief_ray.direction, oracle.direction), bounds.direction, 1.0);
   const RayTransfer& t = conoid.exit;
@@ -74,9 +77,12 @@ void check_against_oracle(Outcomes& outcomes, const SpectacleConoid& conoid, con
   // A lens without power has no size to compare this block with: the footprint's is taken.
   const double s = slopes.norm(), size = (vergence_D * t.offset_from_offset).norm() + t.slope_from_offset.norm() +
                                          (vergence_D * t.offset_from_slope.norm() + t.slope_from_slope.norm()) * s;
-  outcomes.record(Check::footprint, difference(t.slope_from_offset, block(oracle.slope, 0)), bounds.slope_p, std::max(1.0, size));
-  outcomes.record(Check::footprint, difference(conoid.angular_footprint(slopes, vergence_D), oracle.angular_footprint(slopes, vergence_D)),
-                  bounds.angular_footprint(s, vergence_D) + formula_error * size, std::max(1.0, size));
+  outcomes.record(Check::footprint, difference(t.slope_from_offset, block(oracle.slope, 0)), bounds.slope_p,
+                  std::max(1.0, size));
+  outcomes.record(
+      Check::footprint,
+      difference(conoid.angular_footprint(slopes, vergence_D), oracle.angular_footprint(slopes, vergence_D)),
+      bounds.angular_footprint(s, vergence_D) + formula_error * size, std::max(1.0, size));
   check_curvature(outcomes, conoid, oracle, bounds, slopes);
 }
 
@@ -92,19 +98,23 @@ double from_border(const Surface& surface, const Crossing& at) {
 
 }  // namespace
 
-void check_status(Outcomes& outcomes, LensStatus status, const Spectacles& lens, const ExtendedTrace& oracle, const ErrorBounds& bounds) {
+void check_status(Outcomes& outcomes, LensStatus status, const Spectacles& lens, const ExtendedTrace& oracle,
+                  const ErrorBounds& bounds) {
   if (status == oracle.status) return outcomes.expect(Check::status, status != LensStatus::no_convergence);
   // A search that did not end is no defect where there is nothing to find: the ray is lost either way.
-  if (status == LensStatus::no_convergence && oracle.status != LensStatus::ok) return outcomes.expect(Check::status, true);
-  // They differ. Rounding may decide at the rim, at the critical angle and where a ray grazes; the program's search may also miss two
-  // crossings that are closer than 1/16 of the way through the rim's cylinder (lensmodel/surface.h).
+  if (status == LensStatus::no_convergence && oracle.status != LensStatus::ok)
+    return outcomes.expect(Check::status, true);
+  // They differ. Rounding may decide at the rim, at the critical angle and where a ray grazes; the program's search may
+  // also miss two crossings that are closer than 1/16 of the way through the rim's cylinder (lensmodel/surface.h).
   const double rim = 0.5 * lens.diameter_m;
   for (int i = 0; i < oracle.crossings; ++i) {
     const Crossing& at = oracle.at[static_cast<std::size_t>(i)];
     const auto k = static_cast<std::size_t>(i);
     const double from_axis = std::hypot(at.x, at.y);
-    const double bend = at.on_sheet ? at.shape.hessian / std::sqrt(1.0 + at.shape.gradient * at.shape.gradient) : HUGE_VAL;
-    const bool at_rim = std::abs(from_axis - rim) <= bounds.hit[k] + 1e-11 * rim, critical = std::abs(at.radicand) <= bounds.radicand[k];
+    const double bend =
+        at.on_sheet ? at.shape.hessian / std::sqrt(1.0 + at.shape.gradient * at.shape.gradient) : HUGE_VAL;
+    const bool at_rim = std::abs(from_axis - rim) <= bounds.hit[k] + 1e-11 * rim,
+               critical = std::abs(at.radicand) <= bounds.radicand[k];
     const bool at_border = from_border(i == 0 ? lens.back : lens.front, at) <= bounds.hit[k];
     const bool grazes = at.cos_in <= bounds.cos_in[k], close_pair = 2.0 * at.cos_in <= bend * 4.0 * rim / 16.0;
     if (at_rim || at_border || critical || grazes || (close_pair && status == LensStatus::missed_lens))
@@ -122,14 +132,17 @@ constexpr Extended radians = std::numbers::pi_v<Extended> / 180.0L;
 void check_prism(Outcomes& outcomes, const Spectacles& lens, double prism_cm_per_m, double base_deg) {
   Spectacles straight = lens;
   straight.mounting = Mounting().with_wedge(lens.mounting.wedge());
-  const StartingPoints axis{straight.back_vertex(), straight.back_vertex() - Eigen::Vector3d(0.0, 0.0, lens.center_thickness_m)};
+  const StartingPoints axis{straight.back_vertex(),
+                            straight.back_vertex() - Eigen::Vector3d(0.0, 0.0, lens.center_thickness_m)};
   const ExtendedTrace t = trace_extended(straight, {0.0, 0.0, -1.0}, 0.0, axis);
   if (t.status != LensStatus::ok) return outcomes.expect(Check::prism, false);
   // Towards the base: 0 is the wearer's left, 90 up.
   const Extended wanted = 0.01L * prism_cm_per_m, base = radians * base_deg;
-  const Extended x = t.direction.x / -t.direction.z + wanted * std::cos(base), y = t.direction.y / -t.direction.z - wanted * std::sin(base);
+  const Extended x = t.direction.x / -t.direction.z + wanted * std::cos(base),
+                 y = t.direction.y / -t.direction.z - wanted * std::sin(base);
   const double size = static_cast<double>(wanted);
-  const double bound = prism_accuracy + (1.0 + size * size) * error_bounds(straight, 0.0, t).direction + formula_error * size;
+  const double bound =
+      prism_accuracy + (1.0 + size * size) * error_bounds(straight, 0.0, t).direction + formula_error * size;
   outcomes.record(Check::prism, static_cast<double>(std::hypot(x, y)), bound, std::max(1e-300, size));
 }
 
@@ -141,11 +154,13 @@ struct ExactCorrection {
 
 /// F_c = F (I − dF)⁻¹ with F from the power vector (wearer frame: J45 changes its sign).
 ExactCorrection exact_correction(const Prescription& rx) {
-  const Extended c = rx.cylinder_D, m = rx.sphere_D + 0.5L * c, d = rx.vertex_distance_m, twice = 2.0L * radians * rx.axis_deg;
+  const Extended c = rx.cylinder_D, m = rx.sphere_D + 0.5L * c, d = rx.vertex_distance_m,
+                 twice = 2.0L * radians * rx.axis_deg;
   const Extended j0 = -0.5L * c * std::cos(twice), xy = 0.5L * c * std::sin(twice), xx = m + j0, yy = m - j0;
   const Extended a = 1.0L - d * xx, b = -d * xy, e = 1.0L - d * yy, det = a * e - b * b;
   // F times the adjugate [[e, −b], [−b, a]] of I − dF.
-  return {(xx * e - xy * b) / det, (xy * a - xx * b) / det, (yy * a - xy * b) / det, det, std::sqrt(xx * xx + 2.0L * xy * xy + yy * yy)};
+  return {(xx * e - xy * b) / det, (xy * a - xx * b) / det, (yy * a - xy * b) / det, det,
+          std::sqrt(xx * xx + 2.0L * xy * xy + yy * yy)};
 }
 
 }  // namespace
@@ -154,7 +169,8 @@ double correction_bound(const Prescription& rx) {
   const ExactCorrection exact = exact_correction(rx);
   const double f = std::abs(rx.sphere_D) + std::abs(rx.cylinder_D), d = rx.vertex_distance_m, grown = 1.0 + d * f;
   const double det = static_cast<double>(std::abs(exact.determinant));
-  // Entries of F are rounded to formula_error·f; so are numerator and determinant, each a sum of terms of the size (1 + d f)².
+  // Entries of F are rounded to formula_error·f; so are numerator and determinant, each a sum of terms of the size (1 +
+  // d f)².
   return formula_error * f * grown / det * (1.0 + grown * grown / det);
 }
 

@@ -4,13 +4,14 @@
 
 namespace sturm::stress {
 
-/// Where one surface of a lens stands before the eye, in extended precision: turns of the coordinates one after the other by the angles
-/// that the mounting states. The matrices of `Mounting` are not read.
+/// Where one surface of a lens stands before the eye, in extended precision: turns of the coordinates one after the
+/// other by the angles that the mounting states. The matrices of `Mounting` are not read.
 class Placement {
  public:
   enum class Side { back, front };
   Placement(const Spectacles& lens, Side side)
-      : vertex_{lens.mounting.decentration_m().x(), lens.mounting.decentration_m().y(), -static_cast<Extended>(lens.vertex_distance_m)},
+      : vertex_{lens.mounting.decentration_m().x(), lens.mounting.decentration_m().y(),
+                -static_cast<Extended>(lens.vertex_distance_m)},
         depth_(side == Side::front ? static_cast<Extended>(lens.center_thickness_m) : 0.0L),
         tilt_(lens.mounting.pantoscopic_tilt()),
         wrap_(lens.mounting.wrap()) {

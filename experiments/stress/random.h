@@ -4,7 +4,8 @@
 
 namespace sturm::stress {
 
-/// The random numbers of one case, addressed by (seed, case). SplitMix64 [Steele2014]; needs no more quality than spreading the cases.
+/// The random numbers of one case, addressed by (seed, case). SplitMix64 [Steele2014]; needs no more quality than
+/// spreading the cases.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t index) : state_(mixed(mixed(seed) ^ (index + 1) * 0x9E3779B97F4A7C15ull)) {}
@@ -18,7 +19,9 @@ class Random {
   int below(int n) { return static_cast<int>(unit() * n); }
 
   /// Uniform on a grid, as prescriptions are written (0.25 D, 1 degree).
-  double stepped(double low, double high, double step) { return low + step * std::floor(unit() * (std::floor((high - low) / step) + 1.0)); }
+  double stepped(double low, double high, double step) {
+    return low + step * std::floor(unit() * (std::floor((high - low) / step) + 1.0));
+  }
 
  private:
   static std::uint64_t mixed(std::uint64_t z) {

@@ -14,7 +14,8 @@ namespace {
 std::string skipped_text(const CheckSummary& c) {
   std::string text;
   for (std::size_t i = 1; i < skips.size(); ++i)
-    if (c.skipped[i] > 0) text += (text.empty() ? "" : ", ") + std::string(skips[i]) + " " + std::to_string(c.skipped[i]);
+    if (c.skipped[i] > 0)
+      text += (text.empty() ? "" : ", ") + std::string(skips[i]) + " " + std::to_string(c.skipped[i]);
   return text.empty() ? "-" : text;
 }
 
@@ -29,7 +30,8 @@ std::string digits(Extended x) {
   return formatted("%.21Lg", x);
 }
 Json digits(const ExtendedMatrix& m) {
-  return Json::array({Json::array({digits(m[0][0]), digits(m[0][1])}), Json::array({digits(m[1][0]), digits(m[1][1])})});
+  return Json::array(
+      {Json::array({digits(m[0][0]), digits(m[0][1])}), Json::array({digits(m[1][0]), digits(m[1][1])})});
 }
 Json digits(const Vec3<Extended>& v) {
   return Json::array({digits(v.x), digits(v.y), digits(v.z)});
@@ -39,11 +41,13 @@ Json double_json(const CaseRun& run) {
   Json j = {{"status", run.conoid ? word_for(run.conoid->status) : "ok"}};
   if (!run.footprint) return j;
   if (run.conoid) {
-    j["chief_ray"] = {{"origin_m", json_of(run.conoid->chief_ray.origin)}, {"direction", json_of(run.conoid->chief_ray.direction)}};
+    j["chief_ray"] = {{"origin_m", json_of(run.conoid->chief_ray.origin)},
+                      {"direction", json_of(run.conoid->chief_ray.direction)}};
   }
   j["accommodation_D"] = number_or_null(run.footprint->accommodation_D);
   j["angular_footprint"] = rows_json(run.footprint->angular);
-  j["wavefront_curvature_D"] = run.footprint->wavefront_curvature ? symmetric_json(*run.footprint->wavefront_curvature) : Json(nullptr);
+  j["wavefront_curvature_D"] =
+      run.footprint->wavefront_curvature ? symmetric_json(*run.footprint->wavefront_curvature) : Json(nullptr);
   return j;
 }
 
@@ -53,7 +57,8 @@ Json extended_json(const CaseRun& run) {
   Json j = {{"status", word_for(t.status)}, {"surfaces", Json::array()}};
   for (int i = 0; i < t.crossings; ++i) {
     const Crossing& c = t.at[static_cast<std::size_t>(i)];
-    j["surfaces"].push_back({{"path_m", c.path_m}, {"cos_in", c.cos_in}, {"radicand", c.radicand}, {"x_m", c.x}, {"y_m", c.y}});
+    j["surfaces"].push_back(
+        {{"path_m", c.path_m}, {"cos_in", c.cos_in}, {"radicand", c.radicand}, {"x_m", c.x}, {"y_m", c.y}});
   }
   if (t.status != LensStatus::ok || !run.footprint) return j;
   const Eigen::Matrix2d slopes = run.eye->slope_matrix(run.footprint->accommodation_D).matrix();
@@ -75,29 +80,32 @@ const char* family_name(Family family) {
 }  // namespace
 
 std::string table_of(const SuiteSummary& s) {
-  std::string text = formatted("%-15s %10s %8s %12s %10s %12s %10s  %s\n", "check", "cases", "over", "worst/bound", "case", "worst rel.",
-                               "case", "skipped");
+  std::string text = formatted("%-15s %10s %8s %12s %10s %12s %10s  %s\n", "check", "cases", "over", "worst/bound",
+                               "case", "worst rel.", "case", "skipped");
   for (std::size_t i = 0; i < check_count; ++i) {
     const CheckSummary& c = s.checks[i];
-    text += formatted("%-15s %10llu %8llu %12.3g %10llu %12.3g %10llu  ", checks[i].name, static_cast<unsigned long long>(c.run),
-                      static_cast<unsigned long long>(c.over), c.worst_ratio, static_cast<unsigned long long>(c.worst_case),
-                      c.worst_relative, static_cast<unsigned long long>(c.worst_relative_case)) +
+    text += formatted("%-15s %10llu %8llu %12.3g %10llu %12.3g %10llu  ", checks[i].name,
+                      static_cast<unsigned long long>(c.run), static_cast<unsigned long long>(c.over), c.worst_ratio,
+                      static_cast<unsigned long long>(c.worst_case), c.worst_relative,
+                      static_cast<unsigned long long>(c.worst_relative_case)) +
             skipped_text(c) + "\n";
   }
-  text += formatted("\n%-20s %10s %8s %10s %10s %10s %10s %8s\n", "family", "cases", "refused", "ok", "missed", "reflected", "no conv.",
-                    "failed");
+  text += formatted("\n%-20s %10s %8s %10s %10s %10s %10s %8s\n", "family", "cases", "refused", "ok", "missed",
+                    "reflected", "no conv.", "failed");
   for (std::size_t i = 0; i < families.size(); ++i) {
     const FamilySummary& f = s.families[i];
-    text += formatted("%-20s %10llu %8llu %10llu %10llu %10llu %10llu %8llu\n", families[i].name, static_cast<unsigned long long>(f.cases),
-                      static_cast<unsigned long long>(f.refused), static_cast<unsigned long long>(f.statuses[0]),
-                      static_cast<unsigned long long>(f.statuses[1]), static_cast<unsigned long long>(f.statuses[2]),
-                      static_cast<unsigned long long>(f.statuses[3]), static_cast<unsigned long long>(f.failed));
+    text += formatted("%-20s %10llu %8llu %10llu %10llu %10llu %10llu %8llu\n", families[i].name,
+                      static_cast<unsigned long long>(f.cases), static_cast<unsigned long long>(f.refused),
+                      static_cast<unsigned long long>(f.statuses[0]), static_cast<unsigned long long>(f.statuses[1]),
+                      static_cast<unsigned long long>(f.statuses[2]), static_cast<unsigned long long>(f.statuses[3]),
+                      static_cast<unsigned long long>(f.failed));
   }
   text += formatted("\neq. 11 of the published form has no solution in %llu of %llu cases\n",
-                    static_cast<unsigned long long>(s.published_failed), static_cast<unsigned long long>(s.published_tried));
-  text +=
-      formatted("%s: %llu of %llu cases failed (seed %llu)\n", s.passed() ? "PASSED" : "FAILED", static_cast<unsigned long long>(s.failed),
-                static_cast<unsigned long long>(s.options.cases), static_cast<unsigned long long>(s.options.seed));
+                    static_cast<unsigned long long>(s.published_failed),
+                    static_cast<unsigned long long>(s.published_tried));
+  text += formatted("%s: %llu of %llu cases failed (seed %llu)\n", s.passed() ? "PASSED" : "FAILED",
+                    static_cast<unsigned long long>(s.failed), static_cast<unsigned long long>(s.options.cases),
+                    static_cast<unsigned long long>(s.options.seed));
   return text;
 }
 

@@ -43,7 +43,9 @@ Json surface_json(const SurfaceNumbers& n) {
 }
 
 Json mounting_json(const MountingNumbers& n) {
-  return {{"decentration_mm", {n.right_mm, n.up_mm}}, {"pantoscopic_tilt_deg", n.pantoscopic_tilt_deg}, {"wrap_deg", n.wrap_deg}};
+  return {{"decentration_mm", {n.right_mm, n.up_mm}},
+          {"pantoscopic_tilt_deg", n.pantoscopic_tilt_deg},
+          {"wrap_deg", n.wrap_deg}};
 }
 
 Mounting mounting_of(const MountingNumbers& n) {
@@ -55,7 +57,9 @@ Json lens_json(const LensNumbers& n, const FreeFormLenses& free_forms) {
   Json stands = {{"vertex_distance_mm", n.vertex_distance_mm}};
   if (n.mounting != MountingNumbers()) stands["mounting"] = mounting_json(n.mounting);
   if (n.free_form) return free_forms.document(*n.free_form, stands);
-  Json j = {{"center_thickness_mm", n.center_thickness_mm}, {"refractive_index", n.refractive_index}, {"diameter_mm", n.diameter_mm}};
+  Json j = {{"center_thickness_mm", n.center_thickness_mm},
+            {"refractive_index", n.refractive_index},
+            {"diameter_mm", n.diameter_mm}};
   j.update(stands);
   if (!n.made) {
     j["back"] = surface_json(n.back);
@@ -104,15 +108,17 @@ Spectacles spectacles_of(const LensNumbers& n, const FreeFormLenses& free_forms)
     lens.mounting = mounting_of(n.mounting);
     return lens;
   }
-  const double thickness = metres_per_millimetre * n.center_thickness_mm, diameter = metres_per_millimetre * n.diameter_mm;
+  const double thickness = metres_per_millimetre * n.center_thickness_mm,
+               diameter = metres_per_millimetre * n.diameter_mm;
   if (n.made)
-    return single_vision({.sphere_D = n.made->sphere_D,
-                          .cylinder_D = n.made->cylinder_D,
-                          .axis_deg = n.made->axis_deg,
-                          .vertex_distance_m = vertex_distance,
-                          .prism_cm_per_m = n.made->prism_cm_per_m,
-                          .prism_base_deg = n.made->prism_base_deg},
-                         {n.made->base_curve_D, thickness, n.refractive_index, vertex_distance, diameter, mounting_of(n.mounting)});
+    return single_vision(
+        {.sphere_D = n.made->sphere_D,
+         .cylinder_D = n.made->cylinder_D,
+         .axis_deg = n.made->axis_deg,
+         .vertex_distance_m = vertex_distance,
+         .prism_cm_per_m = n.made->prism_cm_per_m,
+         .prism_base_deg = n.made->prism_base_deg},
+        {n.made->base_curve_D, thickness, n.refractive_index, vertex_distance, diameter, mounting_of(n.mounting)});
   Spectacles lens;
   lens.back = surface_of(n.back);
   lens.front = surface_of(n.front);
@@ -129,19 +135,21 @@ Eigen::Vector3d gaze_of(const CaseNumbers& n) {
 }
 
 Json query_json(const CaseNumbers& n, const FreeFormLenses& free_forms) {
-  return {{"format", "sturm.ellipse/1"},
-          {"eye",
-           {{"prescription",
-             {{"sphere_D", n.sphere_D},
-              {"cylinder_D", n.cylinder_D},
-              {"axis_deg", n.axis_deg},
-              {"vertex_distance_mm", n.rx_vertex_distance_mm}}},
-            {"pupil_diameter_mm", n.pupil_diameter_mm},
-            {"rotation_center_mm", n.rotation_center_mm},
-            {"accommodation", accommodation_json(n)}}},
-          {"spectacles", n.lens ? lens_json(*n.lens, free_forms) : Json(nullptr)},
-          {"targets", Json::array({{{"gaze_deg", {n.azimuth_deg, n.elevation_deg}}, {"distance_m", distance_json(n.distance_m)}}})},
-          {"methods", {"conoid", "conoid_published"}}};
+  return {
+      {"format", "sturm.ellipse/1"},
+      {"eye",
+       {{"prescription",
+         {{"sphere_D", n.sphere_D},
+          {"cylinder_D", n.cylinder_D},
+          {"axis_deg", n.axis_deg},
+          {"vertex_distance_mm", n.rx_vertex_distance_mm}}},
+        {"pupil_diameter_mm", n.pupil_diameter_mm},
+        {"rotation_center_mm", n.rotation_center_mm},
+        {"accommodation", accommodation_json(n)}}},
+      {"spectacles", n.lens ? lens_json(*n.lens, free_forms) : Json(nullptr)},
+      {"targets",
+       Json::array({{{"gaze_deg", {n.azimuth_deg, n.elevation_deg}}, {"distance_m", distance_json(n.distance_m)}}})},
+      {"methods", {"conoid", "conoid_published"}}};
 }
 
 }  // namespace sturm::stress

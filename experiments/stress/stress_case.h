@@ -41,7 +41,8 @@ struct LensNumbers {
   double center_thickness_mm = 2.0, refractive_index = 1.5, vertex_distance_mm = 12.0, diameter_mm = 70.0;
   MountingNumbers mounting;
   std::optional<SingleVisionNumbers> made;  ///< instead of back and front
-  std::optional<int> free_form;             ///< instead of all but vertex distance and mounting: number of a lens in `FreeFormLenses`
+  std::optional<int>
+      free_form;  ///< instead of all but vertex distance and mounting: number of a lens in `FreeFormLenses`
 };
 
 /// A case in the numbers of a sturm.ellipse/1 document, so that replaying its document repeats it to the last bit.

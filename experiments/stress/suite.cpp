@@ -56,7 +56,8 @@ void SuiteSummary::add(const SuiteSummary& later) {
     families[i].cases += later.families[i].cases;
     families[i].refused += later.families[i].refused;
     families[i].failed += later.families[i].failed;
-    for (std::size_t s = 0; s < families[i].statuses.size(); ++s) families[i].statuses[s] += later.families[i].statuses[s];
+    for (std::size_t s = 0; s < families[i].statuses.size(); ++s)
+      families[i].statuses[s] += later.families[i].statuses[s];
   }
   failed += later.failed;
   for (const std::uint64_t index : later.first_failed)
@@ -65,7 +66,8 @@ void SuiteSummary::add(const SuiteSummary& later) {
   published_failed += later.published_failed;
 }
 
-SuiteSummary run_suite(const SuiteOptions& options, const std::function<void(double)>& progress, const ConoidTracer& tracer) {
+SuiteSummary run_suite(const SuiteOptions& options, const std::function<void(double)>& progress,
+                       const ConoidTracer& tracer) {
   const std::uint64_t blocks = (options.cases + block - 1) / block;
   const FreeFormLenses free_forms;
   std::vector<SuiteSummary> parts(blocks);

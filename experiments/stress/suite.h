@@ -38,7 +38,9 @@ struct SuiteSummary {
   bool passed() const { return failed == 0; }
 };
 
-/// Runs all cases on the threads that there are. The same result for any number of them: sums over fixed blocks, taken in index order.
-SuiteSummary run_suite(const SuiteOptions& options, const std::function<void(double)>& progress, const ConoidTracer& tracer = trace_conoid);
+/// Runs all cases on the threads that there are. The same result for any number of them: sums over fixed blocks, taken
+/// in index order.
+SuiteSummary run_suite(const SuiteOptions& options, const std::function<void(double)>& progress,
+                       const ConoidTracer& tracer = trace_conoid);
 
 }  // namespace sturm::stress

@@ -27,7 +27,8 @@ Bend bend_at(const Surface& surface, const Vec3<Extended>& p) {
 Extended difference(const Bend& a, const Bend& b) {
   Extended sum = 0.0L;
   for (std::size_t i = 0; i < 2; ++i)
-    for (std::size_t j = 0; j < 2; ++j) sum += (a.hessian[i][j] - b.hessian[i][j]) * (a.hessian[i][j] - b.hessian[i][j]);
+    for (std::size_t j = 0; j < 2; ++j)
+      sum += (a.hessian[i][j] - b.hessian[i][j]) * (a.hessian[i][j] - b.hessian[i][j]);
   return std::sqrt(sum);
 }
 
@@ -40,7 +41,8 @@ SurfaceShape shape_at(const Surface& surface, const Vec3<Extended>& p) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto beside = [&](Extended h) {  // on the surface to third order
       const Extended dz = h * here.slope[axis] + 0.5L * h * h * here.hessian[axis][axis];
-      return bend_at(surface, axis == 0 ? Vec3<Extended>{p.x + h, p.y, p.z + dz} : Vec3<Extended>{p.x, p.y + h, p.z + dz});
+      return bend_at(surface,
+                     axis == 0 ? Vec3<Extended>{p.x + h, p.y, p.z + dz} : Vec3<Extended>{p.x, p.y + h, p.z + dz});
     };
     // Third derivatives of a spline jump at its knots, so both sides count; a surface may end on one side.
     for (const Extended h : {step, -step})

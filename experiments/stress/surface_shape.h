@@ -4,8 +4,8 @@
 
 namespace sturm::stress {
 
-/// How steep and how bent a surface is at a point, from the oracle's description of it: −∇G/G_z is the slope of the height, its derivative
-/// along the surface the Hessian.
+/// How steep and how bent a surface is at a point, from the oracle's description of it: −∇G/G_z is the slope of the
+/// height, its derivative along the surface the Hessian.
 struct SurfaceShape {
   double gradient = 0.0;        ///< |∇z|
   double hessian = 0.0;         ///< |∇∇z|, Frobenius [1/m]

@@ -44,7 +44,8 @@ Surface mirrored(const Surface& surface) {
     return TorusSurface(torus->sweep_curvature(), torus->generator_curvature(), 180.0 - meridian_deg(*torus));
   if (const auto* spline = std::get_if<BSplineSurface>(&surface)) {
     const KnotGrid& g = spline->grid();
-    return BSplineSurface({{-g.last().x(), g.first.y()}, g.spacing, g.cells_x, g.cells_y}, spline->coefficients().colwise().reverse());
+    return BSplineSurface({{-g.last().x(), g.first.y()}, g.spacing, g.cells_x, g.cells_y},
+                          spline->coefficients().colwise().reverse());
   }
   return surface;
 }
@@ -52,7 +53,8 @@ Surface mirrored(const Surface& surface) {
 Surface scaled(const Surface& surface, double k) {
   if (const auto* torus = std::get_if<TorusSurface>(&surface))
     return TorusSurface(torus->sweep_curvature() / k, torus->generator_curvature() / k, meridian_deg(*torus));
-  if (const auto* conic = std::get_if<ConicSurface>(&surface)) return ConicSurface{conic->curvature / k, conic->conic_constant};
+  if (const auto* conic = std::get_if<ConicSurface>(&surface))
+    return ConicSurface{conic->curvature / k, conic->conic_constant};
   if (const auto* spline = std::get_if<BSplineSurface>(&surface)) {
     const KnotGrid& g = spline->grid();
     return BSplineSurface({k * g.first, k * g.spacing, g.cells_x, g.cells_y}, k * spline->coefficients());
@@ -67,7 +69,8 @@ bool is_turned(const Mounting& m) {
 }  // namespace
 
 double possible_turn_deg(const Spectacles& lens, double angle_deg) {
-  const bool spline = std::holds_alternative<BSplineSurface>(lens.back) || std::holds_alternative<BSplineSurface>(lens.front);
+  const bool spline =
+      std::holds_alternative<BSplineSurface>(lens.back) || std::holds_alternative<BSplineSurface>(lens.front);
   if (!spline) return angle_deg;
   if (is_turned(lens.mounting)) return 180.0;
   return angle_deg < -90.0 ? 180.0 : std::copysign(90.0, angle_deg);
@@ -77,7 +80,8 @@ Spectacles turned(const Spectacles& lens, double angle_deg) {
   const Mounting& m = lens.mounting;
   double tilt = 0.0, wrap = 0.0, own_deg = angle_deg;
   if (is_turned(m)) {
-    // The lens's axis goes to where the turn takes it; tilt and wrap are read off there, and what is left is a turn about that axis.
+    // The lens's axis goes to where the turn takes it; tilt and wrap are read off there, and what is left is a turn
+    // about that axis.
     const Eigen::Vector3d axis = m.wearer_from_lens().col(2);
     const Eigen::Vector2d aside = turned(Eigen::Vector2d(axis.head<2>()), angle_deg);
     tilt = std::atan2(aside.y(), std::hypot(aside.x(), axis.z()));
@@ -101,8 +105,8 @@ Spectacles mirrored(const Spectacles& lens) {
   Spectacles result = lens;
   result.back = mirrored(lens.back);
   result.front = mirrored(lens.front);
-  result.mounting =
-      Mounting(flip.cwiseProduct(m.decentration_m()), m.pantoscopic_tilt(), -m.wrap()).with_wedge(flip.cwiseProduct(m.wedge()));
+  result.mounting = Mounting(flip.cwiseProduct(m.decentration_m()), m.pantoscopic_tilt(), -m.wrap())
+                        .with_wedge(flip.cwiseProduct(m.wedge()));
   return result;
 }
 

@@ -34,7 +34,8 @@ AtomicFile::~AtomicFile() {
 bool AtomicFile::is_temporary(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   const std::size_t at = name.rfind(".tmp-");
-  return name.starts_with('.') && at != std::string::npos && at > 0 && name.find_first_not_of("0123456789-", at + 5) == std::string::npos;
+  return name.starts_with('.') && at != std::string::npos && at > 0 &&
+         name.find_first_not_of("0123456789-", at + 5) == std::string::npos;
 }
 
 void AtomicFile::commit() {

@@ -4,8 +4,9 @@
 
 namespace sturm {
 
-/// A file that appears under its name complete or not at all: write to `temporary()`, then `commit()`. Without commit the
-/// temporary file disappears. Safe against the death of the process, not of the machine (nothing is synced to the disk).
+/// A file that appears under its name complete or not at all: write to `temporary()`, then `commit()`. Without commit
+/// the temporary file disappears. Safe against the death of the process, not of the machine (nothing is synced to the
+/// disk).
 class AtomicFile {
  public:
   /// Creates the temporary file in the folder of `path`. Throws RuntimeFailure.

@@ -3,7 +3,8 @@
 namespace sturm {
 
 namespace {
-std::string message(const std::string& file, const std::string& pointer, const std::string& value, const std::string& expected) {
+std::string message(const std::string& file, const std::string& pointer, const std::string& value,
+                    const std::string& expected) {
   std::string text = file;
   if (!pointer.empty()) text += (text.empty() ? "" : ": ") + pointer;
   if (!value.empty()) text += (text.empty() ? "got " : ": got ") + value;
@@ -12,7 +13,8 @@ std::string message(const std::string& file, const std::string& pointer, const s
 }
 }  // namespace
 
-InputError::InputError(const std::string& file, const std::string& pointer, const std::string& value, const std::string& expected)
+InputError::InputError(const std::string& file, const std::string& pointer, const std::string& value,
+                       const std::string& expected)
     : std::runtime_error(message(file, pointer, value, expected)) {}
 
 }  // namespace sturm

@@ -32,7 +32,8 @@ Machine this_machine() {
   if (const unsigned n = std::thread::hardware_concurrency(); n > 0) machine.logical_processors = static_cast<int>(n);
   machine.cores = physical_cores();
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-  if (pages > 0 && page > 0) machine.memory_bytes = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+  if (pages > 0 && page > 0)
+    machine.memory_bytes = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
   std::array<double, 3> load{};
   if (getloadavg(load.data(), 3) == 3) machine.load = load;
   return machine;

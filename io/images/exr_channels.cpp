@@ -38,7 +38,8 @@ std::vector<std::string> exr_channel_names(const std::string& layer, int channel
     case 2:
       return full_names(layer, {"X", "Y"});
     case 3:
-      return full_names(layer, layer == "normal" ? std::vector<std::string>{"X", "Y", "Z"} : std::vector<std::string>{"R", "G", "B"});
+      return full_names(
+          layer, layer == "normal" ? std::vector<std::string>{"X", "Y", "Z"} : std::vector<std::string>{"R", "G", "B"});
     case 4:
       return full_names(layer, {"R", "G", "B", "A"});
     default:

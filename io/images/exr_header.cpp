@@ -9,7 +9,8 @@
 namespace sturm {
 
 Imf::Slice exr_slice(float* pixels, int width, int channels, int channel, int left, int top) {
-  const std::ptrdiff_t x_stride = std::ptrdiff_t{channels} * static_cast<std::ptrdiff_t>(sizeof(float)), y_stride = x_stride * width;
+  const std::ptrdiff_t x_stride = std::ptrdiff_t{channels} * static_cast<std::ptrdiff_t>(sizeof(float)),
+                       y_stride = x_stride * width;
   char* first = reinterpret_cast<char*>(pixels + channel);
   return Imf::Slice(Imf::FLOAT, first - left * x_stride - top * y_stride, static_cast<std::size_t>(x_stride),
                     static_cast<std::size_t>(y_stride));
@@ -28,7 +29,8 @@ std::map<std::string, std::string> metadata_of(const Imf::Header& header) {
   static const std::set<std::string> of_the_part = {"name", "type"};
   std::map<std::string, std::string> metadata;
   for (auto a = header.begin(); a != header.end(); ++a)
-    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()); text && !of_the_part.contains(a.name()))
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+        text && !of_the_part.contains(a.name()))
       metadata[a.name()] = text->value();
   return metadata;
 }

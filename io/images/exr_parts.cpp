@@ -33,7 +33,8 @@ Imf::Header header_of(const ExrPart& part, const Imath::Box2i& display) {
   header.setType(Imf::SCANLINEIMAGE);
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const std::string& channel : part.channels) {
-    if (header.channels().findChannel(channel)) throw std::invalid_argument("part \"" + part.name + "\" has two channels " + channel);
+    if (header.channels().findChannel(channel))
+      throw std::invalid_argument("part \"" + part.name + "\" has two channels " + channel);
     header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
   }
   insert_metadata(header, part.metadata);
@@ -56,7 +57,8 @@ ExrPart described(const Imf::Header& header) {
       throw std::runtime_error(std::string("an integer or subsampled channel ") + c.name());
     part.channels.emplace_back(c.name());
   }
-  if (header.hasType() && header.type() != Imf::SCANLINEIMAGE) throw std::runtime_error("a part of type " + header.type());
+  if (header.hasType() && header.type() != Imf::SCANLINEIMAGE)
+    throw std::runtime_error("a part of type " + header.type());
   const Imath::Box2i window = header.dataWindow();
   if (window.min.x != 0 || window.min.y != 0) throw std::runtime_error("a part whose window does not start at 0");
   part.image.width = window.max.x + 1;
@@ -102,7 +104,8 @@ std::vector<ExrPart> read_exr_parts(const std::filesystem::path& path, std::size
       parts.push_back(described(file.header(p)));
       bytes += bytes_of(parts.back().image);  // before anything is allocated
     }
-    if (bytes > static_cast<double>(max_bytes)) throw std::runtime_error("images of " + std::to_string(bytes / (1 << 20)) + " MiB");
+    if (bytes > static_cast<double>(max_bytes))
+      throw std::runtime_error("images of " + std::to_string(bytes / (1 << 20)) + " MiB");
     for (int p = 0; p < file.parts(); ++p) {
       ExrPart& part = parts[static_cast<std::size_t>(p)];
       part.image = Image(part.image.width, part.image.height, part.image.channels);

@@ -13,7 +13,10 @@ struct Image {
 
   Image() = default;
   Image(int width_, int height_, int channels_)
-      : width(width_), height(height_), channels(channels_), pixels(static_cast<std::size_t>(width_) * height_ * channels_) {}
+      : width(width_),
+        height(height_),
+        channels(channels_),
+        pixels(static_cast<std::size_t>(width_) * height_ * channels_) {}
 
   float* at(int x, int y) { return &pixels[(static_cast<std::size_t>(y) * width + x) * channels]; }
   const float* at(int x, int y) const { return &pixels[(static_cast<std::size_t>(y) * width + x) * channels]; }

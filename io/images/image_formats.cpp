@@ -38,10 +38,11 @@ Module open_module() {
       reasons += std::string("\n  ") + dlerror();
       continue;
     }
-    const Module module{reinterpret_cast<decltype(Module::read)>(dlsym(library, "sturm_imageformats_read")),
-                        reinterpret_cast<decltype(Module::read_memory)>(dlsym(library, "sturm_imageformats_read_memory")),
-                        reinterpret_cast<decltype(Module::encode_png)>(dlsym(library, "sturm_imageformats_encode_png")),
-                        reinterpret_cast<decltype(Module::free)>(dlsym(library, "sturm_imageformats_free"))};
+    const Module module{
+        reinterpret_cast<decltype(Module::read)>(dlsym(library, "sturm_imageformats_read")),
+        reinterpret_cast<decltype(Module::read_memory)>(dlsym(library, "sturm_imageformats_read_memory")),
+        reinterpret_cast<decltype(Module::encode_png)>(dlsym(library, "sturm_imageformats_encode_png")),
+        reinterpret_cast<decltype(Module::free)>(dlsym(library, "sturm_imageformats_free"))};
     if (!module.read || !module.read_memory || !module.encode_png || !module.free)
       throw RuntimeFailure(file.string() + " is not the image format module of this program");
     return module;
@@ -60,7 +61,8 @@ Image decoded(const std::string& name, const Read& read) {
   Image image;
   float* pixels = nullptr;
   std::array<char, 1024> error{};
-  if (read(image, &pixels, error.data(), error.size())) throw InputError(name, "", error.data(), "an image that OpenImageIO reads");
+  if (read(image, &pixels, error.data(), error.size()))
+    throw InputError(name, "", error.data(), "an image that OpenImageIO reads");
   const std::unique_ptr<float, decltype(Module::free)> owner(pixels, module().free);
   image.pixels.assign(pixels, pixels + static_cast<std::size_t>(image.width) * image.height * image.channels);
   return image;
@@ -72,14 +74,15 @@ Image read_image(const std::filesystem::path& path) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code)) throw InputError(path.string(), "", "no such file", "an image");
   return decoded(path.string(), [&](Image& image, float** pixels, char* error, std::size_t error_size) {
-    return module().read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, pixels, error, error_size);
+    return module().read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, pixels, error,
+                         error_size);
   });
 }
 
 Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {
   return decoded(name, [&](Image& image, float** pixels, char* error, std::size_t error_size) {
-    return module().read_memory(bytes.data(), bytes.size(), max_pixels, &image.width, &image.height, &image.channels, pixels, error,
-                                error_size);
+    return module().read_memory(bytes.data(), bytes.size(), max_pixels, &image.width, &image.height, &image.channels,
+                                pixels, error, error_size);
   });
 }
 
@@ -95,7 +98,8 @@ std::vector<unsigned char> encode_png(const Image& display) {
   unsigned char* bytes = nullptr;
   std::size_t size = 0;
   std::array<char, 1024> error{};
-  if (formats.encode_png(rounded.data(), display.width, display.height, display.channels, &bytes, &size, error.data(), error.size()))
+  if (formats.encode_png(rounded.data(), display.width, display.height, display.channels, &bytes, &size, error.data(),
+                         error.size()))
     throw RuntimeFailure(std::string("PNG encoding failed: ") + error.data());
   const std::unique_ptr<unsigned char, decltype(Module::free)> owner(bytes, formats.free);
   return {bytes, bytes + size};

@@ -17,13 +17,15 @@ Image srgb_to_linear(const Image& encoded) {
   Image linear = encoded;
   const int coloured = encoded.channels % 2 == 0 ? encoded.channels - 1 : encoded.channels;
   for (std::size_t start = 0; start < linear.pixels.size(); start += static_cast<std::size_t>(linear.channels))
-    for (std::size_t i = start; i < start + static_cast<std::size_t>(coloured); ++i) linear.pixels[i] = srgb_to_linear(linear.pixels[i]);
+    for (std::size_t i = start; i < start + static_cast<std::size_t>(coloured); ++i)
+      linear.pixels[i] = srgb_to_linear(linear.pixels[i]);
   return linear;
 }
 
 Image to_display(const Image& linear, double exposure) {
   Image display = linear;
-  for (float& value : display.pixels) value = linear_to_srgb(static_cast<float>(std::clamp(exposure * value, 0.0, 1.0)));
+  for (float& value : display.pixels)
+    value = linear_to_srgb(static_cast<float>(std::clamp(exposure * value, 0.0, 1.0)));
   return display;
 }
 

@@ -57,7 +57,8 @@ class StrictCheck : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     Level& level = levels_.back();
     level.key = name;
-    if (!level.keys.insert(name).second) throw InputError(file_, pointer(), "a second \"" + name + "\"", "each key at most once");
+    if (!level.keys.insert(name).second)
+      throw InputError(file_, pointer(), "a second \"" + name + "\"", "each key at most once");
     return true;
   }
 
@@ -76,7 +77,8 @@ class StrictCheck : public nlohmann::json_sax<Json> {
       expected = what.substr(semicolon + 11);
       what.erase(semicolon);
     }
-    throw InputError(file_ + ":" + std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1), "", what, expected);
+    throw InputError(file_ + ":" + std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1), "",
+                     what, expected);
   }
 
  private:
@@ -103,7 +105,8 @@ class StrictCheck : public nlohmann::json_sax<Json> {
   }
   std::string pointer() const {
     std::string text;
-    for (const Level& level : levels_) text += "/" + (level.is_array ? std::to_string(level.index) : escaped(level.key));
+    for (const Level& level : levels_)
+      text += "/" + (level.is_array ? std::to_string(level.index) : escaped(level.key));
     return text;
   }
 

@@ -9,7 +9,8 @@ namespace sturm {
 
 using Json = nlohmann::json;
 
-/// Where a JSON value stands: its file ("<stdin>" for standard input) and its JSON pointer (RFC 6901). For error messages.
+/// Where a JSON value stands: its file ("<stdin>" for standard input) and its JSON pointer (RFC 6901). For error
+/// messages.
 struct Source {
   std::string file;
   std::string pointer;  ///< "" is the whole document

@@ -41,9 +41,9 @@ Json& element_of(Json& array, const std::string& token, const Source& where) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
   if (token.empty() || error != std::errc() || end != token.data() + token.size() || index >= array.size())
-    throw InputError(
-        where.file, where.pointer, "index \"" + token + "\"",
-        array.empty() ? "- (append) in an empty array" : "an index from 0 to " + std::to_string(array.size() - 1) + ", or - to append");
+    throw InputError(where.file, where.pointer, "index \"" + token + "\"",
+                     array.empty() ? "- (append) in an empty array"
+                                   : "an index from 0 to " + std::to_string(array.size() - 1) + ", or - to append");
   return array[index];
 }
 

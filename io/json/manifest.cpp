@@ -68,7 +68,8 @@ Json provenance(const RunFacts& run, const Json& resolved_spec) {
           {"inputs", std::move(inputs)}};
 }
 
-Json manifest(const RunFacts& run, const Json& resolved_spec, const Json& counters, const std::vector<std::string>& notes) {
+Json manifest(const RunFacts& run, const Json& resolved_spec, const Json& counters,
+              const std::vector<std::string>& notes) {
   return {{"format", "sturm.manifest/1"},
           {"provenance", provenance(run, resolved_spec)},
           {"spec", resolved_spec},

@@ -17,13 +17,14 @@ struct RunFacts {
   std::vector<std::string> input_files;   ///< hashed when the manifest is made
 };
 
-/// The object "provenance" of a report: version, commit, compiler, flags, instruction set, CPU, threads, seed, hash of the
-/// resolved spec, start, seconds, peak memory of the process so far, inputs with their SHA-256. Throws InputError if an input file has
-/// gone.
+/// The object "provenance" of a report: version, commit, compiler, flags, instruction set, CPU, threads, seed, hash of
+/// the resolved spec, start, seconds, peak memory of the process so far, inputs with their SHA-256. Throws InputError
+/// if an input file has gone.
 Json provenance(const RunFacts& run, const Json& resolved_spec);
 
 /// A document of format sturm.manifest/1: provenance, resolved spec, counters and notes; what lies beside an image.
-Json manifest(const RunFacts& run, const Json& resolved_spec, const Json& counters, const std::vector<std::string>& notes);
+Json manifest(const RunFacts& run, const Json& resolved_spec, const Json& counters,
+              const std::vector<std::string>& notes);
 
 /// Hash that names a run: SHA-256 of the resolved spec's canonical text (sorted keys, no blanks).
 std::string spec_hash(const Json& resolved_spec);

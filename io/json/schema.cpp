@@ -25,7 +25,8 @@ class Hoister {
     rewrite(document, root_);
     for (auto& [name, definition] : hoisted_.items()) {
       Json& place = document["definitions"][name];
-      if (!place.is_null() && place != definition) throw std::logic_error("schema " + root_ + ": two definitions of " + name);
+      if (!place.is_null() && place != definition)
+        throw std::logic_error("schema " + root_ + ": two definitions of " + name);
       place = std::move(definition);
     }
     return document;
@@ -60,7 +61,8 @@ class Hoister {
     if (fragment.empty())
       for (const char* key : {"definitions", "$schema"}) definition.erase(key);
     rewrite(definition, target_file);
-    if (hoisted_.contains(name) && hoisted_[name] != definition) throw std::logic_error("schema " + root_ + ": two definitions of " + name);
+    if (hoisted_.contains(name) && hoisted_[name] != definition)
+      throw std::logic_error("schema " + root_ + ": two definitions of " + name);
     hoisted_[name] = std::move(definition);
     return place;
   }
@@ -135,7 +137,8 @@ std::string format_of(const Json& document, const std::string& file) {
   if (format->is_string())
     if (const auto at = std::find(known.begin(), known.end(), format->get<std::string>()); at != known.end())
       return names[static_cast<std::size_t>(at - known.begin())];
-  throw InputError(file, "/format", compact(*format) + (format->is_string() ? did_you_mean(format->get<std::string>(), known) : ""),
+  throw InputError(file, "/format",
+                   compact(*format) + (format->is_string() ? did_you_mean(format->get<std::string>(), known) : ""),
                    one_of(known));
 }
 
@@ -162,8 +165,9 @@ void validate(const Json& document, std::string_view schema_name, const Source& 
   }
   if (!violation->missing.empty()) {
     const Json* child = child_schema(*node, violation->missing, true);
-    throw InputError(where.file, where.pointer, "no \"" + violation->missing + "\"",
-                     "\"" + violation->missing + "\": " + (child ? expectation(dereferenced(*child, schema)) : "a value"));
+    throw InputError(
+        where.file, where.pointer, "no \"" + violation->missing + "\"",
+        "\"" + violation->missing + "\": " + (child ? expectation(dereferenced(*child, schema)) : "a value"));
   }
   std::string hint;
   if (value->is_string() && node->contains("enum"))

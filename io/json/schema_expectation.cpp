@@ -54,7 +54,8 @@ std::string in_words(const std::string& type, const Json& node) {
 
 const Json& dereferenced(const Json& node, const Json& schema) {
   const Json* at = &node;
-  while (at->is_object() && at->contains("$ref")) at = &schema.at(Json::json_pointer((*at)["$ref"].get<std::string>().substr(1)));
+  while (at->is_object() && at->contains("$ref"))
+    at = &schema.at(Json::json_pointer((*at)["$ref"].get<std::string>().substr(1)));
   return *at;
 }
 

@@ -13,7 +13,8 @@ struct Violation {
   std::string missing;            ///< the required member that is not there; "" for every other violation
 };
 
-/// First violation of a self-contained draft 7 schema. (valijson, alone in its translation unit: it is slow to compile.)
+/// First violation of a self-contained draft 7 schema. (valijson, alone in its translation unit: it is slow to
+/// compile.)
 std::optional<Violation> first_violation(const Json& document, const Json& schema);
 
 }  // namespace sturm

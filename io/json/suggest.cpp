@@ -31,7 +31,8 @@ int edit_distance(std::string_view a, std::string_view b) {
     row[0] = static_cast<int>(i);
     for (std::size_t j = 1; j <= b.size(); ++j) {
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1)});
-      if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1])) row[j] = std::min(row[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
     std::swap(before, above);
     std::swap(above, row);
@@ -62,7 +63,8 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 std::string one_of(const std::vector<std::string>& candidates, std::size_t limit) {
   if (candidates.empty()) return "nothing";
   std::string text = candidates.size() == 1 ? "" : "one of ";
-  for (std::size_t i = 0; i < std::min(candidates.size(), limit); ++i) text += (i ? ", \"" : "\"") + candidates[i] + "\"";
+  for (std::size_t i = 0; i < std::min(candidates.size(), limit); ++i)
+    text += (i ? ", \"" : "\"") + candidates[i] + "\"";
   return candidates.size() > limit ? text + ", …" : text;
 }
 

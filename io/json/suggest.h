@@ -9,8 +9,8 @@ namespace sturm {
 /// Edit distance (insertions, deletions, substitutions, swaps of neighbours), case ignored.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `word`, if it is near enough to be what was meant: 2 edits (1 for words of up to 4 letters), or the
-/// same name with another unit ("distance_mm" for "distance_m").
+/// The candidate nearest to `word`, if it is near enough to be what was meant: 2 edits (1 for words of up to 4
+/// letters), or the same name with another unit ("distance_mm" for "distance_m").
 std::optional<std::string> suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 /// ` (did you mean "…"?)` for the suggestion, "" if there is none.

@@ -34,7 +34,8 @@ struct BlurFieldSpec {
   std::shared_ptr<const Json> resolved;  ///< the document with every default spelt out
 };
 
-/// Validates and reads a blur field document; `file` names it in errors and is where relative paths start. Throws InputError.
+/// Validates and reads a blur field document; `file` names it in errors and is where relative paths start. Throws
+/// InputError.
 BlurFieldSpec read_blur_field_spec(const Json& document, const std::string& file);
 
 }  // namespace sturm

@@ -13,8 +13,8 @@ namespace sturm {
 struct Target {
   double azimuth = 0.0;     ///< to the wearer's right [rad], |.| ≤ 89°
   double elevation = 0.0;   ///< up [rad], |.| ≤ 89°
-  double distance_m = 0.0;  ///< along the line of sight from the pupil's centre, with spectacles along the outgoing chief ray from the exit
-                            ///< point [m]; > 0, ∞ allowed
+  double distance_m = 0.0;  ///< along the line of sight from the pupil's centre, with spectacles along the outgoing
+                            ///< chief ray from the exit point [m]; > 0, ∞ allowed
 };
 
 /// A validated document of format sturm.ellipse/1.
@@ -29,7 +29,8 @@ struct EllipseQuery {
   std::vector<std::string> input_files;  ///< absolute paths of further files that were read
 };
 
-/// Validates and reads a query; `file` names the document in errors and is where relative paths start. Throws InputError.
+/// Validates and reads a query; `file` names the document in errors and is where relative paths start. Throws
+/// InputError.
 EllipseQuery read_ellipse_query(const Json& document, const std::string& file);
 
 }  // namespace sturm

@@ -19,15 +19,16 @@ constexpr double largest_human_pupil_mm = 10.0;
 
 /// Throws unless exactly one of two members is there.
 void require_one_of(const Json& value, const char* a, const char* b, const Source& where) {
-  const std::string expected =
-      "exactly one of \"" + std::string(a) + "\" and \"" + b + "\" for mode \"" + value["mode"].get<std::string>() + "\"";
+  const std::string expected = "exactly one of \"" + std::string(a) + "\" and \"" + b + "\" for mode \"" +
+                               value["mode"].get<std::string>() + "\"";
   if (value.contains(a) == value.contains(b)) where.fail(value, expected);
 }
 
 void require_absent(const Json& value, std::initializer_list<const char*> keys, const Source& where) {
   for (const char* key : keys)
     if (value.contains(key))
-      (where / key).fail(value[key], "no \"" + std::string(key) + "\" for mode \"" + value["mode"].get<std::string>() + "\"");
+      (where / key)
+          .fail(value[key], "no \"" + std::string(key) + "\" for mode \"" + value["mode"].get<std::string>() + "\"");
 }
 
 /// Coefficients [m] from j = 0 on, as given.
@@ -54,10 +55,13 @@ Eye read_wavefront_eye(const Json& value, const Source& where, const std::option
     where.fail(value, rx ? "\"combine\": true where there is a prescription too" : "a prescription for \"combine\"");
   const double wave_pupil_mm = value["pupil_diameter_mm"].get<double>();
   if (pupil_mm > wave_pupil_mm)
-    (where / "pupil_diameter_mm").fail(value["pupil_diameter_mm"], "at least the eye's own " + Json(pupil_mm).dump() + " mm");
-  const SecondOrder rule = value.value("second_order", "least_squares") == "paraxial" ? SecondOrder::Paraxial : SecondOrder::LeastSquares;
-  const ZernikeWave measured = ZernikeWave::from_examiner(read_coefficients(value["coefficients_um"], where / "coefficients_um"),
-                                                          0.5 * metres_per_millimetre * wave_pupil_mm);
+    (where / "pupil_diameter_mm")
+        .fail(value["pupil_diameter_mm"], "at least the eye's own " + Json(pupil_mm).dump() + " mm");
+  const SecondOrder rule =
+      value.value("second_order", "least_squares") == "paraxial" ? SecondOrder::Paraxial : SecondOrder::LeastSquares;
+  const ZernikeWave measured =
+      ZernikeWave::from_examiner(read_coefficients(value["coefficients_um"], where / "coefficients_um"),
+                                 0.5 * metres_per_millimetre * wave_pupil_mm);
   return Eye::with(measured, rule, rx, metres_per_millimetre * pupil_mm, accommodation);
 }
 
@@ -119,7 +123,8 @@ Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodatio
   }
 }
 
-void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model, const Source& where) {
+void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model,
+                                  const Source& where) {
   if (std::holds_alternative<BestAccommodation>(accommodation))
     throw InputError(where.file, where.pointer, "mode \"best\"",
                      "\"relaxed\" or \"fixed\": in camera gaze one accommodation holds for all distances");
@@ -146,15 +151,18 @@ EyeSpec read_eye_spec(const Json& value, const Source& where) {
   std::optional<Prescription> rx;
   if (object.contains("prescription")) rx = read_prescription(object["prescription"], place / "prescription");
   Accommodation accommodation;
-  if (object.contains("accommodation")) accommodation = read_accommodation(object["accommodation"], place / "accommodation");
+  if (object.contains("accommodation"))
+    accommodation = read_accommodation(object["accommodation"], place / "accommodation");
   const double pupil_mm = object.at("pupil_diameter_mm").get<double>();
-  spec.eye = object.contains("wavefront") ? read_wavefront_eye(object["wavefront"], place / "wavefront", rx, pupil_mm, accommodation)
-                                          : make_eye(*rx, metres_per_millimetre * pupil_mm, accommodation, place);
+  spec.eye = object.contains("wavefront")
+                 ? read_wavefront_eye(object["wavefront"], place / "wavefront", rx, pupil_mm, accommodation)
+                 : make_eye(*rx, metres_per_millimetre * pupil_mm, accommodation, place);
   spec.eye.rotation_center_m = metres_per_millimetre * object.value("rotation_center_mm", default_rotation_center_mm);
-  spec.eye.stiles_crawford_per_m2 = object.value("stiles_crawford_per_mm2", 0.0) / (metres_per_millimetre * metres_per_millimetre);
+  spec.eye.stiles_crawford_per_m2 =
+      object.value("stiles_crawford_per_mm2", 0.0) / (metres_per_millimetre * metres_per_millimetre);
   if (pupil_mm > largest_human_pupil_mm)
-    spec.notes.push_back(place.file + ": " + place.pointer + "/pupil_diameter_mm is " + object["pupil_diameter_mm"].dump() +
-                         " mm, more than a human pupil's 10 mm");
+    spec.notes.push_back(place.file + ": " + place.pointer + "/pupil_diameter_mm is " +
+                         object["pupil_diameter_mm"].dump() + " mm, more than a human pupil's 10 mm");
   return spec;
 }
 

@@ -20,8 +20,8 @@ EyeSpec read_eye_spec(const Json& value, const Source& where);
 /// The eye alone.
 Eye read_eye(const Json& value, const Source& where);
 
-/// Reads {"sphere_D", "cylinder_D", "axis_deg", "vertex_distance_mm"}; a cylinder needs an axis, the vertex distance is 12 mm
-/// by default and must not lie at the lens's focal length.
+/// Reads {"sphere_D", "cylinder_D", "axis_deg", "vertex_distance_mm"}; a cylinder needs an axis, the vertex distance is
+/// 12 mm by default and must not lie at the lens's focal length.
 Prescription read_prescription(const Json& value, const Source& where);
 
 /// Reads {"mode": "relaxed" | "fixed" | "best", …}.
@@ -33,9 +33,10 @@ double read_distance(const Json& value, const Source& where);
 /// Eye::with, its errors turned into InputErrors about `where`.
 Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation, const Source& where);
 
-/// Throws InputError unless an eye can accommodate so in `camera` gaze, where one accommodation holds for all distances, and with
-/// the ray model, of which metalstigmatism needs a stated focus distance.
-void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model, const Source& where);
+/// Throws InputError unless an eye can accommodate so in `camera` gaze, where one accommodation holds for all
+/// distances, and with the ray model, of which metalstigmatism needs a stated focus distance.
+void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model,
+                                  const Source& where);
 
 /// The contents of the eye file that `value` names, validated; `value` itself if it is an object.
 Json eye_object(const Json& value, const Source& where);

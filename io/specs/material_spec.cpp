@@ -33,7 +33,8 @@ const std::array<Kind, 7>& kinds() {
 double read_roughness(const Json& value, const Source& where) {
   const double roughness = value.value("roughness", 0.0);
   if (roughness > 0.0 && roughness < 0.01)
-    (where / "roughness").fail(value["roughness"], "0 (perfectly smooth), or from 0.01 to 1");  // below, single precision cannot tell
+    (where / "roughness")
+        .fail(value["roughness"], "0 (perfectly smooth), or from 0.01 to 1");  // below, single precision cannot tell
   return roughness;
 }
 
@@ -41,7 +42,8 @@ ConductorSpec read_conductor(const Json& value, const Source& where) {
   ConductorSpec conductor;
   conductor.roughness = read_roughness(value, where);
   const bool named = value.contains("metal"), measured = value.contains("eta") || value.contains("k");
-  if (named == measured || value.contains("eta") != value.contains("k")) where.fail(value, "either \"metal\", or both \"eta\" and \"k\"");
+  if (named == measured || value.contains("eta") != value.contains("k"))
+    where.fail(value, "either \"metal\", or both \"eta\" and \"k\"");
   if (named) {
     conductor.metal = value["metal"].get<std::string>();
   } else {
@@ -68,8 +70,9 @@ MaterialSpec read_material(const std::string& name, const Json& value, const Sou
   const Kind& kind = *std::find_if(kinds().begin(), kinds().end(), [&](const Kind& k) { return k.type == type; });
   for (const auto& [key, member] : value.items())
     if (key != "type" && key != "emission" && std::find(kind.keys.begin(), kind.keys.end(), key) == kind.keys.end())
-      throw InputError(where.file, (where / key).pointer, compact(member),
-                       "no such key: a material of type \"" + type + "\" has " + one_of(kind.keys) + ", and \"emission\"");
+      throw InputError(
+          where.file, (where / key).pointer, compact(member),
+          "no such key: a material of type \"" + type + "\" has " + one_of(kind.keys) + ", and \"emission\"");
   MaterialSpec material;
   material.name = name;
   if (kind.albedo_is_white) material.albedo.setOnes();

@@ -29,8 +29,8 @@ struct SeedMetalSpec {
 struct SeedDielectricSpec {
   double index = 1.5;
 };
-using SurfaceSpec =
-    std::variant<DiffuseSpec, ConductorSpec, DielectricSpec, PlasticSpec, SeedDiffuseSpec, SeedMetalSpec, SeedDielectricSpec>;
+using SurfaceSpec = std::variant<DiffuseSpec, ConductorSpec, DielectricSpec, PlasticSpec, SeedDiffuseSpec,
+                                 SeedMetalSpec, SeedDielectricSpec>;
 
 /// A material; linear Rec. 709.
 struct MaterialSpec {
@@ -40,8 +40,8 @@ struct MaterialSpec {
   SurfaceSpec surface{};
 };
 
-/// Reads a material that the schema has accepted. Throws InputError for a key that its type does not have, a conductor without or with two
-/// statements of its index, and a roughness between 0 and 0.01.
+/// Reads a material that the schema has accepted. Throws InputError for a key that its type does not have, a conductor
+/// without or with two statements of its index, and a roughness between 0 and 0.01.
 MaterialSpec read_material(const std::string& name, const Json& value, const Source& where);
 
 }  // namespace sturm

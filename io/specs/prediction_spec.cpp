@@ -7,7 +7,9 @@ namespace sturm {
 PredictionSpec read_prediction(const Json& value, const Source& where) {
   PredictionSpec spec;
   const std::string kind = value.value("prediction", "ellipses");
-  spec.kind = kind == "multipass" ? PredictionKind::Multipass : kind == "layered" ? PredictionKind::Layered : PredictionKind::Ellipses;
+  spec.kind = kind == "multipass" ? PredictionKind::Multipass
+              : kind == "layered" ? PredictionKind::Layered
+                                  : PredictionKind::Ellipses;
   if (value.contains("passes") && spec.kind != PredictionKind::Multipass)
     (where / "passes").fail(value["passes"], "no \"passes\" unless \"prediction\" is \"multipass\"");
   if (value.contains("smooth") && spec.kind == PredictionKind::Ellipses)

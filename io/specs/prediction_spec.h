@@ -18,7 +18,8 @@ struct PredictionSpec {
   int oversampling = 1;  ///< sharp pixels per output pixel along each side
 };
 
-/// Reads "prediction", "passes", "smooth" and "oversampling" of an object. Throws InputError where they do not fit together.
+/// Reads "prediction", "passes", "smooth" and "oversampling" of an object. Throws InputError where they do not fit
+/// together.
 PredictionSpec read_prediction(const Json& value, const Source& where);
 
 /// The word for it in documents.

@@ -24,7 +24,8 @@ std::vector<std::string> fields_of(std::string line) {
 /// The lines of a table, read by the names of their columns.
 class Table {
  public:
-  Table(const std::filesystem::path& file, const std::string& heading) : file_(file.string()), columns_(fields_of(heading)) {}
+  Table(const std::filesystem::path& file, const std::string& heading)
+      : file_(file.string()), columns_(fields_of(heading)) {}
 
   void start_line(int number, const std::string& line) {
     number_ = number;
@@ -43,7 +44,8 @@ class Table {
     const std::string& field = text(column);
     double value = 0.0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc{} || end != field.data() + field.size()) fail(field, std::string("a number in column ") + column);
+    if (error != std::errc{} || end != field.data() + field.size())
+      fail(field, std::string("a number in column ") + column);
     return value;
   }
 

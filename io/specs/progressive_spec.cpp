@@ -9,7 +9,9 @@
 namespace sturm {
 
 ProgressiveDesign read_progressive_design(const Json& value, const Source& where, const SingleVisionDesign& lens) {
-  const auto metres = [&](const char* key, double default_mm) { return metres_per_millimetre * value.value(key, default_mm); };
+  const auto metres = [&](const char* key, double default_mm) {
+    return metres_per_millimetre * value.value(key, default_mm);
+  };
   ProgressiveDesign design;
   design.lens = lens;
   design.addition_D = value["addition_D"].get<double>();
@@ -27,9 +29,11 @@ ProgressiveDesign read_progressive_design(const Json& value, const Source& where
   const double lowest = design.corridor_length_m - design.corridor_start_m;
   if (!(std::abs(design.near_shift_m) < 0.5 * lowest) && design.near_shift_m != 0.0)
     (where / "inset_mm")
-        .fail(value.value("inset_mm", Json(2.5)), "less than half of how far the corridor's lower end is below the fitting cross");
+        .fail(value.value("inset_mm", Json(2.5)),
+              "less than half of how far the corridor's lower end is below the fitting cross");
   if (!(design.knot_spacing_m <= 0.05 * lens.diameter_m && design.knot_spacing_m >= lens.diameter_m / 2000.0))
-    (where / "knot_spacing_mm").fail(value.value("knot_spacing_mm", Json(0.125)), "between 1/2000 and 1/20 of the rim's diameter");
+    (where / "knot_spacing_mm")
+        .fail(value.value("knot_spacing_mm", Json(0.125)), "between 1/2000 and 1/20 of the rim's diameter");
   return design;
 }
 

@@ -18,7 +18,8 @@ struct QuadratureSpec {
   int azimuthal = 0;
 };
 
-/// The pupil points that rays go through: `replicates` independent sets of `count` points, or a quadrature, or given points.
+/// The pupil points that rays go through: `replicates` independent sets of `count` points, or a quadrature, or given
+/// points.
 struct RayBundleSpec {
   std::uint64_t count = 65536;  ///< rays per replicate
   int replicates = 16;          ///< independent scramblings
@@ -28,7 +29,8 @@ struct RayBundleSpec {
   std::vector<Eigen::Vector2d> pupil_points_m;  ///< the same, if not empty; wearer frame [m]
 };
 
-/// Reads a "rays" object (null: all defaults). Points must lie in the pupil of radius `pupil_radius_m`. Throws InputError.
+/// Reads a "rays" object (null: all defaults). Points must lie in the pupil of radius `pupil_radius_m`. Throws
+/// InputError.
 RayBundleSpec read_ray_bundle(const Json& value, const Source& where, double pupil_radius_m);
 
 Sequence read_sequence(std::string_view name);

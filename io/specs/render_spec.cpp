@@ -11,11 +11,13 @@ namespace {
 
 void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   const auto refuse = [&](const char* key, const char* type) {
-    if (value.contains(key)) (where / key).fail(value[key], std::string("no \"") + key + "\" for type \"" + type + "\"");
+    if (value.contains(key))
+      (where / key).fail(value[key], std::string("no \"") + key + "\" for type \"" + type + "\"");
   };
   if (value["type"] == "predict") {
     spec.method = RenderMethod::Predict;
-    for (const char* key : {"ray_model", "sampling", "rings", "guide_emitters", "stop", "adaptive", "denoise", "sharp_below_px"})
+    for (const char* key :
+         {"ray_model", "sampling", "rings", "guide_emitters", "stop", "adaptive", "denoise", "sharp_below_px"})
       refuse(key, "predict");
     spec.prediction = read_prediction(value, where);
   } else {
@@ -50,7 +52,8 @@ void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source&
   require_camera_accommodation(eye.accommodation, spec.ray_model, where / "accommodation");
 }
 
-/// One sharp layer knows the naked eye in `camera` gaze; the others also spectacles and turning eyes. All of them: perspective.
+/// One sharp layer knows the naked eye in `camera` gaze; the others also spectacles and turning eyes. All of them:
+/// perspective.
 void require_predictable(const Json& document, const RenderSpec& spec, const Source& root) {
   const Json& camera = document["camera"];
   const PredictionKind kind = spec.prediction.kind;
@@ -65,7 +68,8 @@ void require_predictable(const Json& document, const RenderSpec& spec, const Sou
   if (kind == PredictionKind::Multipass) return;
   for (const auto* worn : {&spec.eye, spec.left ? &*spec.left : nullptr})
     if (worn && worn->eye.stiles_crawford_per_m2 != 0.0)
-      throw InputError(root.file, "/eye/stiles_crawford_per_mm2", "an apodized pupil", "0 for " + what + ": ellipses are filled evenly");
+      throw InputError(root.file, "/eye/stiles_crawford_per_mm2", "an apodized pupil",
+                       "0 for " + what + ": ellipses are filled evenly");
 }
 
 Json resolved_render(const Json& document, const Source& root) {
@@ -110,13 +114,16 @@ RenderSpec read_render_spec(const Json& document, const std::string& file) {
   spec.camera = read_camera(document["camera"], root / "camera");
   spec.eye = read_eye_of(document, root, {}, spec);
   if (document.contains("left")) {
-    if (!spec.camera.interpupillary_distance_m) (root / "left").fail(document["left"], "no \"left\" without \"stereo\" in the camera");
+    if (!spec.camera.interpupillary_distance_m)
+      (root / "left").fail(document["left"], "no \"left\" without \"stereo\" in the camera");
     spec.left = read_eye_of(document["left"], root / "left", spec.eye, spec);
   }
   spec.input_files.insert(spec.input_files.end(), spec.scene.input_files.begin(), spec.scene.input_files.end());
   read_method(document["method"], root / "method", spec);
   require_accommodation(spec, spec.eye.eye, root / "eye");
-  if (spec.left) require_accommodation(spec, spec.left->eye, document["left"].contains("eye") ? root / "left" / "eye" : root / "eye");
+  if (spec.left)
+    require_accommodation(spec, spec.left->eye,
+                          document["left"].contains("eye") ? root / "left" / "eye" : root / "eye");
   if (spec.method == RenderMethod::Predict) require_predictable(document, spec, root);
   spec.seed = document.value("seed", spec.seed);
   spec.resolved = std::make_shared<const Json>(resolved_render(document, root));

@@ -40,14 +40,15 @@ struct RenderSpec {
   std::uint64_t seed = 1;
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were named
-  std::shared_ptr<const Json> resolved;  ///< the document with every default spelt out; eye files are put in place, paths of lenses, scenes
-                                         ///< and models stay as given
+  std::shared_ptr<const Json> resolved;  ///< the document with every default spelt out; eye files are put in place,
+                                         ///< paths of lenses, scenes and models stay as given
 };
 
 /// True where both eyes of a stereo pair are alike and wear the same.
 bool eyes_are_alike(const RenderSpec& spec);
 
-/// Validates and reads a render document; `file` names it in errors and is where relative paths start. Throws InputError.
+/// Validates and reads a render document; `file` names it in errors and is where relative paths start. Throws
+/// InputError.
 RenderSpec read_render_spec(const Json& document, const std::string& file);
 
 }  // namespace sturm

@@ -34,7 +34,8 @@ std::string number_text(double value) {
 }
 
 std::string place_text(const Eigen::Vector2d& at) {
-  return "(" + number_text(at.x() / metres_per_millimetre) + ", " + number_text(at.y() / metres_per_millimetre) + ") mm";
+  return "(" + number_text(at.x() / metres_per_millimetre) + ", " + number_text(at.y() / metres_per_millimetre) +
+         ") mm";
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {
@@ -53,7 +54,9 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 using Columns = std::array<std::size_t, 3>;
 
 Columns columns_of(const std::vector<std::string_view>& names, const std::string& file, int line) {
-  const auto position = [&](std::string_view name) { return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()); };
+  const auto position = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  };
   const Columns columns{position("x_mm"), position("y_mm"), std::min(position("z_mm"), position("sag_mm"))};
   if (*std::ranges::max_element(columns) == names.size())
     fail(file, line, "\"" + std::string(names[0]) + (names.size() > 1 ? ", …\"" : "\""),
@@ -84,20 +87,23 @@ std::vector<Row> rows_of(const std::string& file) {
       continue;
     }
     if (cells.size() <= *std::ranges::max_element(*columns))
-      fail(file, line, std::to_string(cells.size()) + " values", "at least " + std::to_string(*std::ranges::max_element(*columns) + 1));
+      fail(file, line, std::to_string(cells.size()) + " values",
+           "at least " + std::to_string(*std::ranges::max_element(*columns) + 1));
     rows.push_back({{number_in(cells[(*columns)[0]], file, line), number_in(cells[(*columns)[1]], file, line),
                      number_in(cells[(*columns)[2]], file, line)},
                     line});
   }
   if (rows.size() < fewest_points)
-    fail(file, 0, std::to_string(rows.size()) + " points", "at least " + std::to_string(fewest_points) + " points of the surface");
+    fail(file, 0, std::to_string(rows.size()) + " points",
+         "at least " + std::to_string(fewest_points) + " points of the surface");
   return rows;
 }
 
 /// Sorted by x, then y.
 void sort_and_refuse_duplicates(std::vector<Row>& rows, const std::string& file) {
-  std::ranges::sort(rows,
-                    [](const Row& a, const Row& b) { return std::pair(a.point.x(), a.point.y()) < std::pair(b.point.x(), b.point.y()); });
+  std::ranges::sort(rows, [](const Row& a, const Row& b) {
+    return std::pair(a.point.x(), a.point.y()) < std::pair(b.point.x(), b.point.y());
+  });
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = i + 1; j < rows.size() && rows[j].point.x() - rows[i].point.x() < same_place; ++j)
       if (std::abs(rows[j].point.y() - rows[i].point.y()) < same_place)
@@ -112,8 +118,8 @@ std::optional<KnotGrid> complete_grid(const std::vector<Row>& rows) {
   const std::size_t nx = rows.size() / ny;
   if (nx * ny != rows.size() || nx < 4 || ny < 4) return std::nullopt;
   const Eigen::Vector2d first = rows.front().point.head<2>(), last = rows.back().point.head<2>();
-  const KnotGrid grid{first, (last - first).cwiseQuotient(Eigen::Vector2d(double(nx - 1), double(ny - 1))), static_cast<int>(nx) - 1,
-                      static_cast<int>(ny) - 1};
+  const KnotGrid grid{first, (last - first).cwiseQuotient(Eigen::Vector2d(double(nx - 1), double(ny - 1))),
+                      static_cast<int>(nx) - 1, static_cast<int>(ny) - 1};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Eigen::Vector2d knot = first + grid.spacing.cwiseProduct(Eigen::Vector2d(double(i / ny), double(i % ny)));
     if (!((rows[i].point.head<2>() - knot).cwiseAbs().maxCoeff() < same_place)) return std::nullopt;
@@ -121,7 +127,8 @@ std::optional<KnotGrid> complete_grid(const std::vector<Row>& rows) {
   return grid.spacing.minCoeff() > 0.0 ? std::optional(grid) : std::nullopt;
 }
 
-KnotGrid grid_for_fit(const std::vector<Eigen::Vector3d>& points, std::optional<double> knot_spacing, const std::string& file) {
+KnotGrid grid_for_fit(const std::vector<Eigen::Vector3d>& points, std::optional<double> knot_spacing,
+                      const std::string& file) {
   Eigen::Vector2d low = points[0].head<2>(), high = low;
   for (const Eigen::Vector3d& p : points) low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
   const Eigen::Vector2d size = high - low;
@@ -137,16 +144,19 @@ KnotGrid grid_for_fit(const std::vector<Eigen::Vector3d>& points, std::optional<
 }
 
 /// Every cell within the rim needs a point near its middle.
-void refuse_gaps(const KnotGrid& grid, const std::vector<Eigen::Vector3d>& points, double rim_radius, const std::string& file) {
+void refuse_gaps(const KnotGrid& grid, const std::vector<Eigen::Vector3d>& points, double rim_radius,
+                 const std::string& file) {
   const auto cell = [&](double at, double first, double spacing, int cells) {
     return std::clamp(static_cast<int>(std::floor((at - first) / spacing)), 0, cells - 1);
   };
-  std::vector<std::vector<Eigen::Vector2d>> bins(static_cast<std::size_t>(grid.cells_x) * static_cast<std::size_t>(grid.cells_y));
+  std::vector<std::vector<Eigen::Vector2d>> bins(static_cast<std::size_t>(grid.cells_x) *
+                                                 static_cast<std::size_t>(grid.cells_y));
   const auto bin = [&](int i, int j) -> auto& {
     return bins[static_cast<std::size_t>(i) * static_cast<std::size_t>(grid.cells_y) + static_cast<std::size_t>(j)];
   };
   for (const Eigen::Vector3d& p : points)
-    bin(cell(p.x(), grid.first.x(), grid.spacing.x(), grid.cells_x), cell(p.y(), grid.first.y(), grid.spacing.y(), grid.cells_y))
+    bin(cell(p.x(), grid.first.x(), grid.spacing.x(), grid.cells_x),
+        cell(p.y(), grid.first.y(), grid.spacing.y(), grid.cells_y))
         .push_back(p.head<2>());
   for (int i = 0; i < grid.cells_x; ++i)
     for (int j = 0; j < grid.cells_y; ++j) {
@@ -155,8 +165,9 @@ void refuse_gaps(const KnotGrid& grid, const std::vector<Eigen::Vector3d>& point
       bool near = false;
       for (int k = std::max(0, i - 2); k <= std::min(grid.cells_x - 1, i + 2) && !near; ++k)
         for (int l = std::max(0, j - 2); l <= std::min(grid.cells_y - 1, j + 2) && !near; ++l)
-          near = std::ranges::any_of(bin(k, l),
-                                     [&](const Eigen::Vector2d& p) { return (p - middle).cwiseQuotient(grid.spacing).norm() <= 1.5; });
+          near = std::ranges::any_of(bin(k, l), [&](const Eigen::Vector2d& p) {
+            return (p - middle).cwiseQuotient(grid.spacing).norm() <= 1.5;
+          });
       if (!near)
         fail(file, 0, "a gap: no point near " + place_text(middle),
              "a point within 1.5 knot spacings (of " + number_text(grid.spacing.maxCoeff() / metres_per_millimetre) +
@@ -167,7 +178,8 @@ void refuse_gaps(const KnotGrid& grid, const std::vector<Eigen::Vector3d>& point
 BSplineSurface lifted(const KnotGrid& grid, const BSplineSurface& surface, const std::string& file) {
   const auto vertex = surface.sag(0.0, 0.0);
   if (!vertex)
-    fail(file, 0, "points from " + place_text(grid.first) + " to " + place_text(grid.last()), "points about the lens's axis at (0, 0)");
+    fail(file, 0, "points from " + place_text(grid.first) + " to " + place_text(grid.last()),
+         "points about the lens's axis at (0, 0)");
   return surface.raised(-vertex->value);
 }
 
@@ -181,7 +193,8 @@ SagGrid read_sag_grid(const std::string& file, std::optional<double> knot_spacin
   if (const auto grid = complete_grid(rows); grid && !knot_spacing_m) {
     Eigen::MatrixXd heights(grid->cells_x + 1, grid->cells_y + 1);
     for (std::size_t i = 0; i < points.size(); ++i)
-      heights(static_cast<Eigen::Index>(i) / heights.cols(), static_cast<Eigen::Index>(i) % heights.cols()) = points[i].z();
+      heights(static_cast<Eigen::Index>(i) / heights.cols(), static_cast<Eigen::Index>(i) % heights.cols()) =
+          points[i].z();
     const BSplineSurface surface = BSplineSurface::interpolating(*grid, heights);
     return {lifted(*grid, surface, file), residual_at(surface, points), points.size()};
   }

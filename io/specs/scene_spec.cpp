@@ -36,7 +36,8 @@ int read_material_name(const Json& value, const Source& where, const std::vector
 }
 
 /// Overrides name a material of the scene, or hold one.
-std::vector<MaterialOverride> read_overrides(const Json& list, const Source& where, const std::vector<MaterialSpec>& materials) {
+std::vector<MaterialOverride> read_overrides(const Json& list, const Source& where,
+                                             const std::vector<MaterialSpec>& materials) {
   std::vector<MaterialOverride> overrides;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string mesh = list[i]["mesh"].get<std::string>();
@@ -44,8 +45,9 @@ std::vector<MaterialOverride> read_overrides(const Json& list, const Source& whe
     const Source place = where / i / "material";
     if (std::any_of(overrides.begin(), overrides.end(), [&](const MaterialOverride& o) { return o.mesh == mesh; }))
       (where / i / "mesh").fail(list[i]["mesh"], "one override for a mesh");
-    overrides.push_back({mesh, material.is_string() ? materials[static_cast<std::size_t>(read_material_name(material, place, materials))]
-                                                    : read_material("override of " + mesh, material, place)});
+    overrides.push_back({mesh, material.is_string()
+                                   ? materials[static_cast<std::size_t>(read_material_name(material, place, materials))]
+                                   : read_material("override of " + mesh, material, place)});
   }
   return overrides;
 }
@@ -66,7 +68,8 @@ ModelSpec read_model(const Json& value, const Source& where, const std::vector<M
 EnvironmentSpec read_environment(const Json& value, const Source& where) {
   EnvironmentSpec environment;
   if (value.contains("radiance")) environment.radiance = read_vector3(value["radiance"]);
-  if (value.contains("file")) environment.file = existing_file(value["file"], where / "file", "the path of a latitude-longitude picture");
+  if (value.contains("file"))
+    environment.file = existing_file(value["file"], where / "file", "the path of a latitude-longitude picture");
   if (!environment.file && value.value("rotation_deg", 0.0) != 0.0)
     (where / "rotation_deg").fail(value["rotation_deg"], "a \"file\" that it turns");
   environment.rotation = value.value("rotation_deg", 0.0) * std::numbers::pi / 180.0;
@@ -84,7 +87,8 @@ MeshSpec read_mesh(const Json& value, const Source& where, const std::vector<Mat
     for (std::size_t c = 0; c < faces[f].size(); ++c) {
       const auto index = faces[f][c].get<std::uint64_t>();
       if (index >= mesh.positions.size())
-        (where / "faces" / f / c).fail(faces[f][c], "the number of a vertex, from 0 to " + std::to_string(mesh.positions.size() - 1));
+        (where / "faces" / f / c)
+            .fail(faces[f][c], "the number of a vertex, from 0 to " + std::to_string(mesh.positions.size() - 1));
       corners[c] = static_cast<std::uint32_t>(index);
     }
     mesh.triangles.push_back({corners[0], corners[1], corners[2]});
@@ -115,11 +119,13 @@ SceneSpec read_scene(const Json& value, const Source& where) {
     scene.input_files.push_back(scene.models.back().file.string());
   }
   const Json& meshes = member(value, "meshes");
-  for (std::size_t i = 0; i < meshes.size(); ++i) scene.meshes.push_back(read_mesh(meshes[i], where / "meshes" / i, scene.materials));
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    scene.meshes.push_back(read_mesh(meshes[i], where / "meshes" / i, scene.materials));
   const Json& spheres = member(value, "spheres");
   for (std::size_t i = 0; i < spheres.size(); ++i)
-    scene.spheres.push_back({read_vector3(spheres[i]["center_m"]), spheres[i]["radius_m"].get<double>(),
-                             read_material_name(spheres[i]["material"], where / "spheres" / i / "material", scene.materials)});
+    scene.spheres.push_back(
+        {read_vector3(spheres[i]["center_m"]), spheres[i]["radius_m"].get<double>(),
+         read_material_name(spheres[i]["material"], where / "spheres" / i / "material", scene.materials)});
   for (const Json& light : member(value, "lights"))
     scene.lights.push_back({read_vector3(light["position_m"]), read_vector3(light["intensity"])});
   if (const Json& environment = member(value, "environment"); environment.is_object()) {

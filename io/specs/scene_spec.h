@@ -31,7 +31,7 @@ struct ModelSpec {
   TextureFilter texture_filter = TextureFilter::Bilinear;
   TextureWrap texture_wrap = TextureWrap::Clamp;
   std::vector<MaterialOverride> overrides{};
-  double turn = 0.0;                        ///< [rad] about +y through the file's origin, counter-clockwise seen from above; after scaling
+  double turn = 0.0;  ///< [rad] about +y through the file's origin, counter-clockwise seen from above; after scaling
   Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m] where the file's origin is put, after turning
 };
 
@@ -68,8 +68,8 @@ struct SceneSpec {
   std::vector<SphereSpec> spheres;
   std::vector<PointLightSpec> lights;
   std::optional<EnvironmentSpec> environment;
-  std::vector<std::string>
-      input_files;  ///< absolute paths: the scene's own file, if it has one, the model files and the environment's picture
+  std::vector<std::string> input_files;  ///< absolute paths: the scene's own file, if it has one, the model files and
+                                         ///< the environment's picture
 };
 
 /// Reads a scene object, or the path of a scene (.json) or model (any other) file relative to `where.file`.

@@ -34,17 +34,23 @@ double required(const Json& value, const char* key, const Source& where, const c
 double read_curvature(const Json& surface, const char* key, const Source& where) {
   if (!surface.contains(key))
     missing(key, where,
-            "\"" + std::string(key) + "\" for a " + surface["type"].get<std::string>() + ": a radius [mm], or null where it is flat");
+            "\"" + std::string(key) + "\" for a " + surface["type"].get<std::string>() +
+                ": a radius [mm], or null where it is flat");
   const Json& radius = surface[key];
   if (radius.is_null()) return 0.0;
   if (!(std::abs(radius.get<double>()) >= smallest_radius_mm))
-    (where / key).fail(radius, "a radius of at least " + Json(smallest_radius_mm).dump() + " mm either way, or null for a flat surface");
+    (where / key)
+        .fail(radius,
+              "a radius of at least " + Json(smallest_radius_mm).dump() + " mm either way, or null for a flat surface");
   return 1.0 / (metres_per_millimetre * radius.get<double>());
 }
 
-Surface read_named_grid(const Json& value, const Source& where, const char* side, double rim_radius, SpectaclesSpec& spec) {
-  if (!value.contains("file")) missing("file", where, "\"file\" for a sag_grid: the path of a table of x_mm, y_mm, z_mm");
-  const std::string file = existing_file(value["file"], where / "file", "the path of a table of x_mm, y_mm, z_mm").string();
+Surface read_named_grid(const Json& value, const Source& where, const char* side, double rim_radius,
+                        SpectaclesSpec& spec) {
+  if (!value.contains("file"))
+    missing("file", where, "\"file\" for a sag_grid: the path of a table of x_mm, y_mm, z_mm");
+  const std::string file =
+      existing_file(value["file"], where / "file", "the path of a table of x_mm, y_mm, z_mm").string();
   std::optional<double> knot_spacing;
   if (value.contains("knot_spacing_mm")) knot_spacing = metres_per_millimetre * value["knot_spacing_mm"].get<double>();
   const SagGrid grid = read_sag_grid(file, knot_spacing, rim_radius);
@@ -53,7 +59,8 @@ Surface read_named_grid(const Json& value, const Source& where, const char* side
   return grid.surface;
 }
 
-Surface read_surface(const Json& value, const Source& where, const char* side, double rim_radius, SpectaclesSpec& spec) {
+Surface read_surface(const Json& value, const Source& where, const char* side, double rim_radius,
+                     SpectaclesSpec& spec) {
   const std::string type = value["type"].get<std::string>();
   const auto refuse = [&](std::initializer_list<const char*> keys) {
     for (const char* key : keys)
@@ -66,9 +73,10 @@ Surface read_surface(const Json& value, const Source& where, const char* side, d
   refuse({"file", "knot_spacing_mm"});
   if (type == "torus") {
     refuse({"radius_mm", "conic_constant"});
-    return TorusSurface(
-        read_curvature(value, "sweep_radius_mm", where), read_curvature(value, "generator_radius_mm", where),
-        required(value, "sweep_meridian_deg", where, "\"sweep_meridian_deg\" for a torus: the meridian of the sweep in TABO degrees"));
+    return TorusSurface(read_curvature(value, "sweep_radius_mm", where),
+                        read_curvature(value, "generator_radius_mm", where),
+                        required(value, "sweep_meridian_deg", where,
+                                 "\"sweep_meridian_deg\" for a torus: the meridian of the sweep in TABO degrees"));
   }
   refuse({"sweep_radius_mm", "generator_radius_mm", "sweep_meridian_deg"});
   const double curvature = read_curvature(value, "radius_mm", where);
@@ -90,7 +98,8 @@ Mounting read_mounting(const Json& value) {
   if (stated == value.end()) return {};
   const Json decentration = stated->value("decentration_mm", Json::array({0.0, 0.0}));
   return {metres_per_millimetre * Eigen::Vector2d(decentration[0].get<double>(), decentration[1].get<double>()),
-          radians_per_degree * stated->value("pantoscopic_tilt_deg", 0.0), radians_per_degree * stated->value("wrap_deg", 0.0)};
+          radians_per_degree * stated->value("pantoscopic_tilt_deg", 0.0),
+          radians_per_degree * stated->value("wrap_deg", 0.0)};
 }
 
 /// Stated, or that of the named material.
@@ -112,8 +121,9 @@ Spectacles read_two_surfaces(const Json& value, const Source& where, SpectaclesS
   const double rim_radius = 0.5 * diameter(value);
   lens.front = read_surface(value["front"], where / "front", "front", rim_radius, spec);
   lens.back = read_surface(value["back"], where / "back", "back", rim_radius, spec);
-  lens.center_thickness_m = metres_per_millimetre * required(value, "center_thickness_mm", where,
-                                                             "\"center_thickness_mm\": the lens's thickness at its centre [mm]");
+  lens.center_thickness_m =
+      metres_per_millimetre *
+      required(value, "center_thickness_mm", where, "\"center_thickness_mm\": the lens's thickness at its centre [mm]");
   lens.refractive_index = read_index(value, where, spec);
   lens.vertex_distance_m = vertex_distance(value);
   lens.diameter_m = diameter(value);
@@ -147,15 +157,16 @@ SingleVisionDesign read_design(const Json& value, const Source& where, Spectacle
   return design;
 }
 
-Spectacles read_progressive(const Json& value, const Source& where, const Prescription& rx, const SingleVisionDesign& lens,
-                            SpectaclesSpec& spec) {
+Spectacles read_progressive(const Json& value, const Source& where, const Prescription& rx,
+                            const SingleVisionDesign& lens, SpectaclesSpec& spec) {
   const ProgressiveLens made = progressive_lens(rx, read_progressive_design(value, where, lens));
   spec.fits.push_back({"front", Eigen::Vector2d::Constant(made.knot_spacing_m), std::nullopt, made.power_residual});
   return made.lens;
 }
 
 /// A lens by its maker, "single_vision" or "progressive".
-Spectacles read_made(const std::string& maker, const Json& value, const Source& where, const Eye& eye, SpectaclesSpec& spec) {
+Spectacles read_made(const std::string& maker, const Json& value, const Source& where, const Eye& eye,
+                     SpectaclesSpec& spec) {
   const SingleVisionDesign design = read_design(value, where, spec);
   const Prescription rx = lens_power(value, where, eye, design.vertex_distance_m);
   spec.made_for = rx;

@@ -17,7 +17,8 @@ struct FreeFormFit {
   std::string side;                   ///< "front" or "back"
   Eigen::Vector2d knot_spacing;       ///< [m]
   std::optional<FitResidual> height;  ///< of a sag grid: at its points
-  std::optional<SurfacePower> power;  ///< of a progressive surface: largest differences from its closed form within the rim
+  std::optional<SurfacePower>
+      power;  ///< of a progressive surface: largest differences from its closed form within the rim
 };
 
 /// Spectacles as a configuration gives them.
@@ -29,8 +30,9 @@ struct SpectaclesSpec {
   std::vector<FreeFormFit> fits;         ///< of the lens's free-form surfaces
 };
 
-/// Reads a validated lens object, the path of a lens file (relative to `where.file`), or null. A single-vision or progressive lens without
-/// a prescription gets the back vertex power that `eye` needs at the lens's vertex distance. Throws InputError.
+/// Reads a validated lens object, the path of a lens file (relative to `where.file`), or null. A single-vision or
+/// progressive lens without a prescription gets the back vertex power that `eye` needs at the lens's vertex distance.
+/// Throws InputError.
 SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye& eye);
 
 /// The same for a lens without an eye: null and a maker without a prescription are refused.

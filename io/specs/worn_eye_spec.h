@@ -20,8 +20,8 @@ struct WornEyeSpec {
   std::vector<std::string> notes, input_files;
 };
 
-/// `parent` is the validated object that has the two members, `where` its place; what it lacks is taken from `otherwise`. Throws
-/// InputError.
+/// `parent` is the validated object that has the two members, `where` its place; what it lacks is taken from
+/// `otherwise`. Throws InputError.
 WornEyeSpec read_worn_eye(const Json& parent, const Source& where, const WornEye& otherwise = {});
 
 }  // namespace sturm

@@ -9,7 +9,8 @@
 namespace sturm {
 
 Eigen::Matrix3d head_axes(const CameraPose& pose) {
-  const Eigen::Vector3d forward = (pose.look_at - pose.position).normalized(), right = forward.cross(pose.up).normalized();
+  const Eigen::Vector3d forward = (pose.look_at - pose.position).normalized(),
+                        right = forward.cross(pose.up).normalized();
   Eigen::Matrix3d axes;
   axes << right, right.cross(forward), -forward;
   return axes;
@@ -28,7 +29,11 @@ CameraPose widened(const CameraPose& pose, int margin_px, int oversampling) {
 }
 
 EyeCamera::EyeCamera(const CameraPose& pose, const EyeRays<float>& rays, CameraSkips skips)
-    : width_(pose.width), height_(pose.height), pixel_slope_(static_cast<float>(pixel_slope(pose))), rays_(rays), skips_(std::move(skips)) {
+    : width_(pose.width),
+      height_(pose.height),
+      pixel_slope_(static_cast<float>(pixel_slope(pose))),
+      rays_(rays),
+      skips_(std::move(skips)) {
   const Eigen::Matrix3f axes = head_axes(pose).cast<float>();
   position_ = pose.position.cast<float>();
   right_ = axes.col(0);
@@ -40,7 +45,8 @@ bool EyeCamera::is_sharp(int x, int y) const {
   return skips_.sharp && skips_.sharp->at(x, y);
 }
 
-void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
+void EyeCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence,
+                         CameraRayBlock& block) const {
   constexpr int size = CameraRayBlock::size;
   alignas(64) std::uint32_t film_x[size], film_y[size], lens_x[size], lens_y[size];
   const owen_sobol::Keys film_key = sequence.keys(dimension::film), lens_key = sequence.keys(dimension::lens);
@@ -118,7 +124,8 @@ EyeCamera::SamplePlace EyeCamera::place_of(int x, int y, std::uint32_t sample, c
   const auto film = sequence.pair(sample, dimension::film), lens = sequence.pair(sample, dimension::lens);
   const auto disk = concentric_disk(unit_float(lens.x), unit_float(lens.y));
   const float radius = rays_.pupil_radius();
-  return {static_cast<float>(x) + unit_float(film.x), static_cast<float>(y) + unit_float(film.y), radius * disk.x, radius * disk.y};
+  return {static_cast<float>(x) + unit_float(film.x), static_cast<float>(y) + unit_float(film.y), radius * disk.x,
+          radius * disk.y};
 }
 
 EyeCamera::SingleRay EyeCamera::single(float film_x, float film_y, float px, float py) const {

@@ -33,7 +33,8 @@ Eigen::Matrix3d head_axes(const CameraPose& pose);
 /// Pixel pitch in tangent image coordinates [rad].
 double pixel_slope(const CameraPose& pose);
 
-/// The same view with `margin_px` more pixels on every side, same pixel pitch; then each pixel divided into oversampling² pixels.
+/// The same view with `margin_px` more pixels on every side, same pixel pitch; then each pixel divided into
+/// oversampling² pixels.
 CameraPose widened(const CameraPose& pose, int margin_px, int oversampling);
 
 /// Rays of a block of consecutive samples of one pixel, as structure of arrays.
@@ -45,10 +46,11 @@ struct CameraRayBlock {
   float weight[size];  ///< of the sample, mean 1; only from cameras that are `weighted`
 };
 
-/// The thin-lens eye as a camera. Rays are launched in slope form: origin at the pupil point p, slope = chief slope + s(p).
-/// No focal point is formed, so hyperopia and zero power are no special case.
+/// The thin-lens eye as a camera. Rays are launched in slope form: origin at the pupil point p, slope = chief slope +
+/// s(p). No focal point is formed, so hyperopia and zero power are no special case.
 ///
-/// This is the fast camera, in float: perspective, one gaze, the naked eye, a uniform pupil. ViewCamera has everything else.
+/// This is the fast camera, in float: perspective, one gaze, the naked eye, a uniform pupil. ViewCamera has everything
+/// else.
 class EyeCamera {
  public:
   static constexpr bool weighted = false;

@@ -49,7 +49,8 @@ void trace_packets(const Scene& scene, int count, CameraHits& hits) {
     }
     rtcIntersect8(valid, scene.embree(), &context, &packet);
   }
-  for (int i = (count + 7) / 8 * 8; i < CameraRayBlock::size; ++i) hits.packets[i / 8].hit.geomID[i % 8] = RTC_INVALID_GEOMETRY_ID;
+  for (int i = (count + 7) / 8 * 8; i < CameraRayBlock::size; ++i)
+    hits.packets[i / 8].hit.geomID[i % 8] = RTC_INVALID_GEOMETRY_ID;
 }
 
 template <class Camera>
@@ -64,7 +65,9 @@ double distance_along(const Scene& scene, const LightRay& ray) {
   return intersect(scene.embree(), hit) ? static_cast<double>(hit.ray.tfar) : std::numeric_limits<double>::infinity();
 }
 
-template void trace_camera_rays(const Scene&, const EyeCamera&, int, int, std::uint32_t, int, const PixelSequence&, CameraHits&);
-template void trace_camera_rays(const Scene&, const ViewCamera&, int, int, std::uint32_t, int, const PixelSequence&, CameraHits&);
+template void trace_camera_rays(const Scene&, const EyeCamera&, int, int, std::uint32_t, int, const PixelSequence&,
+                                CameraHits&);
+template void trace_camera_rays(const Scene&, const ViewCamera&, int, int, std::uint32_t, int, const PixelSequence&,
+                                CameraHits&);
 
 }  // namespace sturm

@@ -7,7 +7,8 @@
 
 namespace sturm {
 
-/// Camera rays of one block and what they hit. Lanes whose ray was dropped or that lie beyond the last sample hit nothing.
+/// Camera rays of one block and what they hit. Lanes whose ray was dropped or that lie beyond the last sample hit
+/// nothing.
 struct CameraHits {
   CameraRayBlock rays;
   alignas(64) RTCRayHit8 packets[CameraRayBlock::size / 8];

@@ -12,18 +12,19 @@
 
 namespace sturm {
 
-/// How the eye bends the ray that leaves it through a pupil point (physics.md §4). An eye without a measured wavefront has, for zernike,
-/// that of its prescription.
+/// How the eye bends the ray that leaves it through a pupil point (physics.md §4). An eye without a measured wavefront
+/// has, for zernike, that of its prescription.
 enum class RayModel { pinhole, thin_lens, metalstigmatism, sin2_radial, power_matrix, zernike };
 
 std::optional<RayModel> ray_model_named(std::string_view name);
 std::string name_of(RayModel model);
 
-/// Rays that a model could not launch, or launched oddly (physics.md §4, metalstigmatism), and those that spectacles stopped.
+/// Rays that a model could not launch, or launched oddly (physics.md §4, metalstigmatism), and those that spectacles
+/// stopped.
 struct RayCounters {
   std::uint64_t launched = 0;
-  std::uint64_t dropped = 0;                                                       ///< at the pole |1 + d_f P| < 1e-6
-  std::uint64_t negative_focus = 0;                                                ///< bent as if by a focus behind the eye, f < 0
+  std::uint64_t dropped = 0;         ///< at the pole |1 + d_f P| < 1e-6
+  std::uint64_t negative_focus = 0;  ///< bent as if by a focus behind the eye, f < 0
   std::uint64_t lost_rim = 0, lost_total_reflection = 0, lost_no_convergence = 0;  ///< in the spectacles
 
   RayCounters& operator+=(const RayCounters& other) {
@@ -38,7 +39,14 @@ struct RayCounters {
 };
 
 /// Only rays before `dropped` go on into the scene. A dropped ray is no sample at all; a lost one is a sample of black.
-enum class LaunchStatus : std::uint8_t { ok, negative_focus, dropped, lost_rim, lost_total_reflection, lost_no_convergence };
+enum class LaunchStatus : std::uint8_t {
+  ok,
+  negative_focus,
+  dropped,
+  lost_rim,
+  lost_total_reflection,
+  lost_no_convergence
+};
 
 inline bool goes_on(LaunchStatus status) {
   return status < LaunchStatus::dropped;
@@ -70,12 +78,14 @@ auto for_model(RayModel model, Function&& f) {
   }
 }
 
-/// The rays of one eye in one state of accommodation. The renderer's camera uses it in float, ray bundles in double: the same code.
+/// The rays of one eye in one state of accommodation. The renderer's camera uses it in float, ray bundles in double:
+/// the same code.
 template <class T>
 class EyeRays {
  public:
   /// `accommodation_D` is A. `focus_distance_m` is d_f for metalstigmatism (∞ allowed); other models ignore it.
-  EyeRays(RayModel model, const Eye& eye, double accommodation_D, double focus_distance_m = std::numeric_limits<double>::infinity())
+  EyeRays(RayModel model, const Eye& eye, double accommodation_D,
+          double focus_distance_m = std::numeric_limits<double>::infinity())
       : model_(model),
         radius_(model == RayModel::pinhole ? T(0) : T(eye.pupil_radius_m)),
         xx_(T(eye.correction.xx())),
@@ -87,7 +97,8 @@ class EyeRays {
         scalar_slope_(T(eye.correction.spherical_equivalent() - accommodation_D)),
         focus_distance_(T(focus_distance_m)) {
     if (model != RayModel::zernike) return;
-    const ZernikeWave wave = eye.wavefront.value_or(ZernikeWave::of_power(eye.correction, std::max(eye.pupil_radius_m, 1e-3)));
+    const ZernikeWave wave =
+        eye.wavefront.value_or(ZernikeWave::of_power(eye.correction, std::max(eye.pupil_radius_m, 1e-3)));
     wave_slope_x_ = wave.slope_x();
     wave_slope_y_ = wave.slope_y();
     inverse_wave_radius_ = 1.0 / wave.radius_m();
@@ -107,22 +118,27 @@ class EyeRays {
   /// The same with the model known at compile time, for loops over many rays of one eye.
   template <RayModel model>
   PupilRay<T> through_as(T px, T py) const {
-    if constexpr (model == RayModel::pinhole) return {T(0), T(0), T(0), T(0), LaunchStatus::ok};  // the chief ray, whatever p
-    if constexpr (model == RayModel::thin_lens) return {px, py, scalar_slope_ * px, scalar_slope_ * py, LaunchStatus::ok};
-    if constexpr (model == RayModel::power_matrix) return {px, py, sxx_ * px + xy_ * py, xy_ * px + syy_ * py, LaunchStatus::ok};
+    if constexpr (model == RayModel::pinhole)
+      return {T(0), T(0), T(0), T(0), LaunchStatus::ok};  // the chief ray, whatever p
+    if constexpr (model == RayModel::thin_lens)
+      return {px, py, scalar_slope_ * px, scalar_slope_ * py, LaunchStatus::ok};
+    if constexpr (model == RayModel::power_matrix)
+      return {px, py, sxx_ * px + xy_ * py, xy_ * px + syy_ * py, LaunchStatus::ok};
     if constexpr (model == RayModel::sin2_radial) {
       const T power = meridional_power(px, py) - accommodation_;
       return {px, py, power * px, power * py, LaunchStatus::ok};
     }
     if constexpr (model == RayModel::zernike) {
       const double x = inverse_wave_radius_ * px, y = inverse_wave_radius_ * py;
-      return {px, py, T(wave_slope_x_(x, y)) - accommodation_ * px, T(wave_slope_y_(x, y)) - accommodation_ * py, LaunchStatus::ok};
+      return {px, py, T(wave_slope_x_(x, y)) - accommodation_ * px, T(wave_slope_y_(x, y)) - accommodation_ * py,
+              LaunchStatus::ok};
     }
     if constexpr (model == RayModel::metalstigmatism) return focal_distances_added(px, py);
   }
 
  private:
-  /// P(φ) = S + C sin²(φ − α_w) of the meridian through (px, py), written as the quadratic form pᵀF p / |p|² (Euler's theorem).
+  /// P(φ) = S + C sin²(φ − α_w) of the meridian through (px, py), written as the quadratic form pᵀF p / |p|² (Euler's
+  /// theorem).
   T meridional_power(T px, T py) const {
     const T square = px * px + py * py;
     return square > T(0) ? (xx_ * px * px + T(2) * xy_ * px * py + yy_ * py * py) / square : T(0);

@@ -47,7 +47,9 @@ class Marking {
     largest_slope_ = center_.norm() * pixel_slope_;
   }
 
-  Eigen::Vector3d in_eye_frame(const Eigen::Vector3f& world) const { return eye_from_world_ * (world.cast<double>() - position_); }
+  Eigen::Vector3d in_eye_frame(const Eigen::Vector3f& world) const {
+    return eye_from_world_ * (world.cast<double>() - position_);
+  }
 
   /// A convex body, given by the faces of its hull; a triangle is its only face.
   void add(const std::vector<Polygon>& faces) {
@@ -58,12 +60,14 @@ class Marking {
         farthest = std::max(farthest, p.z());
       }
     if (!(farthest > 0.0)) return;  // rays go forwards
-    if (sharp_.farthest > 0.0 && farthest > 1.0 / sharp_.farthest) blur_between(faces, std::max(nearest, 1.0 / sharp_.farthest), farthest);
+    if (sharp_.farthest > 0.0 && farthest > 1.0 / sharp_.farthest)
+      blur_between(faces, std::max(nearest, 1.0 / sharp_.farthest), farthest);
     const double near_end = sharp_.nearest > 0.0 ? 1.0 / sharp_.nearest : infinity;
     if (nearest >= near_end) return;
     // Towards the eye the blur grows without bound: slabs of depth, each half as deep as the one before it.
     double high = std::min(near_end, farthest);
-    for (int k = 0; k < slabs && high > nearest; ++k, high *= 0.5) blur_between(faces, std::max(0.5 * high, nearest), high);
+    for (int k = 0; k < slabs && high > nearest; ++k, high *= 0.5)
+      blur_between(faces, std::max(0.5 * high, nearest), high);
     if (high > nearest) blur_at_the_pupil(faces, high);
   }
 
@@ -88,13 +92,14 @@ class Marking {
     return points;
   }
 
-  /// The outline of a convex body is the hull of its corners' places; the blur is a norm of a matrix that is affine in the vergence:
-  /// convex, so largest at an end.
+  /// The outline of a convex body is the hull of its corners' places; the blur is a norm of a matrix that is affine in
+  /// the vergence: convex, so largest at an end.
   void blur_between(const std::vector<Polygon>& faces, double low, double high) {
     if (!(low > 0.0)) return blur_at_the_pupil(faces, high);
     Eigen::Vector2d least = Eigen::Vector2d::Constant(infinity), most = -least;
     for (const Eigen::Vector3d& p : between(faces, low, high)) {
-      const Eigen::Vector2d slope = p.head<2>() / p.z(), place = center_ + Eigen::Vector2d(slope.x(), -slope.y()) / pixel_slope_;
+      const Eigen::Vector2d slope = p.head<2>() / p.z(),
+                            place = center_ + Eigen::Vector2d(slope.x(), -slope.y()) / pixel_slope_;
       least = least.cwiseMin(place);
       most = most.cwiseMax(place);
     }
@@ -103,8 +108,8 @@ class Marking {
     cells_.blur(least - reach, most + reach);
   }
 
-  /// What lies between the pupil and the depth `high`, where no outline can be told: all cells are blurred if any ray of the picture can
-  /// reach it at all.
+  /// What lies between the pupil and the depth `high`, where no outline can be told: all cells are blurred if any ray
+  /// of the picture can reach it at all.
   void blur_at_the_pupil(const std::vector<Polygon>& faces, double high) {
     const double slope = largest_slope_ + pupil_radius_ * std::max(std::abs(powers_.high), std::abs(powers_.low));
     const double reach = pupil_radius_ + high * slope;
@@ -113,7 +118,8 @@ class Marking {
       least = least.cwiseMin(p.head<2>());
       most = most.cwiseMax(p.head<2>());
     }
-    if (least.x() <= reach && least.y() <= reach && most.x() >= -reach && most.y() >= -reach) cells_.blur({0.0, 0.0}, 2.0 * center_);
+    if (least.x() <= reach && least.y() <= reach && most.x() >= -reach && most.y() >= -reach)
+      cells_.blur({0.0, 0.0}, 2.0 * center_);
   }
 
   Eigen::Vector3d position_;
@@ -135,7 +141,8 @@ std::vector<Polygon> box_faces(const std::array<Eigen::Vector3d, 8>& c) {
 std::vector<Polygon> world_box(const Marking& marking, const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
   std::array<Eigen::Vector3d, 8> corners;
   for (unsigned k = 0; k < 8; ++k)
-    corners[k] = marking.in_eye_frame({k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(), k & 4 ? high.z() : low.z()});
+    corners[k] =
+        marking.in_eye_frame({k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(), k & 4 ? high.z() : low.z()});
   return box_faces(corners);
 }
 
@@ -174,14 +181,15 @@ void SharpCells::blur(const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
   const int top = std::max(0, cell(low.y(), rows_)), bottom = std::min(rows_ - 1, cell(high.y(), rows_));
   for (int row = top; row <= bottom; ++row)
     for (int column = left; column <= right; ++column) {
-      std::uint8_t& sharp = sharp_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+      std::uint8_t& sharp =
+          sharp_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
       left_ -= sharp;
       sharp = 0;
     }
 }
 
-std::shared_ptr<const SharpCells> sharp_cells(const SceneDescription& scene, const CameraPose& pose, const Eye& eye, double accommodation_D,
-                                              double largest_blur_px) {
+std::shared_ptr<const SharpCells> sharp_cells(const SceneDescription& scene, const CameraPose& pose, const Eye& eye,
+                                              double accommodation_D, double largest_blur_px) {
   if (!(eye.pupil_radius_m > 0.0)) return nullptr;  // nothing to bound: see the item zero_pupil
   const SharpVergences sharp = sharp_vergences(eye, accommodation_D, largest_blur_px * pixel_slope(pose));
   if (sharp.empty()) return nullptr;
@@ -203,7 +211,8 @@ std::shared_ptr<const SharpCells> sharp_cells(const SceneDescription& scene, con
   for (const Instance& instance : scene.instances) {
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity()), high = -low;
     for (const Eigen::Vector3f& p : scene.prototypes[static_cast<std::size_t>(instance.prototype)].positions) {
-      const Eigen::Vector3f world = instance.world_from_prototype.leftCols<3>() * p + instance.world_from_prototype.col(3);
+      const Eigen::Vector3f world =
+          instance.world_from_prototype.leftCols<3>() * p + instance.world_from_prototype.col(3);
       low = low.cwiseMin(world);
       high = high.cwiseMax(world);
     }

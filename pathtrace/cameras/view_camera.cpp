@@ -29,7 +29,8 @@ LaunchStatus status_of(LensStatus status) {
 
 /// Axes of a head that has turned to the right by `longitude` and then up by `latitude`.
 Eigen::Matrix3d turned_head(double longitude, double latitude) {
-  return (Eigen::AngleAxisd(-longitude, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(latitude, Eigen::Vector3d::UnitX()))
+  return (Eigen::AngleAxisd(-longitude, Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(latitude, Eigen::Vector3d::UnitX()))
       .toRotationMatrix();
 }
 
@@ -44,14 +45,16 @@ double accommodation_at_rest(const Eye& eye) {
 ViewCamera::ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options)
     : pose_(pose),
       eye_(eye),
-      rays_(model, eye, accommodation_at_rest(eye), eye.stated_focus_distance_m().value_or(std::numeric_limits<double>::infinity())),
+      rays_(model, eye, accommodation_at_rest(eye),
+            eye.stated_focus_distance_m().value_or(std::numeric_limits<double>::infinity())),
       options_(std::move(options)),
       seeks_focus_(std::holds_alternative<BestAccommodation>(eye.accommodation)),
       pixel_slope_(pixel_slope(pose)),
       world_from_head_(head_axes(pose)) {
   if (options_.projection == Projection::Equirectangular && options_.gaze == Gaze::Foveal)
     throw std::invalid_argument("an eye cannot turn to the whole sphere");
-  if (seeks_focus_ && !options_.distance_along) throw std::invalid_argument("an eye that accommodates best needs distances");
+  if (seeks_focus_ && !options_.distance_along)
+    throw std::invalid_argument("an eye that accommodates best needs distances");
 }
 
 Eigen::Vector3d ViewCamera::in_world(const Sight& sight, const Eigen::Vector3d& point) const {
@@ -70,7 +73,8 @@ double ViewCamera::pixel_angle() const {
 ViewCamera::Sight ViewCamera::sight_at(double px, double py) const {
   Sight sight{world_from_head_, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity(), Eigen::Vector2d::Zero()};
   if (options_.projection == Projection::Equirectangular) {
-    const double longitude = (px / pose_.width - 0.5) * 2.0 * std::numbers::pi, latitude = (0.5 - py / pose_.height) * std::numbers::pi;
+    const double longitude = (px / pose_.width - 0.5) * 2.0 * std::numbers::pi,
+                 latitude = (0.5 - py / pose_.height) * std::numbers::pi;
     sight.world_from_head = world_from_head_ * turned_head(longitude, latitude);
     return sight;
   }
@@ -149,7 +153,8 @@ ViewCamera::Place ViewCamera::place(double film_x, double film_y, const Bundle& 
 
 ViewCamera::SamplePlace ViewCamera::place_of(int x, int y, std::uint32_t sample, const PixelSequence& sequence) const {
   const owen_sobol::Pair film = sequence.pair(sample, dimension::film), lens = sequence.pair(sample, dimension::lens);
-  return {x + unit_double(film.x), y + unit_double(film.y), options_.pupil.at(unit_double(lens.x), unit_double(lens.y))};
+  return {x + unit_double(film.x), y + unit_double(film.y),
+          options_.pupil.at(unit_double(lens.x), unit_double(lens.y))};
 }
 
 ViewCamera::SingleRay ViewCamera::single(const Place& place, double px, double py) const {
@@ -170,12 +175,13 @@ ViewCamera::SingleRay ViewCamera::single(const Place& place, double px, double p
   return single;
 }
 
-void ViewCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const {
+void ViewCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence,
+                          CameraRayBlock& block) const {
   const Bundle bundle = focus_bundle(x, y);
   for (int i = 0; i < CameraRayBlock::size; ++i) {
     const SamplePlace at = place_of(x, y, first_sample + static_cast<std::uint32_t>(i), sequence);
-    const SingleRay ray =
-        single(place(at.film_x, at.film_y, bundle), rays_.pupil_radius() * at.pupil.point.x(), rays_.pupil_radius() * at.pupil.point.y());
+    const SingleRay ray = single(place(at.film_x, at.film_y, bundle), rays_.pupil_radius() * at.pupil.point.x(),
+                                 rays_.pupil_radius() * at.pupil.point.y());
     block.status[i] = ray.status;
     block.weight[i] = static_cast<float>(rays_.model() == RayModel::pinhole ? 1.0 : at.pupil.weight);
     for (int k = 0; k < 3; ++k) {

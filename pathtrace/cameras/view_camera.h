@@ -15,28 +15,36 @@ struct ViewOptions {
   Gaze gaze = Gaze::Camera;
   PupilSampler pupil;
   std::optional<Spectacles> spectacles;  ///< fixed to the head
-  double sideways_m = 0.0;  ///< of the eye from the pose's position, to the right; equirectangular: it goes round with the head
+  double sideways_m =
+      0.0;  ///< of the eye from the pose's position, to the right; equirectangular: it goes round with the head
 
-  /// Distance [m] of what a ray (world) meets first, ∞ for nothing. Needed by an eye that accommodates to what it looks at.
+  /// Distance [m] of what a ray (world) meets first, ∞ for nothing. Needed by an eye that accommodates to what it looks
+  /// at.
   std::function<double(const LightRay&)> distance_along;
 };
 
-/// The eye as a camera in double precision (physics.md §3–5): through spectacles, with any spread of points over the pupil, over the whole
-/// sphere, or with an eye that turns to each point of the picture.
+/// The eye as a camera in double precision (physics.md §3–5): through spectacles, with any spread of points over the
+/// pupil, over the whole sphere, or with an eye that turns to each point of the picture.
 ///
-/// - Gaze `camera`, perspective: as EyeCamera; spectacles stand fixed before the pupil with the line of sight of primary gaze as axis.
-/// - Gaze `camera`, equirectangular: the head turns, about the pupil's centre, first by the longitude, then by the latitude, and looks
-///   straight ahead; spectacles turn with it. Longitude grows to the right from −180° to 180°, latitude falls from 90° to −90°.
-/// - Gaze `foveal`, perspective: each point of the picture is the fovea's view along the direction that belongs to it, seen from the eye's
-///   centre of rotation; the eye turns there by Listing's law behind the fixed spectacles, and accommodates to what it meets there.
+/// - Gaze `camera`, perspective: as EyeCamera; spectacles stand fixed before the pupil with the line of sight of
+/// primary gaze as axis.
+/// - Gaze `camera`, equirectangular: the head turns, about the pupil's centre, first by the longitude, then by the
+/// latitude, and looks
+///   straight ahead; spectacles turn with it. Longitude grows to the right from −180° to 180°, latitude falls from 90°
+///   to −90°.
+/// - Gaze `foveal`, perspective: each point of the picture is the fovea's view along the direction that belongs to it,
+/// seen from the eye's
+///   centre of rotation; the eye turns there by Listing's law behind the fixed spectacles, and accommodates to what it
+///   meets there.
 ///
-/// A unit of t is a metre of planar distance in gaze `camera` with perspective, otherwise of distance along the ray; it counts from the
-/// pupil's plane, with spectacles from the front surface.
+/// A unit of t is a metre of planar distance in gaze `camera` with perspective, otherwise of distance along the ray; it
+/// counts from the pupil's plane, with spectacles from the front surface.
 class ViewCamera {
  public:
   static constexpr bool weighted = true;
 
-  /// Throws std::invalid_argument for a foveal equirectangular view, and for an eye that accommodates best without `distance_along`.
+  /// Throws std::invalid_argument for a foveal equirectangular view, and for an eye that accommodates best without
+  /// `distance_along`.
   ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options);
 
   /// How the eye stands for one point of the picture.
@@ -52,8 +60,9 @@ class ViewCamera {
     }
   };
 
-  /// First derivatives of the rays that leave the eye and its spectacles with respect to the pupil point and to the slope: offset across
-  /// the chief ray [m] and difference of direction, on the axes that the smallest rotation of −z to the chief ray makes of x and y (head).
+  /// First derivatives of the rays that leave the eye and its spectacles with respect to the pupil point and to the
+  /// slope: offset across the chief ray [m] and difference of direction, on the axes that the smallest rotation of −z
+  /// to the chief ray makes of x and y (head).
   struct Bundle {
     Eigen::Matrix2d offset_by_point = Eigen::Matrix2d::Identity(), direction_by_point = Eigen::Matrix2d::Zero();
     Eigen::Matrix2d offset_by_slope = Eigen::Matrix2d::Zero(), direction_by_slope = Eigen::Matrix2d::Identity();
@@ -99,8 +108,8 @@ class ViewCamera {
   /// A ray from the pupil as it leaves the eye or the spectacles, head frame; none where it is lost.
   std::optional<LightRay> leaving(const Sight& sight, const PupilRay<double>& ray) const;
 
-  /// By central differences of real rays about `chief`, the sight's own: exact to the square of the steps, 0.1 mm and 0.1 mrad. Rays that
-  /// are lost leave their entries as they are without spectacles.
+  /// By central differences of real rays about `chief`, the sight's own: exact to the square of the steps, 0.1 mm and
+  /// 0.1 mrad. Rays that are lost leave their entries as they are without spectacles.
   Bundle differences(const Sight& sight, const LightRay& chief) const;
 
   /// A point of the world [m] in the head frame of a sight.

@@ -7,13 +7,15 @@
 
 namespace sturm {
 
-/// A spectacle lens before an eye that has turned about its centre of rotation: whatever model the rays leave the eye by, from there on
-/// they go through both surfaces by Snell's law (physics.md §4).
+/// A spectacle lens before an eye that has turned about its centre of rotation: whatever model the rays leave the eye
+/// by, from there on they go through both surfaces by Snell's law (physics.md §4).
 class WornLens {
  public:
   /// `gaze`: unit vector of the line of sight, wearer frame.
   WornLens(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m)
-      : lens_(lens), pupil_center_(turned_pupil_center(gaze, rotation_center_m)), turn_(smallest_rotation({0.0, 0.0, -1.0}, gaze)) {}
+      : lens_(lens),
+        pupil_center_(turned_pupil_center(gaze, rotation_center_m)),
+        turn_(smallest_rotation({0.0, 0.0, -1.0}, gaze)) {}
 
   /// The way of a ray that leaves the turned pupil (offset and slope on its axes) through the lens.
   LensPath path_of(const PupilRay<double>& ray) const {

@@ -20,7 +20,8 @@ namespace {
 constexpr int streams = 4;
 using Color = std::array<double, 3>;
 
-/// What a pixel holds between passes. Half h is the streams 2h and 2h + 1, which always have the same number of samples.
+/// What a pixel holds between passes. Half h is the streams 2h and 2h + 1, which always have the same number of
+/// samples.
 struct Pixel {
   std::array<PixelStatistics, streams> stream;
   FirstHitStatistics first_hit;
@@ -52,12 +53,14 @@ class ErrorRenderer {
     if (settings.guide_layers) guides_.resize(pixels_.size());
     std::vector<int> sizes;
     for (std::size_t t = 0; t < tiles_.count(); ++t) sizes.push_back(tiles_.at(t).pixels());
-    planners_.assign(2, SamplePlanner(sizes, *settings.relative_error, settings.adaptive.has_value() && settings.end_converged_tiles));
+    planners_.assign(2, SamplePlanner(sizes, *settings.relative_error,
+                                      settings.adaptive.has_value() && settings.end_converged_tiles));
   }
 
   RenderResult run() {
     result_.passes.passes = 0;
-    std::uint32_t next = static_cast<std::uint32_t>(settings_.adaptive.value_or(AdaptiveSpec()).min_samples_per_pixel) / streams;
+    std::uint32_t next =
+        static_cast<std::uint32_t>(settings_.adaptive.value_or(AdaptiveSpec()).min_samples_per_pixel) / streams;
     for (;; next = 2 * done_) {
       const std::vector<std::size_t> active = active_tiles();
       if (active.empty() || done_ == limit_ || result_.passes.interrupted) break;
@@ -100,7 +103,8 @@ class ErrorRenderer {
       add_samples(active, count);
       done_ += count;
       ++result_.passes.passes;
-      const double fraction = static_cast<double>(result_.passes.samples_spent) / (static_cast<double>(pixels_.size()) * streams * limit_);
+      const double fraction =
+          static_cast<double>(result_.passes.samples_spent) / (static_cast<double>(pixels_.size()) * streams * limit_);
       if (settings_.progress) settings_.progress(std::min(fraction, 0.99));  // where it ends is not known
       if (settings_.after_pass && done_ < limit_)
         result_.passes.interrupted = !settings_.after_pass({fraction, [this] { return picture_so_far(); }});
@@ -115,12 +119,14 @@ class ErrorRenderer {
         Pixel& p = pixel(x, y);
         GuideStatistics* const guide = guides_.empty() ? nullptr : &guides_[index(x, y)];
         for (int s = 0; s < streams; ++s)
-          source_.add_samples(x, y, {s, done_, count}, {p.stream[static_cast<std::size_t>(s)], p.first_hit, guide}, counters);
+          source_.add_samples(x, y, {s, done_, count}, {p.stream[static_cast<std::size_t>(s)], p.first_hit, guide},
+                              counters);
       });
       const std::lock_guard lock(merging);
       result_.counters += counters;
     });
-    for (const std::size_t t : active) result_.passes.samples_spent += static_cast<std::uint64_t>(tiles_.at(t).pixels()) * streams * count;
+    for (const std::size_t t : active)
+      result_.passes.samples_spent += static_cast<std::uint64_t>(tiles_.at(t).pixels()) * streams * count;
   }
 
   void measure(const std::vector<std::size_t>& active) {
@@ -187,7 +193,8 @@ class ErrorRenderer {
       });
       error += static_cast<double>(count) * tile_squared_error(pairs, tiles_.at(t).x1 - tiles_.at(t).x0);
     }
-    summary.samples_saved = pixels_.size() * static_cast<std::uint64_t>(settings_.samples_per_pixel) - summary.samples_spent;
+    summary.samples_saved =
+        pixels_.size() * static_cast<std::uint64_t>(settings_.samples_per_pixel) - summary.samples_spent;
     summary.measured_relative_error = std::sqrt(error / static_cast<double>(pixels_.size()));
   }
 

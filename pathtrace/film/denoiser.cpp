@@ -45,10 +45,13 @@ Image smoothed(const Image& variance) {
   return out;
 }
 
-/// Smaller one of the one-sided differences of the vergence, per pixel across and down: within a surface where there is one.
+/// Smaller one of the one-sided differences of the vergence, per pixel across and down: within a surface where there is
+/// one.
 Image vergence_gradient(const Image& guide) {
   Image gradient(guide.width, guide.height, 2);
-  const auto at = [&](int x, int y) { return guide.at(std::clamp(x, 0, guide.width - 1), std::clamp(y, 0, guide.height - 1))[vergence]; };
+  const auto at = [&](int x, int y) {
+    return guide.at(std::clamp(x, 0, guide.width - 1), std::clamp(y, 0, guide.height - 1))[vergence];
+  };
   const auto smaller = [](float a, float b) { return std::abs(a) < std::abs(b) ? a : b; };
   for (int y = 0; y < guide.height; ++y)
     for (int x = 0; x < guide.width; ++x) {
@@ -106,7 +109,9 @@ class Filter {
     }
   }
 
-  float similarity(int x, int y, int u, int v) const { return std::exp(-(radiance_cost(x, y, u, v) + guide_cost(x, y, u, v))); }
+  float similarity(int x, int y, int u, int v) const {
+    return std::exp(-(radiance_cost(x, y, u, v) + guide_cost(x, y, u, v)));
+  }
 
   float radiance_cost(int x, int y, int u, int v) const {
     // The neighbour's own variance does not count: an outlier would excuse itself and be spread over the taps' pattern.
@@ -126,10 +131,12 @@ class Filter {
                       }));
     };
     const auto squared = [](double sigma) { return static_cast<float>(sigma * sigma); };
-    const float slope = gradient_.at(x, y)[0] * static_cast<float>(u - x) + gradient_.at(x, y)[1] * static_cast<float>(v - y);
+    const float slope =
+        gradient_.at(x, y)[0] * static_cast<float>(u - x) + gradient_.at(x, y)[1] * static_cast<float>(v - y);
     const float nearer = std::max(p[vergence], q[vergence]), d = p[vergence] - q[vergence];
     const float depth = std::max(0.0f, d * d - slope * slope - vp[vergence] - vq[vergence]);
-    return cost(unexplained(albedo), squared(spec_.albedo_sigma)) + cost(unexplained(normal), squared(spec_.normal_sigma)) +
+    return cost(unexplained(albedo), squared(spec_.albedo_sigma)) +
+           cost(unexplained(normal), squared(spec_.normal_sigma)) +
            cost(depth, squared(spec_.vergence_sigma) * nearer * nearer);
   }
 
@@ -146,7 +153,8 @@ Image denoised(const DenoiserInput& input, const DenoiseSpec& spec) {
 
 Image denoised(const RenderResult& result, double samples_per_pixel, const DenoiseSpec& spec) {
   if (result.mean_variance.channels > 0)
-    return denoised(DenoiserInput{result.radiance, result.mean_variance, result.guide_mean, result.guide_variance}, spec);
+    return denoised(DenoiserInput{result.radiance, result.mean_variance, result.guide_mean, result.guide_variance},
+                    spec);
   Image mean_variance = result.variance;
   for (float& value : mean_variance.pixels) value = static_cast<float>(static_cast<double>(value) / samples_per_pixel);
   return denoised(DenoiserInput{result.radiance, mean_variance, result.guide_mean, result.guide_variance}, spec);

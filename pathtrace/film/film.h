@@ -9,8 +9,8 @@
 
 namespace sturm {
 
-/// Running mean and sum of squared deviations of one pixel's radiance in double (Welford 1962), so that neither 2²⁴ samples nor values
-/// from 1e−8 to 1e8 in one image lose anything.
+/// Running mean and sum of squared deviations of one pixel's radiance in double (Welford 1962), so that neither 2²⁴
+/// samples nor values from 1e−8 to 1e8 in one image lose anything.
 class PixelStatistics {
  public:
   void add(const Eigen::Vector3f& radiance) {
@@ -38,8 +38,8 @@ class PixelStatistics {
   std::uint64_t count() const { return count_; }
   double mean(int channel) const { return mean_[channel]; }
 
-  /// Sample variance of a single sample; 0 with fewer than two samples. Of low-discrepancy samples it is *not* N times the variance of
-  /// their mean (physics.md §8).
+  /// Sample variance of a single sample; 0 with fewer than two samples. Of low-discrepancy samples it is *not* N times
+  /// the variance of their mean (physics.md §8).
   double variance(int channel) const { return count_ > 1 ? squares_[channel] / static_cast<double>(count_ - 1) : 0.0; }
 
  private:
@@ -63,7 +63,8 @@ class FirstHitStatistics {
   double albedo(int channel) const { return count_ ? albedo_[channel] / static_cast<double>(count_) : 0.0; }
   double normal(int channel) const { return count_ ? normal_[channel] / static_cast<double>(count_) : 0.0; }
 
-  /// Nearest planar distance [m] that was seen; ∞ where nothing was hit. Not a mean: across an edge it would lie where nothing is.
+  /// Nearest planar distance [m] that was seen; ∞ where nothing was hit. Not a mean: across an edge it would lie where
+  /// nothing is.
   float depth() const { return nearest_; }
 
  private:
@@ -72,8 +73,9 @@ class FirstHitStatistics {
   float nearest_ = std::numeric_limits<float>::infinity();
 };
 
-/// Means of what the camera rays of a pixel met first, with the variances of these means: what tells a denoiser an edge from the noise of
-/// a pupil that sees several things at once. Features: albedo (3), normal (3, world), vergence 1/distance [1/m]; a miss counts as 0 in all.
+/// Means of what the camera rays of a pixel met first, with the variances of these means: what tells a denoiser an edge
+/// from the noise of a pupil that sees several things at once. Features: albedo (3), normal (3, world), vergence
+/// 1/distance [1/m]; a miss counts as 0 in all.
 class GuideStatistics {
  public:
   static constexpr int features = 7;
@@ -93,7 +95,8 @@ class GuideStatistics {
 
   double mean(int feature) const { return mean_[feature]; }
 
-  /// Sample variance over the number of samples; of low-discrepancy samples this is more than the mean has. 0 with fewer than two.
+  /// Sample variance over the number of samples; of low-discrepancy samples this is more than the mean has. 0 with
+  /// fewer than two.
   double variance_of_mean(int feature) const {
     return count_ > 1 ? squares_[feature] / static_cast<double>(count_ - 1) / static_cast<double>(count_) : 0.0;
   }

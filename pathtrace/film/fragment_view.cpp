@@ -20,9 +20,9 @@ using Eigen::Vector3f;
 
 constexpr std::uint64_t outline_seed = 0x4f55544cull;  // added to the seed of samples that are not shaded
 
-/// Pixels of a tile share one sequence, each with its own stretch in the order of a Z-curve: 4, 16, … pixels next to one another have as
-/// many times the samples of one pixel, as evenly spread as those are, so that what averages over pixels, filter and blur, has less noise
-/// [AhmedWonka2020].
+/// Pixels of a tile share one sequence, each with its own stretch in the order of a Z-curve: 4, 16, … pixels next to
+/// one another have as many times the samples of one pixel, as evenly spread as those are, so that what averages over
+/// pixels, filter and blur, has less noise [AhmedWonka2020].
 struct SharedSequence {
   static constexpr int tile_bits = 5, tile = 1 << tile_bits;
 
@@ -31,7 +31,8 @@ struct SharedSequence {
   }
   static std::uint32_t place_in_tile(int x, int y) {
     std::uint32_t place = 0;
-    for (int bit = 0; bit < tile_bits; ++bit) place |= static_cast<std::uint32_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
+    for (int bit = 0; bit < tile_bits; ++bit)
+      place |= static_cast<std::uint32_t>((x >> bit & 1) | (y >> bit & 1) << 1) << 2 * bit;
     return place;
   }
 };
@@ -45,7 +46,8 @@ SeenSurface seen_surroundings(const Scene& scene, const Vector3f& direction) {
 }
 
 /// Not shaded.
-SeenSurface seen_surface(const SurfacePoint& point, const Vector3f& origin, const Vector3f& direction, double pixel_slope) {
+SeenSurface seen_surface(const SurfacePoint& point, const Vector3f& origin, const Vector3f& direction,
+                         double pixel_slope) {
   SeenSurface seen;
   seen.point = point.position;
   seen.normal = point.normal.dot(direction) > 0.0f ? Vector3f(-point.normal) : point.normal;
@@ -77,7 +79,8 @@ struct ChiefBlock {
 /// Renders pixel by pixel.
 class FragmentRenderer {
  public:
-  FragmentRenderer(const Scene& scene, int width, const ChiefRays& chief_rays, double pixel_slope, const RenderSettings& settings)
+  FragmentRenderer(const Scene& scene, int width, const ChiefRays& chief_rays, double pixel_slope,
+                   const RenderSettings& settings)
       : scene_(scene),
         tracer_(scene, settings),
         width_(width),
@@ -98,16 +101,18 @@ class FragmentRenderer {
       numbers.begin_block(first, count);
       tracer_.light(block.vertices, block.hits, first, count, numbers, counters);
       for (int i = 0; i < count; ++i)
-        if (goes_on(block.hits.rays.status[i])) pieces.add(shaded(block, i, first + static_cast<std::uint32_t>(i), numbers, counters));
+        if (goes_on(block.hits.rays.status[i]))
+          pieces.add(shaded(block, i, first + static_cast<std::uint32_t>(i), numbers, counters));
       first += static_cast<std::uint32_t>(count);
     }
     return pieces;
   }
 
-  /// More samples that are not shaded, of a pixel where a lamp begins: it is so much brighter than all around that its share must be known
-  /// better than by the few that are. What they find first is shaded once.
+  /// More samples that are not shaded, of a pixel where a lamp begins: it is so much brighter than all around that its
+  /// share must be known better than by the few that are. What they find first is shaded once.
   int refine(int x, int y, PixelPieces& pieces, RenderCounters& counters) const {
-    const PixelSequence sequence(settings_.sequence, settings_.seed + outline_seed, static_cast<std::uint32_t>(y * width_ + x));
+    const PixelSequence sequence(settings_.sequence, settings_.seed + outline_seed,
+                                 static_cast<std::uint32_t>(y * width_ + x));
     VertexNumbers numbers(sequence);
     ChiefBlock block;
     block.vertices.lit = false;
@@ -144,18 +149,22 @@ class FragmentRenderer {
     }
     trace_packets(scene_, count, hits);
     for (int i = 0; i < count; ++i)
-      if (hits.hit(i)) block.vertices.at[i] = scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
+      if (hits.hit(i))
+        block.vertices.at[i] =
+            scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
   }
 
   SeenSurface unshaded(const ChiefBlock& block, int i) const {
     const Vector3f direction = block.hits.direction(i);
-    SeenSurface seen = block.hits.hit(i) ? seen_surface(block.vertices.at[i], block.hits.origin(i), direction, pixel_slope_)
-                                         : seen_surroundings(scene_, direction);
+    SeenSurface seen = block.hits.hit(i)
+                           ? seen_surface(block.vertices.at[i], block.hits.origin(i), direction, pixel_slope_)
+                           : seen_surroundings(scene_, direction);
     seen.place = block.places[i];
     return seen;
   }
 
-  SeenSurface shaded(const ChiefBlock& block, int i, std::uint32_t sample, VertexNumbers& numbers, RenderCounters& counters) const {
+  SeenSurface shaded(const ChiefBlock& block, int i, std::uint32_t sample, VertexNumbers& numbers,
+                     RenderCounters& counters) const {
     SeenSurface seen = unshaded(block, i);
     if (seen.surroundings) return seen;
     FirstVertex known;
@@ -177,8 +186,8 @@ class FragmentRenderer {
 
 }  // namespace
 
-FragmentImage render_fragments(const Scene& scene, int width, int height, const ChiefRays& chief_rays, double pixel_slope,
-                               const RenderSettings& settings, RenderCounters& counters) {
+FragmentImage render_fragments(const Scene& scene, int width, int height, const ChiefRays& chief_rays,
+                               double pixel_slope, const RenderSettings& settings, RenderCounters& counters) {
   const FragmentRenderer renderer(scene, width, chief_rays, pixel_slope, settings);
   const auto index = [width](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -204,7 +213,8 @@ FragmentImage render_fragments(const Scene& scene, int width, int height, const 
   for_rows([&](int x, int y, RenderCounters& of_row) {
     bool near_lamp = false;
     for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
-      for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) near_lamp = near_lamp || lamps[index(u, v)];
+      for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
+        near_lamp = near_lamp || lamps[index(u, v)];
     if (near_lamp) samples[index(x, y)] = renderer.refine(x, y, pixels[index(x, y)], of_row);
   });
   FragmentImage image{width, height, {0}, {}};
@@ -215,8 +225,9 @@ FragmentImage render_fragments(const Scene& scene, int width, int height, const 
   return image;
 }
 
-std::vector<Vector3f> shade_places(const Scene& scene, std::size_t count, const std::function<PlaceRays(std::size_t)>& place,
-                                   const RenderSettings& settings, RenderCounters& counters) {
+std::vector<Vector3f> shade_places(const Scene& scene, std::size_t count,
+                                   const std::function<PlaceRays(std::size_t)>& place, const RenderSettings& settings,
+                                   RenderCounters& counters) {
   const PathTracer tracer(scene, settings);
   std::vector<Vector3f> radiance(count);
   std::mutex merging;
@@ -224,7 +235,8 @@ std::vector<Vector3f> shade_places(const Scene& scene, std::size_t count, const 
     RenderCounters of_range;
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
       const PlaceRays at = place(k);
-      const PixelSequence sequence(settings.sequence, settings.seed ^ (at.key >> 32 << 32), static_cast<std::uint32_t>(at.key));
+      const PixelSequence sequence(settings.sequence, settings.seed ^ (at.key >> 32 << 32),
+                                   static_cast<std::uint32_t>(at.key));
       VertexNumbers numbers(sequence);
       Eigen::Vector3d sum(0.0, 0.0, 0.0);
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.samples_per_pixel); ++i) {

@@ -14,8 +14,8 @@ using Eigen::Vector3f;
 constexpr std::size_t most_pieces = 8;
 constexpr float same_way = 0.906f;  // cos 25°
 
-/// Variance of the mean of `count` values from their sum and the sum of their squares. Of a single one nothing is known: as uncertain as it
-/// is bright.
+/// Variance of the mean of `count` values from their sum and the sum of their squares. Of a single one nothing is
+/// known: as uncertain as it is bright.
 Vector3f variance_of_mean(const Vector3d& sum, const Vector3d& squares, int count) {
   const Vector3d square = (sum / count).cwiseAbs2();
   if (count < 2) return square.cast<float>();
@@ -34,7 +34,8 @@ void PixelPieces::Piece::cover_with(const SeenSurface& seen) {
 void PixelPieces::add(const SeenSurface& seen) {
   Piece* piece = existing(seen);
   if (!piece)
-    piece = &pieces_.emplace_back(Piece{seen.point, seen.normal, seen.pixel_size, seen.surroundings, seen.emits, seen.lambertian});
+    piece = &pieces_.emplace_back(
+        Piece{seen.point, seen.normal, seen.pixel_size, seen.surroundings, seen.emits, seen.lambertian});
   const Vector3d direct = seen.direct.cast<double>(), indirect = seen.radiance.cast<double>() - direct;
   piece->normals += seen.normal.cast<double>();
   piece->albedo += seen.albedo.cast<double>();
@@ -67,7 +68,8 @@ PixelPieces::Piece* PixelPieces::existing(const SeenSurface& seen) {
   for (Piece& p : pieces_) {
     if (p.surroundings != seen.surroundings) continue;
     const float distance = p.surroundings ? 0.0f : std::abs(p.normal.dot(seen.point - p.point)) / p.pixel_size;
-    if (p.surroundings || (p.emits == seen.emits && p.normal.dot(seen.normal) > same_way && distance <= 1.0f)) return &p;
+    if (p.surroundings || (p.emits == seen.emits && p.normal.dot(seen.normal) > same_way && distance <= 1.0f))
+      return &p;
     if (distance < nearest_distance) nearest = &p, nearest_distance = distance;
   }
   if (pieces_.size() < most_pieces) return nullptr;
@@ -88,7 +90,8 @@ Fragment PixelPieces::Piece::fragment(int samples) const {
   const Eigen::Vector2d middle = places / cover;
   const Eigen::Matrix2d spread = place_squares / cover - middle * middle.transpose();
   f.middle = middle.cast<float>();
-  f.spread = Vector3f(static_cast<float>(spread(0, 0)), static_cast<float>(spread(0, 1)), static_cast<float>(spread(1, 1)));
+  f.spread =
+      Vector3f(static_cast<float>(spread(0, 0)), static_cast<float>(spread(0, 1)), static_cast<float>(spread(1, 1)));
   f.surroundings = surroundings;
   f.emits = emits;
   f.lambertian = lambertian;

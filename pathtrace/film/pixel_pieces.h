@@ -35,7 +35,8 @@ class PixelPieces {
     float pixel_size;
     bool surroundings, emits, lambertian;
     Eigen::Vector3d position{0.0, 0.0, 0.0}, normals{0.0, 0.0, 0.0}, albedo{0.0, 0.0, 0.0};
-    Eigen::Vector3d direct{0.0, 0.0, 0.0}, direct_squares{0.0, 0.0, 0.0}, indirect{0.0, 0.0, 0.0}, indirect_squares{0.0, 0.0, 0.0};
+    Eigen::Vector3d direct{0.0, 0.0, 0.0}, direct_squares{0.0, 0.0, 0.0}, indirect{0.0, 0.0, 0.0},
+        indirect_squares{0.0, 0.0, 0.0};
     Eigen::Vector2d places{0.0, 0.0};
     Eigen::Matrix2d place_squares = Eigen::Matrix2d::Zero();
     int count = 0, cover = 0;  ///< samples that were shaded, samples that met it

@@ -17,7 +17,8 @@ constexpr int tile_size = 16;
 /// What all pixels hold between passes.
 class Film {
  public:
-  Film(int width, int height, bool guide) : width_(width), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  Film(int width, int height, bool guide)
+      : width_(width), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     if (guide) guides_.resize(pixels_.size());
   }
 

@@ -58,8 +58,10 @@ class PixelRenderer final : public PixelSource {
   int width() const override { return camera_.width(); }
   int height() const override { return camera_.height(); }
 
-  void add_samples(int x, int y, const SampleRange& range, const PixelRecords& records, RenderCounters& counters) const override {
-    const PixelSequence sequence(settings_.sequence, settings_.seed + stream_seed * static_cast<std::uint64_t>(range.stream),
+  void add_samples(int x, int y, const SampleRange& range, const PixelRecords& records,
+                   RenderCounters& counters) const override {
+    const PixelSequence sequence(settings_.sequence,
+                                 settings_.seed + stream_seed * static_cast<std::uint64_t>(range.stream),
                                  static_cast<std::uint32_t>(y * camera_.width() + x));
     VertexNumbers numbers(sequence);
     CameraHits hits;
@@ -72,7 +74,8 @@ class PixelRenderer final : public PixelSource {
       trace_camera_rays(scene_, camera_, x, y, first, count, sequence, hits);
       numbers.begin_block(first, count);
       for (int i = 0; i < count; ++i)
-        if (hits.hit(i)) vertices.at[i] = scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
+        if (hits.hit(i))
+          vertices.at[i] = scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
       tracer_.light(vertices, hits, first, count, numbers, counters);
       for (int i = 0; i < count; ++i) {
         if constexpr (Camera::weighted)

@@ -4,14 +4,16 @@ namespace sturm {
 
 RenderResult empty_result(int width, int height, const RenderSettings& settings) {
   RenderResult result;
-  for (Image* layer : {&result.radiance, &result.variance, &result.albedo, &result.normal}) *layer = Image(width, height, 3);
+  for (Image* layer : {&result.radiance, &result.variance, &result.albedo, &result.normal})
+    *layer = Image(width, height, 3);
   result.depth = Image(width, height, 1);
   if (settings.relative_error) {
     result.samples = Image(width, height, 1);
     result.mean_variance = Image(width, height, 3);
   }
   if (settings.guide_layers)
-    for (Image* layer : {&result.guide_mean, &result.guide_variance}) *layer = Image(width, height, GuideStatistics::features);
+    for (Image* layer : {&result.guide_mean, &result.guide_variance})
+      *layer = Image(width, height, GuideStatistics::features);
   return result;
 }
 
@@ -22,7 +24,8 @@ void store_radiance(RenderResult& result, int x, int y, const PixelStatistics& r
   }
 }
 
-void store_first_hit(RenderResult& result, int x, int y, const FirstHitStatistics& first_hit, const GuideStatistics& guide) {
+void store_first_hit(RenderResult& result, int x, int y, const FirstHitStatistics& first_hit,
+                     const GuideStatistics& guide) {
   for (int k = 0; k < 3; ++k) {
     result.albedo.at(x, y)[k] = static_cast<float>(first_hit.albedo(k));
     result.normal.at(x, y)[k] = static_cast<float>(first_hit.normal(k));

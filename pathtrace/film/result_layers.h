@@ -11,6 +11,7 @@ RenderResult empty_result(int width, int height, const RenderSettings& settings)
 void store_radiance(RenderResult& result, int x, int y, const PixelStatistics& radiance);
 
 /// Puts them into the layers albedo, normal and depth, and into the guide layers where the result has them.
-void store_first_hit(RenderResult& result, int x, int y, const FirstHitStatistics& first_hit, const GuideStatistics& guide);
+void store_first_hit(RenderResult& result, int x, int y, const FirstHitStatistics& first_hit,
+                     const GuideStatistics& guide);
 
 }  // namespace sturm

@@ -4,13 +4,16 @@
 
 namespace sturm {
 
-/// Decides from one half of the samples which tiles go on; what it decides holds for the *other* half (pathtrace/film/adaptive_render.h).
+/// Decides from one half of the samples which tiles go on; what it decides holds for the *other* half
+/// (pathtrace/film/adaptive_render.h).
 ///
-/// The relative MSE of the picture is the mean over tiles of σ²/n, σ² being n times a tile's measured squared error. It reaches r² with the
-/// fewest samples where n = σ·⟨σ⟩/r² (Neyman 1934): a tile goes on until it has that many. A tile that has stopped stays as it is.
+/// The relative MSE of the picture is the mean over tiles of σ²/n, σ² being n times a tile's measured squared error. It
+/// reaches r² with the fewest samples where n = σ·⟨σ⟩/r² (Neyman 1934): a tile goes on until it has that many. A tile
+/// that has stopped stays as it is.
 class SamplePlanner {
  public:
-  /// `tile_pixels`: how many pixels each tile has. `per_tile`: tiles stop one by one; otherwise all go on until the picture is good enough.
+  /// `tile_pixels`: how many pixels each tile has. `per_tile`: tiles stop one by one; otherwise all go on until the
+  /// picture is good enough.
   SamplePlanner(std::vector<int> tile_pixels, double relative_error, bool per_tile);
 
   bool wants(std::size_t tile) const { return tiles_[tile].active; }

@@ -8,7 +8,8 @@ namespace {
 
 constexpr double offset = 0.01;  // that of compare/metrics/relative_mse.cpp
 
-double neighbourhood_mean(const std::vector<PixelPair>& pixels, int width, int height, int x, int y, std::size_t channel) {
+double neighbourhood_mean(const std::vector<PixelPair>& pixels, int width, int height, int x, int y,
+                          std::size_t channel) {
   double sum = 0.0;
   int count = 0;
   for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
@@ -28,7 +29,8 @@ double tile_squared_error(const std::vector<PixelPair>& pixels, int width) {
     for (int x = 0; x < width; ++x) {
       const PixelPair& p = pixels[static_cast<std::size_t>(y * width + x)];
       for (std::size_t k = 0; k < 3; ++k) {
-        const double half_difference = 0.5 * (p.first[k] - p.second[k]), mean = neighbourhood_mean(pixels, width, height, x, y, k);
+        const double half_difference = 0.5 * (p.first[k] - p.second[k]),
+                     mean = neighbourhood_mean(pixels, width, height, x, y, k);
         sum += half_difference * half_difference / (mean * mean + offset);
       }
     }

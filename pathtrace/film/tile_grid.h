@@ -15,7 +15,9 @@ struct TileGrid {
   int width, height, size;
 
   int across() const { return (width + size - 1) / size; }
-  std::size_t count() const { return static_cast<std::size_t>(across()) * static_cast<std::size_t>((height + size - 1) / size); }
+  std::size_t count() const {
+    return static_cast<std::size_t>(across()) * static_cast<std::size_t>((height + size - 1) / size);
+  }
   Tile at(std::size_t index) const {
     const int column = static_cast<int>(index) % across(), row = static_cast<int>(index) / across();
     return {column * size, row * size, std::min(width, (column + 1) * size), std::min(height, (row + 1) * size)};

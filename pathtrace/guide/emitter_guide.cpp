@@ -8,8 +8,8 @@ namespace sturm {
 
 namespace {
 
-/// The bounding sphere and a little more: rays are not parallel to the line of sight, so they meet the sphere up to 1/cos of the angle off
-/// the centre. What lies outside all the same is left to plain sampling.
+/// The bounding sphere and a little more: rays are not parallel to the line of sight, so they meet the sphere up to
+/// 1/cos of the angle off the centre. What lies outside all the same is left to plain sampling.
 constexpr float margin = 1.5f;
 
 /// More than what single precision loses in a distance across the line of sight.
@@ -49,7 +49,8 @@ EmitterGuide::EmitterGuide(const EmitterClusters& clusters, const EyeCamera& cam
 
 PupilRectangle EmitterGuide::rectangle(const Lens& lens, float qx, float qy, float widening) const {
   const Eigen::Vector2f offset = lens.lateral - lens.distance * Eigen::Vector2f(qx, qy);
-  return PupilRectangle::that_reaches({lens.u1.dot(offset), lens.u2.dot(offset)}, lens.sigma, lens.reach + widening, radius_);
+  return PupilRectangle::that_reaches({lens.u1.dot(offset), lens.u2.dot(offset)}, lens.sigma, lens.reach + widening,
+                                      radius_);
 }
 
 void EmitterGuide::find_targets(int x, int y, std::vector<GuidedTarget>& targets) const {

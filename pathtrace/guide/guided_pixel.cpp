@@ -37,10 +37,13 @@ Eigen::Vector3f GuidedPixel::sample(std::uint32_t sample, RenderCounters& counte
   const Eigen::Vector3f nothing = Eigen::Vector3f::Zero();
   const GuidedTarget& target = chosen(targets_, unit_float(sequence_.single(sample, dimension::guided_choice)));
   const EyeCamera& camera = guide_.camera();
-  const auto film = sequence_.pair(sample, dimension::guided_film), lens = sequence_.pair(sample, dimension::guided_lens);
-  const float film_x = static_cast<float>(x_) + unit_float(film.x), film_y = static_cast<float>(y_) + unit_float(film.y);
+  const auto film = sequence_.pair(sample, dimension::guided_film),
+             lens = sequence_.pair(sample, dimension::guided_lens);
+  const float film_x = static_cast<float>(x_) + unit_float(film.x),
+              film_y = static_cast<float>(y_) + unit_float(film.y);
   const float qx = camera.slope_x(film_x), qy = camera.slope_y(film_y);
-  const EmitterGuide::Proposal p = guide_.guide().propose(target.cluster, qx, qy, unit_float(lens.x), unit_float(lens.y));
+  const EmitterGuide::Proposal p =
+      guide_.guide().propose(target.cluster, qx, qy, unit_float(lens.x), unit_float(lens.y));
   if (!(p.pdf > 0.0f)) return nothing;
   const EyeCamera::SingleRay ray = camera.single(film_x, film_y, p.px, p.py);
   if (ray.status == LaunchStatus::dropped) return nothing;
@@ -48,7 +51,8 @@ Eigen::Vector3f GuidedPixel::sample(std::uint32_t sample, RenderCounters& counte
   const auto emission = emission_met(guide_.scene(), guide_.clusters(), target.cluster, ray.origin, ray.direction);
   if (!emission) return nothing;
   ++counters.guided_hits;
-  // f π_plain / (π_plain + P g) per guided density P g, over π_plain, the density that the mean over the pupil stands for.
+  // f π_plain / (π_plain + P g) per guided density P g, over π_plain, the density that the mean over the pupil stands
+  // for.
   return *emission * (plain_pdf_ / (plain_pdf_ + target.probability * p.pdf));
 }
 

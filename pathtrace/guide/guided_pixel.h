@@ -26,9 +26,10 @@ class SceneGuide {
   EmitterGuide guide_;
 };
 
-/// Guided samples of one pixel. What an emitter sends straight into the eye is estimated twice, by the plain samples and by as many guided
-/// ones, with the balance heuristic (Veach & Guibas 1995): f/π_plain · π_plain/(π_plain + π_guided) + f/π_guided · π_guided/(…). Both terms
-/// have the same bounded integrand f/(π_plain + π_guided); the sum is unbiased wherever X is singular.
+/// Guided samples of one pixel. What an emitter sends straight into the eye is estimated twice, by the plain samples
+/// and by as many guided ones, with the balance heuristic (Veach & Guibas 1995): f/π_plain · π_plain/(π_plain +
+/// π_guided) + f/π_guided · π_guided/(…). Both terms have the same bounded integrand f/(π_plain + π_guided); the sum is
+/// unbiased wherever X is singular.
 class GuidedPixel {
  public:
   GuidedPixel(const SceneGuide& guide, int x, int y, const PixelSequence& sequence);

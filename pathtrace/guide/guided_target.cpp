@@ -29,12 +29,13 @@ const GuidedTarget& chosen(std::span<const GuidedTarget> targets, float number) 
   return targets.back();
 }
 
-std::optional<Eigen::Vector3f> emission_met(const Scene& scene, const EmitterClusters& clusters, int cluster, const Eigen::Vector3f& origin,
-                                            const Eigen::Vector3f& direction) {
+std::optional<Eigen::Vector3f> emission_met(const Scene& scene, const EmitterClusters& clusters, int cluster,
+                                            const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) {
   RTCRayHit hit = ray_from(origin, direction);
   if (!intersect(scene.embree(), hit)) return std::nullopt;
   const SurfacePoint point = scene.surface_point(hit.hit, origin, direction, hit.ray.tfar);
-  if (point.emitter < 0 || clusters.cluster_of(point.emitter) != cluster || !(point.normal.dot(direction) < 0.0f)) return std::nullopt;
+  if (point.emitter < 0 || clusters.cluster_of(point.emitter) != cluster || !(point.normal.dot(direction) < 0.0f))
+    return std::nullopt;
   return point.material->emission;
 }
 

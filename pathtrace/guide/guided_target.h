@@ -33,7 +33,7 @@ struct GuidedTarget {
 const GuidedTarget& chosen(std::span<const GuidedTarget> targets, float number);
 
 /// What a cluster sends against a ray; none where the ray meets something else first, or the back of it.
-std::optional<Eigen::Vector3f> emission_met(const Scene& scene, const EmitterClusters& clusters, int cluster, const Eigen::Vector3f& origin,
-                                            const Eigen::Vector3f& direction);
+std::optional<Eigen::Vector3f> emission_met(const Scene& scene, const EmitterClusters& clusters, int cluster,
+                                            const Eigen::Vector3f& origin, const Eigen::Vector3f& direction);
 
 }  // namespace sturm

@@ -7,8 +7,10 @@ GuidedViewPixel::GuidedViewPixel(const ViewGuide& guide, int x, int y, const Pix
   guide.find_targets(x, y, focus_bundle_, targets_);
 }
 
-float GuidedViewPixel::share_of_plain(const GuidedTarget& target, float proposed_pdf, const Eigen::Vector2f& point) const {
-  return 1.0f / (1.0f + target.probability * proposed_pdf / guide_.plain_pdf(point));  // the plain density may be infinite
+float GuidedViewPixel::share_of_plain(const GuidedTarget& target, float proposed_pdf,
+                                      const Eigen::Vector2f& point) const {
+  return 1.0f /
+         (1.0f + target.probability * proposed_pdf / guide_.plain_pdf(point));  // the plain density may be infinite
 }
 
 float GuidedViewPixel::plain_weight(int emitter, std::uint32_t sample) const {
@@ -29,7 +31,8 @@ float GuidedViewPixel::plain_weight(int emitter, std::uint32_t sample) const {
 Eigen::Vector3f GuidedViewPixel::sample(std::uint32_t sample, RenderCounters& counters) const {
   const Eigen::Vector3f nothing = Eigen::Vector3f::Zero();
   const GuidedTarget& target = chosen(targets_, unit_float(sequence_.single(sample, dimension::guided_choice)));
-  const auto film = sequence_.pair(sample, dimension::guided_film), lens = sequence_.pair(sample, dimension::guided_lens);
+  const auto film = sequence_.pair(sample, dimension::guided_film),
+             lens = sequence_.pair(sample, dimension::guided_lens);
   const auto place = guide_.place(x_ + unit_double(film.x), y_ + unit_double(film.y), focus_bundle_);
   if (!place) return nothing;
   const auto region = guide_.region(target.cluster, *place);
@@ -39,14 +42,17 @@ Eigen::Vector3f GuidedViewPixel::sample(std::uint32_t sample, RenderCounters& co
   const double radius = camera.rays().pupil_radius();
   const Eigen::Vector2d unit = point.cast<double>() / radius;
   if (unit.squaredNorm() > 1.0) return nothing;
-  const ViewCamera::SingleRay ray = camera.single(place->camera, static_cast<double>(point.x()), static_cast<double>(point.y()));
+  const ViewCamera::SingleRay ray =
+      camera.single(place->camera, static_cast<double>(point.x()), static_cast<double>(point.y()));
   ++counters.guided_rays;
   if (!goes_on(ray.status)) return nothing;
   const auto emission = emission_met(guide_.scene(), guide_.clusters(), target.cluster, ray.origin, ray.direction);
   if (!emission) return nothing;
   ++counters.guided_hits;
-  // f w π_plain / (π_plain + P g) per guided density P g, over π_plain, the density that the mean over the samples stands for.
-  return *emission * (static_cast<float>(camera.pupil().weight(unit)) * share_of_plain(target, 1.0f / region->rectangle.area(), point));
+  // f w π_plain / (π_plain + P g) per guided density P g, over π_plain, the density that the mean over the samples
+  // stands for.
+  return *emission * (static_cast<float>(camera.pupil().weight(unit)) *
+                      share_of_plain(target, 1.0f / region->rectangle.area(), point));
 }
 
 }  // namespace sturm

@@ -6,8 +6,9 @@
 
 namespace sturm {
 
-/// Guided samples of one pixel of a ViewCamera; as GuidedPixel, with the density and the weights of the camera's own spread of points.
-/// Lost rays bring nothing by either way of sampling; where the chief ray is lost there is no guided sample.
+/// Guided samples of one pixel of a ViewCamera; as GuidedPixel, with the density and the weights of the camera's own
+/// spread of points. Lost rays bring nothing by either way of sampling; where the chief ray is lost there is no guided
+/// sample.
 class GuidedViewPixel {
  public:
   GuidedViewPixel(const ViewGuide& guide, int x, int y, const PixelSequence& sequence);

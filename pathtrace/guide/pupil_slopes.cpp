@@ -27,7 +27,8 @@ PupilSlopes fitted_slopes(const EyeRays<double>& rays) {
     points.push_back({{std::cos(angle), std::sin(angle)}, 0.0});
   }
   for (const WeightedPoint& at : points)
-    slopes.residual = std::max(slopes.residual, (slope_at(at.point) - slopes.constant - radius * slopes.matrix * at.point).norm());
+    slopes.residual =
+        std::max(slopes.residual, (slope_at(at.point) - slopes.constant - radius * slopes.matrix * at.point).norm());
   return slopes;
 }
 

@@ -12,8 +12,8 @@ struct PupilSlopes {
   double residual = 0.0;                             ///< largest distance of a ray's slope from it, by 576 rays [rad]
 };
 
-/// The least-squares map of any ray model over a uniform pupil; of `power_matrix` and `thin_lens` exact. Rays that the model drops count
-/// as straight.
+/// The least-squares map of any ray model over a uniform pupil; of `power_matrix` and `thin_lens` exact. Rays that the
+/// model drops count as straight.
 PupilSlopes fitted_slopes(const EyeRays<double>& rays);
 
 }  // namespace sturm

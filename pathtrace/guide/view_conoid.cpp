@@ -18,19 +18,22 @@ struct Deviation {
 };
 
 /// Of two rings of rays, at the pupil's rim and at half its radius; those that are lost are missing.
-std::vector<Deviation> deviations(const ViewConoid& conoid, const ViewCamera& camera, const ViewCamera::Sight& sight, const LightRay& chief,
-                                  const PupilSlopes& slopes) {
+std::vector<Deviation> deviations(const ViewConoid& conoid, const ViewCamera& camera, const ViewCamera::Sight& sight,
+                                  const LightRay& chief, const PupilSlopes& slopes) {
   const Eigen::Matrix<double, 2, 3> across = axes_across(chief);
   std::vector<Deviation> result;
   for (int k = 0; k < rays_of_fit; ++k) {
-    const double angle = 4.0 * std::numbers::pi * k / rays_of_fit, radius = (k % 2 ? 1.0 : 0.5) * camera.rays().pupil_radius();
-    const Eigen::Vector2d p = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)), s = slopes.constant + slopes.matrix * p;
+    const double angle = 4.0 * std::numbers::pi * k / rays_of_fit,
+                 radius = (k % 2 ? 1.0 : 0.5) * camera.rays().pupil_radius();
+    const Eigen::Vector2d p = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)),
+                          s = slopes.constant + slopes.matrix * p;
     const auto ray = camera.leaving(sight, {p.x(), p.y(), s.x(), s.y(), LaunchStatus::ok});
     if (!ray) continue;
     const ViewCamera::Bundle& b = conoid.bundle;
-    result.push_back({p, offset_across(across, chief, *ray) - conoid.offset - b.offset_by_point * p - b.offset_by_slope * s,
-                      across * ray->direction / ray->direction.dot(chief.direction) - conoid.direction - b.direction_by_point * p -
-                          b.direction_by_slope * s});
+    result.push_back(
+        {p, offset_across(across, chief, *ray) - conoid.offset - b.offset_by_point * p - b.offset_by_slope * s,
+         across * ray->direction / ray->direction.dot(chief.direction) - conoid.direction - b.direction_by_point * p -
+             b.direction_by_slope * s});
   }
   return result;
 }
@@ -42,7 +45,8 @@ std::optional<ViewConoid> conoid_at(const ViewCamera& camera, const PupilSlopes&
   ViewConoid conoid{camera.differences(sight, *chief)};
   const std::vector<Deviation> tangent = deviations(conoid, camera, sight, *chief, slopes);
   if (tangent.size() == rays_of_fit) {  // rings evenly filled: the least-squares map is a matter of two means
-    const double n = rays_of_fit, square = n * 0.5 * 0.625 * std::pow(camera.rays().pupil_radius(), 2);  // of either component of p
+    const double n = rays_of_fit,
+                 square = n * 0.5 * 0.625 * std::pow(camera.rays().pupil_radius(), 2);  // of either component of p
     for (const Deviation& d : tangent) {
       conoid.offset += d.offset / n;
       conoid.direction += d.direction / n;

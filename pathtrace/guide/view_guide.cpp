@@ -11,8 +11,8 @@ namespace sturm {
 
 namespace {
 
-/// The bounding sphere and a little more: for what the interpolated conoid does not know. What lies outside all the same is left to plain
-/// sampling.
+/// The bounding sphere and a little more: for what the interpolated conoid does not know. What lies outside all the
+/// same is left to plain sampling.
 constexpr double margin = 1.15;
 
 /// Emitters that are seen from more than this share of the pupil at a time are left to plain sampling.
@@ -52,7 +52,8 @@ ViewGuide::ViewGuide(const Scene& scene, const ViewCamera& camera)
   if (!worth_it_somewhere()) use_ = GuideUse::no_small_emitter;
 }
 
-std::optional<ViewGuide::Place> ViewGuide::place(double film_x, double film_y, const ViewCamera::Bundle& focus_bundle) const {
+std::optional<ViewGuide::Place> ViewGuide::place(double film_x, double film_y,
+                                                 const ViewCamera::Bundle& focus_bundle) const {
   const auto conoid = conoids_->at(film_x, film_y);
   if (!conoid) return std::nullopt;
   Place place{camera_.place(film_x, film_y, focus_bundle), {}, {}, *conoid, slopes_.matrix};
@@ -78,15 +79,15 @@ std::optional<ViewGuide::Aspect> ViewGuide::aspect(int index, const Place& place
 
 PupilRegion ViewGuide::region_of(const Aspect& aspect, const Eigen::Vector2d& lateral, double reach) const {
   const Eigen::Matrix2d square = aspect.x.transpose() * aspect.x;
-  const Eigen::Vector2d v1 = principal_values(square(0, 0), square(0, 1), square(1, 1)).high_direction, v2 = quarter_turned(v1),
-                        image = aspect.x * v1;
+  const Eigen::Vector2d v1 = principal_values(square(0, 0), square(0, 1), square(1, 1)).high_direction,
+                        v2 = quarter_turned(v1), image = aspect.x * v1;
   const double large = image.norm();
   const Eigen::Vector2d u1 = large > 0.0 ? Eigen::Vector2d(image / large) : Eigen::Vector2d(1.0, 0.0);
   const double small = quarter_turned(u1).dot(aspect.x * v2);  // with its sign: X may mirror
   const Eigen::Vector2d u2 = (small < 0.0 ? -1.0 : 1.0) * quarter_turned(u1);
   return {PupilRectangle::that_reaches({static_cast<float>(u1.dot(lateral)), static_cast<float>(u2.dot(lateral))},
-                                       {static_cast<float>(large), static_cast<float>(std::abs(small))}, static_cast<float>(reach),
-                                       static_cast<float>(radius_)),
+                                       {static_cast<float>(large), static_cast<float>(std::abs(small))},
+                                       static_cast<float>(reach), static_cast<float>(radius_)),
           v1.cast<float>(), v2.cast<float>()};
 }
 
@@ -97,9 +98,11 @@ std::optional<PupilRegion> ViewGuide::region(int cluster, const Place& place) co
 
 std::optional<PupilRegion> ViewGuide::region_within(const Aspect& aspect, double widening) const {
   const double reach = aspect.reach + widening;
-  if (aspect.lateral.norm() > aspect.x.norm() * radius_ + std::numbers::sqrt2 * reach) return std::nullopt;  // most are not even near
+  if (aspect.lateral.norm() > aspect.x.norm() * radius_ + std::numbers::sqrt2 * reach)
+    return std::nullopt;  // most are not even near
   const PupilRegion region = region_of(aspect, aspect.lateral, reach);
-  if (!(region.rectangle.area() > 0.0f) || !region.rectangle.meets_disc(static_cast<float>(radius_))) return std::nullopt;
+  if (!(region.rectangle.area() > 0.0f) || !region.rectangle.meets_disc(static_cast<float>(radius_)))
+    return std::nullopt;
   return region;
 }
 
@@ -108,8 +111,8 @@ bool ViewGuide::worth_it(const Aspect& aspect) const {
   return area < largest_share * std::numbers::pi * radius_ * radius_;
 }
 
-/// Looks along the chief rays of the conoids' corners, with an eye that seeks focus relaxed and tense, at each cluster's distance as if it
-/// were straight ahead.
+/// Looks along the chief rays of the conoids' corners, with an eye that seeks focus relaxed and tense, at each
+/// cluster's distance as if it were straight ahead.
 bool ViewGuide::worth_it_somewhere() const {
   const auto* best = std::get_if<BestAccommodation>(&camera_.eye().accommodation);
   for (const EmitterCluster& cluster : clusters_.clusters()) {
@@ -130,7 +133,8 @@ bool ViewGuide::worth_it_somewhere() const {
   return false;
 }
 
-void ViewGuide::find_targets(int x, int y, const ViewCamera::Bundle& focus_bundle, std::vector<GuidedTarget>& targets) const {
+void ViewGuide::find_targets(int x, int y, const ViewCamera::Bundle& focus_bundle,
+                             std::vector<GuidedTarget>& targets) const {
   targets.clear();
   // An eye that seeks focus may find it at another distance in a corner of the pixel.
   std::vector<Place> places;
@@ -138,7 +142,8 @@ void ViewGuide::find_targets(int x, int y, const ViewCamera::Bundle& focus_bundl
     if (const auto there = place(x + at.x(), y + at.y(), focus_bundle)) places.push_back(*there);
     if (!camera_.seeks_focus()) break;
   }
-  // Half a diagonal of the pixel, and half as much again for spectacles that magnify; 50 mm for an eye that turns about its centre.
+  // Half a diagonal of the pixel, and half as much again for spectacles that magnify; 50 mm for an eye that turns about
+  // its centre.
   const double half_diagonal = 1.5 * 0.5 * std::numbers::sqrt2 * camera_.pixel_angle();
   constexpr double turning = 50e-3;
   float sum = 0.0f;
@@ -149,7 +154,8 @@ void ViewGuide::find_targets(int x, int y, const ViewCamera::Bundle& focus_bundl
       if (!seen) continue;
       const auto there = region_within(*seen, half_diagonal * (seen->distance + turning));
       if (there && worth_it(*seen))
-        expected = std::max(expected, clusters_.clusters()[static_cast<std::size_t>(k)].luminance * there->rectangle.area());
+        expected =
+            std::max(expected, clusters_.clusters()[static_cast<std::size_t>(k)].luminance * there->rectangle.area());
     }
     if (!(expected > 0.0f)) continue;
     targets.push_back({k, expected});

@@ -10,7 +10,8 @@
 
 namespace sturm {
 
-/// The pupil points that are proposed for one emitter at one place of the picture: uniform in a rectangle, cut to the pupil.
+/// The pupil points that are proposed for one emitter at one place of the picture: uniform in a rectangle, cut to the
+/// pupil.
 struct PupilRegion {
   PupilRectangle rectangle{{0.0f, 0.0f}, {0.0f, 0.0f}};
   Eigen::Vector2f v1, v2;
@@ -22,11 +23,12 @@ struct PupilRegion {
   float pdf(const Eigen::Vector2f& point) const;
 };
 
-/// EmitterGuide for a ViewCamera: through spectacles, with any spread of points over the pupil, over the whole sphere, with an eye that
-/// turns and accommodates. The chief ray of each sample's film place is refracted as it is; about it the map from the pupil to the
-/// emitter's plane is taken as affine (ViewConoidField), and the rectangle holds what the affine map leaves out as far as it is known:
-/// the spectacles' aberrations and those of the eye, so that all pupil points that see one emitter lie in it, were there several.
-/// The density is that of the rectangle, known exactly, whatever the true map does; no ray has to be aimed and no Jacobian is needed.
+/// EmitterGuide for a ViewCamera: through spectacles, with any spread of points over the pupil, over the whole sphere,
+/// with an eye that turns and accommodates. The chief ray of each sample's film place is refracted as it is; about it
+/// the map from the pupil to the emitter's plane is taken as affine (ViewConoidField), and the rectangle holds what the
+/// affine map leaves out as far as it is known: the spectacles' aberrations and those of the eye, so that all pupil
+/// points that see one emitter lie in it, were there several. The density is that of the rectangle, known exactly,
+/// whatever the true map does; no ray has to be aimed and no Jacobian is needed.
 class ViewGuide {
  public:
   ViewGuide(const Scene& scene, const ViewCamera& camera);

@@ -12,8 +12,8 @@ namespace sturm {
 namespace {
 constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
 
-/// What multiplies albedo and radiance of a light sample at a Lambertian surface with this normal: (cos θ / π) / pdf by the power heuristic
-/// against cosine sampling. 0: it cannot light it.
+/// What multiplies albedo and radiance of a light sample at a Lambertian surface with this normal: (cos θ / π) / pdf by
+/// the power heuristic against cosine sampling. 0: it cannot light it.
 float lambertian_weight(const LightSample& light, const Eigen::Vector3f& normal) {
   const float facing = normal.dot(light.direction);
   if (!(light.pdf > 0.0f) || !(facing > 0.0f)) return 0.0f;
@@ -27,42 +27,46 @@ Eigen::Vector3f normal_towards(const SurfacePoint& at, const Eigen::Vector3f& di
 }
 }  // namespace
 
-Eigen::Vector3f PathTracer::arriving(const LightSample& light, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
-                                     RenderCounters& counters) const {
+Eigen::Vector3f PathTracer::arriving(const LightSample& light, const Eigen::Vector3f& origin,
+                                     const Eigen::Vector3f& direction, RenderCounters& counters) const {
   ++counters.shadow_rays;
-  if (light.group < 0) return occluded(scene_.embree(), origin, direction) ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : light.radiance;
+  if (light.group < 0)
+    return occluded(scene_.embree(), origin, direction) ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : light.radiance;
   RTCRayHit ray = ray_from(origin, direction);
   if (!intersect(scene_.embree(), ray)) return Eigen::Vector3f::Zero();
   const SurfacePoint met = scene_.surface_point(ray.hit, origin, direction, ray.ray.tfar);
   const bool of_group = met.emitter >= 0 && scene_.lights().groups().group_of(met.emitter) == light.group;
-  return of_group && met.normal.dot(direction) < 0.0f ? met.material->emission : Eigen::Vector3f(Eigen::Vector3f::Zero());
+  return of_group && met.normal.dot(direction) < 0.0f ? met.material->emission
+                                                      : Eigen::Vector3f(Eigen::Vector3f::Zero());
 }
 
-Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal, const Eigen::Vector3f& origin, float u,
-                                         float v, RenderCounters& counters) const {
+Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal,
+                                         const Eigen::Vector3f& origin, float u, float v,
+                                         RenderCounters& counters) const {
   const LightSample light = scene_.lights().sample(origin, normal, u, v);
   const float weight = lambertian_weight(light, normal);
   if (!(weight > 0.0f)) return Eigen::Vector3f::Zero();
   return weight * at.albedo.cwiseProduct(arriving(light, origin, light.direction, counters));
 }
 
-void PathTracer::light(FirstVertices& vertices, const CameraHits& hits, std::uint32_t first_sample, int count, VertexNumbers& numbers,
-                       RenderCounters& counters) const {
+void PathTracer::light(FirstVertices& vertices, const CameraHits& hits, std::uint32_t first_sample, int count,
+                       VertexNumbers& numbers, RenderCounters& counters) const {
   vertices.lit = kind_ == Scene::Kind::plain && settings_.max_bounces > 0 && !scene_.lights().empty();
   if (!vertices.lit) return;
   for (int first = 0; first < count; first += ShadowPacket::size)
     light_packet(vertices, hits, first_sample, first, std::min(first + ShadowPacket::size, count), numbers, counters);
 }
 
-void PathTracer::light_packet(FirstVertices& vertices, const CameraHits& hits, std::uint32_t first_sample, int first, int end,
-                              VertexNumbers& numbers, RenderCounters& counters) const {
+void PathTracer::light_packet(FirstVertices& vertices, const CameraHits& hits, std::uint32_t first_sample, int first,
+                              int end, VertexNumbers& numbers, RenderCounters& counters) const {
   ShadowPacket shadows;
   for (int i = first; i < end; ++i) {
     Eigen::Vector3f& direct = vertices.direct_light[i];
     direct.setZero();
     if (!hits.hit(i) || !(vertices.at[i].albedo.maxCoeff() > 0.0f)) continue;
     const SurfacePoint& at = vertices.at[i];
-    const Eigen::Vector3f normal = normal_towards(at, hits.direction(i)), origin = offset_from_surface(at.position, normal);
+    const Eigen::Vector3f normal = normal_towards(at, hits.direction(i)),
+                          origin = offset_from_surface(at.position, normal);
     const VertexNumbers::Vertex random = numbers.vertex(first_sample + static_cast<std::uint32_t>(i), 0);
     const LightSample light = scene_.lights().sample(origin, normal, random.light_u, random.light_v);
     const float weight = lambertian_weight(light, normal);
@@ -80,8 +84,9 @@ void PathTracer::light_packet(FirstVertices& vertices, const CameraHits& hits, s
     if (shadows.is_stopped(i - first)) vertices.direct_light[i].setZero();
 }
 
-Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& direction, VertexNumbers& numbers,
-                                     std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const {
+Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vector3f& direction,
+                                     VertexNumbers& numbers, std::uint32_t sample, RenderCounters& counters,
+                                     const FirstVertex& known) const {
   switch (kind_) {
     case Scene::Kind::plain:
       return plain_radiance(first, direction, numbers, sample, counters, known);
@@ -92,8 +97,9 @@ Eigen::Vector3f PathTracer::radiance(const SurfacePoint& first, const Eigen::Vec
   }
 }
 
-Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction, VertexNumbers& numbers,
-                                           std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const {
+Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eigen::Vector3f& first_direction,
+                                           VertexNumbers& numbers, std::uint32_t sample, RenderCounters& counters,
+                                           const FirstVertex& known) const {
   SurfacePoint at = first;
   Eigen::Vector3f direction = first_direction, throughput = Eigen::Vector3f::Ones(), sum = Eigen::Vector3f::Zero();
   Eigen::Vector3f previous_origin = Eigen::Vector3f::Zero(), previous_normal = Eigen::Vector3f::Zero();
@@ -101,9 +107,10 @@ Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eige
   for (int bounce = 0;; ++bounce) {
     const bool seen_from_front = at.normal.dot(direction) < 0.0f;
     if (at.emitter >= 0 && seen_from_front) {
-      const float weight =
-          bounce == 0 ? known.emission_weight
-                      : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin, previous_normal, at.position, at.normal));
+      const float weight = bounce == 0
+                               ? known.emission_weight
+                               : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin,
+                                                                             previous_normal, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
     if (known.reflected_once && bounce <= 1) *known.reflected_once = sum;

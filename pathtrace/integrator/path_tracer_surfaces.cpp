@@ -1,4 +1,5 @@
-// The path tracer's loop for scenes with more than flat Lambertian surfaces, compiled once for Lambert alone and once for all models.
+// The path tracer's loop for scenes with more than flat Lambertian surfaces, compiled once for Lambert alone and once
+// for all models.
 #include "pathtrace/integrator/path_tracer.h"
 #include "pathtrace/lights/mis.h"
 #include "pathtrace/sampling/vector_math.h"
@@ -14,7 +15,8 @@ struct DiffuseSurfaces {
   static BsdfValue evaluate(const SurfaceModel&, const Vector3f& out, const Vector3f& in, const Vector3f& albedo) {
     return out.z() < 0.0f ? Diffuse::evaluate(-out, -in, albedo) : Diffuse::evaluate(out, in, albedo);
   }
-  static BsdfSample sample(const SurfaceModel&, const Vector3f& out, const BsdfNumbers& numbers, const Vector3f& albedo) {
+  static BsdfSample sample(const SurfaceModel&, const Vector3f& out, const BsdfNumbers& numbers,
+                           const Vector3f& albedo) {
     BsdfSample s = Diffuse::sample(out, numbers, albedo);
     if (out.z() < 0.0f) s.in = -s.in;
     return s;
@@ -24,19 +26,21 @@ struct DiffuseSurfaces {
 };
 
 struct AnySurfaces {
-  static BsdfValue evaluate(const SurfaceModel& model, const Vector3f& out, const Vector3f& in, const Vector3f& albedo) {
+  static BsdfValue evaluate(const SurfaceModel& model, const Vector3f& out, const Vector3f& in,
+                            const Vector3f& albedo) {
     return sturm::evaluate(model, out, in, albedo);
   }
-  static BsdfSample sample(const SurfaceModel& model, const Vector3f& out, const BsdfNumbers& numbers, const Vector3f& albedo) {
+  static BsdfSample sample(const SurfaceModel& model, const Vector3f& out, const BsdfNumbers& numbers,
+                           const Vector3f& albedo) {
     return sturm::sample(model, out, numbers, albedo);
   }
   static bool only_sharp(const SurfaceModel& model) { return sturm::only_sharp(model); }
   static constexpr bool lit_from_one_side = false;
 };
 
-/// The local frame of a surface point for one viewing direction. Reflection and transmission are told apart by the geometric normal, so
-/// that no light leaks through a smoothly shaded mesh [Veach1997, §5.3]; where the viewer sees the front of the surface but the back of
-/// its shading normal, the geometric normal shades.
+/// The local frame of a surface point for one viewing direction. Reflection and transmission are told apart by the
+/// geometric normal, so that no light leaks through a smoothly shaded mesh [Veach1997, §5.3]; where the viewer sees the
+/// front of the surface but the back of its shading normal, the geometric normal shades.
 struct ShadingFrame {
   Vector3f geometric, normal, tangent, bitangent;
 
@@ -65,8 +69,9 @@ constexpr std::uint32_t dimensions_per_vertex = 4, lobe_dimension = 3;
 }  // namespace
 
 template <class Surfaces>
-Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f& first_direction, VertexNumbers& numbers,
-                                      std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const {
+Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f& first_direction,
+                                      VertexNumbers& numbers, std::uint32_t sample, RenderCounters& counters,
+                                      const FirstVertex& known) const {
   const LightSet& lights = scene_.lights();
   SurfacePoint at = first;
   Vector3f direction = first_direction.normalized(), throughput = Vector3f::Ones(), sum = Vector3f::Zero();
@@ -75,9 +80,10 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
   bool sharp = true;  // lights cannot have been sampled in this direction before
   for (int bounce = 0;; ++bounce) {
     if (at.emitter >= 0 && at.normal.dot(direction) < 0.0f) {
-      const float weight = bounce == 0 ? known.emission_weight
-                           : sharp     ? 1.0f
-                                       : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, previous_normal, at.position, at.normal));
+      const float weight =
+          bounce == 0 ? known.emission_weight
+          : sharp     ? 1.0f
+                  : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, previous_normal, at.position, at.normal));
       sum += weight * throughput.cwiseProduct(at.material->emission);
     }
     if (known.reflected_once && bounce <= 1) *known.reflected_once = sum;
@@ -90,7 +96,8 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     const Vector3f lit_side = !Surfaces::lit_from_one_side      ? Vector3f(Vector3f::Zero())
                               : at.normal.dot(direction) < 0.0f ? at.normal
                                                                 : Vector3f(-at.normal);
-    const std::uint32_t first_dimension = dimension::first_vertex + dimensions_per_vertex * static_cast<std::uint32_t>(bounce);
+    const std::uint32_t first_dimension =
+        dimension::first_vertex + dimensions_per_vertex * static_cast<std::uint32_t>(bounce);
     if (!lights.empty() && !Surfaces::only_sharp(surface)) {
       const auto u = numbers.sequence().pair(sample, first_dimension + dimension::light);
       const LightSample light = lights.sample(at.position, lit_side, unit_float(u.x), unit_float(u.y));
@@ -101,7 +108,8 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
           const Vector3f origin = frame.origin(at.position, to_light);
           const Vector3f towards = light.group < 0 ? Vector3f(at.position + light.direction - origin) : light.direction;
           const float weight = light.delta ? 1.0f : mis_weight(light.pdf, value.pdf);
-          sum += (weight / light.pdf) * throughput.cwiseProduct(value.value).cwiseProduct(arriving(light, origin, towards, counters));
+          sum += (weight / light.pdf) *
+                 throughput.cwiseProduct(value.value).cwiseProduct(arriving(light, origin, towards, counters));
         }
       }
     }
@@ -142,13 +150,13 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
   }
 }
 
-Vector3f PathTracer::diffuse_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
-                                      RenderCounters& counters, const FirstVertex& known) const {
+Vector3f PathTracer::diffuse_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers,
+                                      std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const {
   return surface_radiance<DiffuseSurfaces>(first, direction, numbers, sample, counters, known);
 }
 
-Vector3f PathTracer::mixed_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers, std::uint32_t sample,
-                                    RenderCounters& counters, const FirstVertex& known) const {
+Vector3f PathTracer::mixed_radiance(const SurfacePoint& first, const Vector3f& direction, VertexNumbers& numbers,
+                                    std::uint32_t sample, RenderCounters& counters, const FirstVertex& known) const {
   return surface_radiance<AnySurfaces>(first, direction, numbers, sample, counters, known);
 }
 

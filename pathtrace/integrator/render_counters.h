@@ -8,7 +8,8 @@ namespace sturm {
 struct RenderCounters {
   RayCounters camera;
   std::uint64_t bounce_rays = 0, shadow_rays = 0;
-  std::uint64_t guided_rays = 0, guided_hits = 0;  ///< rays sent by an EmitterGuide or ViewGuide, and those that met their emitter
+  std::uint64_t guided_rays = 0,
+                guided_hits = 0;  ///< rays sent by an EmitterGuide or ViewGuide, and those that met their emitter
 
   RenderCounters& operator+=(const RenderCounters& part) {
     camera += part.camera;

@@ -3,7 +3,8 @@
 
 namespace sturm {
 
-/// Eight shadow rays that are traced together: faster than one by one where they start close to one another and go to the same lights.
+/// Eight shadow rays that are traced together: faster than one by one where they start close to one another and go to
+/// the same lights.
 class ShadowPacket {
  public:
   static constexpr int size = 8;

@@ -4,7 +4,8 @@ namespace sturm {
 
 VertexNumbers::Vertex VertexNumbers::single_vertex(std::uint32_t sample, int bounce) const {
   const std::uint32_t first = first_dimension(bounce);
-  const auto light = sequence_.pair(sample, first + dimension::light), scatter = sequence_.pair(sample, first + dimension::scatter);
+  const auto light = sequence_.pair(sample, first + dimension::light),
+             scatter = sequence_.pair(sample, first + dimension::scatter);
   return {unit_float(light.x), unit_float(light.y), cosine_local(unit_float(scatter.x), unit_float(scatter.y))};
 }
 
@@ -18,7 +19,8 @@ void VertexNumbers::fill(int bounce) {
 template <int lanes>
 void VertexNumbers::fill_lanes(int bounce) {
   const std::uint32_t first = first_dimension(bounce), first_sample = first_sample_;
-  const owen_sobol::Keys light = sequence_.keys(first + dimension::light), scatter = sequence_.keys(first + dimension::scatter),
+  const owen_sobol::Keys light = sequence_.keys(first + dimension::light),
+                         scatter = sequence_.keys(first + dimension::scatter),
                          survive = sequence_.keys(first + dimension::survive);
   Depth& d = depths_[bounce];
   for (int i = 0; i < lanes; ++i) {
@@ -37,7 +39,8 @@ void VertexNumbers::fill_lanes(int bounce) {
     d.y[i] = w.y;
     d.z[i] = w.z;
   }
-  for (int i = 0; i < lanes; ++i) d.survive[i] = unit_float(owen_sobol::single(first_sample + static_cast<std::uint32_t>(i), survive));
+  for (int i = 0; i < lanes; ++i)
+    d.survive[i] = unit_float(owen_sobol::single(first_sample + static_cast<std::uint32_t>(i), survive));
 }
 
 }  // namespace sturm

@@ -7,9 +7,9 @@
 
 namespace sturm {
 
-/// The random numbers that the vertices of plain paths take, for the samples of one block of camera rays. Where the first path of the block
-/// comes to a depth, the numbers of that depth are made for all of them: the loop over the samples vectorises, so that the block costs
-/// little more than one sample. The same bits as from the sequence itself.
+/// The random numbers that the vertices of plain paths take, for the samples of one block of camera rays. Where the
+/// first path of the block comes to a depth, the numbers of that depth are made for all of them: the loop over the
+/// samples vectorises, so that the block costs little more than one sample. The same bits as from the sequence itself.
 class VertexNumbers {
  public:
   struct Vertex {

@@ -10,7 +10,8 @@ class AliasTable {
   AliasTable() = default;
 
   /// Weights ≥ 0; if all are 0, all are equal.
-  explicit AliasTable(const std::vector<double>& weights) : slots_(weights.size(), {1.0f, 0}), probability_(weights.size()) {
+  explicit AliasTable(const std::vector<double>& weights)
+      : slots_(weights.size(), {1.0f, 0}), probability_(weights.size()) {
     const int n = size();
     double total = 0.0;
     for (double w : weights) total += w;

@@ -35,7 +35,8 @@ struct Box {
 
 }  // namespace
 
-EmitterClusters::EmitterClusters(const LightSet& lights) : cluster_of_light_(static_cast<std::size_t>(lights.size()), -1) {
+EmitterClusters::EmitterClusters(const LightSet& lights)
+    : cluster_of_light_(static_cast<std::size_t>(lights.size()), -1) {
   Groups groups(lights.size());
   std::map<std::array<float, 3>, int> first_at;  // the first triangle that has this corner
   for (int i = 0; i < lights.size(); ++i) {
@@ -65,7 +66,8 @@ EmitterClusters::EmitterClusters(const LightSet& lights) : cluster_of_light_(sta
   for (int i = 0; i < lights.size(); ++i) {
     if (cluster_of(i) < 0) continue;
     EmitterCluster& c = clusters_[static_cast<std::size_t>(cluster_of(i))];
-    for (const Eigen::Vector3f& corner : lights.shape(i).corners) c.radius = std::max(c.radius, (corner - c.center).norm());
+    for (const Eigen::Vector3f& corner : lights.shape(i).corners)
+      c.radius = std::max(c.radius, (corner - c.center).norm());
   }
 }
 

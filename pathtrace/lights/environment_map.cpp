@@ -21,7 +21,8 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const Image> picture, const Eigen
   for (int y = 0; y < height; ++y) {
     edge_cosine_.push_back(y + 1 == height ? -1.0f : static_cast<float>(std::cos(std::numbers::pi * (y + 1) / height)));
     double sum = 0.0;
-    for (int x = 0; x < width; ++x) sum += weights[static_cast<std::size_t>(x)] = static_cast<double>(luminance(radiance(Pixel{x, y})));
+    for (int x = 0; x < width; ++x)
+      sum += weights[static_cast<std::size_t>(x)] = static_cast<double>(luminance(radiance(Pixel{x, y})));
     columns_.emplace_back(weights);
     row_weights.push_back(sum * static_cast<double>(edge_cosine_[y] - edge_cosine_[y + 1]));
   }
@@ -33,8 +34,8 @@ EnvironmentMap::Pixel EnvironmentMap::pixel(const Eigen::Vector3f& direction) co
   const float turn = (std::atan2(w.x(), -w.z()) - rotation_) / two_pi + 0.5f;
   const int x = static_cast<int>((turn - std::floor(turn)) * static_cast<float>(picture_->width));
   // By the stored edges, so that a sampled direction falls into the row that it was sampled from.
-  const auto below =
-      std::upper_bound(edge_cosine_.begin() + 1, edge_cosine_.end() - 1, w.y(), [](float c, float edge) { return c >= edge; });
+  const auto below = std::upper_bound(edge_cosine_.begin() + 1, edge_cosine_.end() - 1, w.y(),
+                                      [](float c, float edge) { return c >= edge; });
   return {std::min(x, picture_->width - 1), static_cast<int>(below - edge_cosine_.begin()) - 1};
 }
 
@@ -44,7 +45,8 @@ Eigen::Vector3f EnvironmentMap::radiance(Pixel at) const {
 }
 
 float EnvironmentMap::pdf(Pixel at) const {
-  const float solid_angle = two_pi / static_cast<float>(picture_->width) * (edge_cosine_[at.y] - edge_cosine_[at.y + 1]);
+  const float solid_angle =
+      two_pi / static_cast<float>(picture_->width) * (edge_cosine_[at.y] - edge_cosine_[at.y + 1]);
   return rows_.probability(at.y) * columns_[static_cast<std::size_t>(at.y)].probability(at.x) / solid_angle;
 }
 

@@ -17,9 +17,10 @@ struct EnvironmentSample {
 
 /// Light from infinity out of a latitude–longitude picture, constant within each of its pixels.
 ///
-/// The top row looks up (+y), the centre along −z, what is right of the centre lies towards +x. `rotation` [rad] turns the surroundings
-/// to the right: the picture's centre is then seen at that azimuth. A pixel is chosen in proportion to its luminance times its solid
-/// angle, first its row, then its column, and a point in it uniformly in solid angle: the density is exactly that of a constant pixel.
+/// The top row looks up (+y), the centre along −z, what is right of the centre lies towards +x. `rotation` [rad] turns
+/// the surroundings to the right: the picture's centre is then seen at that azimuth. A pixel is chosen in proportion to
+/// its luminance times its solid angle, first its row, then its column, and a point in it uniformly in solid angle: the
+/// density is exactly that of a constant pixel.
 class EnvironmentMap {
  public:
   /// `picture`: 3 channels, finite, not negative. `scale` multiplies it.

@@ -16,14 +16,15 @@ namespace {
 /// Rounding of corners: the sphere is a little larger than the farthest of them.
 constexpr float sphere_margin = 1.0f + 1e-5f;
 
-/// Triangles whose unit normals agree to this, and whose corners lie this near to one plane for their size, are a panel.
+/// Triangles whose unit normals agree to this, and whose corners lie this near to one plane for their size, are a
+/// panel.
 constexpr float flatness = 1e-4f;
 
 /// So near, for its size, the corners of two triangles come to those of a parallelogram: rounding, and not more.
 constexpr float closure = 1e-5f;
 
-/// A convex body covers, averaged over all directions, area/4 of its sphere's disc (Cauchy). Up to one half, area sampling loses no more
-/// samples to backs of triangles than a cone would to misses.
+/// A convex body covers, averaged over all directions, area/4 of its sphere's disc (Cauchy). Up to one half, area
+/// sampling loses no more samples to backs of triangles than a cone would to misses.
 constexpr float least_cover_of_round = 0.5f;
 
 struct Triangles {
@@ -42,7 +43,8 @@ Triangles measured(const LightGroup& group, const LightSet& lights) {
     const Eigen::Vector3f normal = scaled.normalized();
     if (t.normal.isZero()) t.normal = normal;
     t.panel &= (normal - t.normal).norm() < flatness;
-    for (const Eigen::Vector3f& c : corners) t.panel &= std::abs(t.normal.dot(c - group.center)) < flatness * group.radius;
+    for (const Eigen::Vector3f& c : corners)
+      t.panel &= std::abs(t.normal.dot(c - group.center)) < flatness * group.radius;
   }
   t.panel &= !t.normal.isZero();
   return t;
@@ -61,7 +63,8 @@ void find_parallelogram(LightGroup& group, const LightSet& lights) {
   const LightShape first = lights.shape(group.lights[0]), second = lights.shape(group.lights[1]);
   if (first.emission != second.emission) return;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Eigen::Vector3f &corner = first.corners[i], &next = first.corners[(i + 1) % 3], &last = first.corners[(i + 2) % 3];
+    const Eigen::Vector3f &corner = first.corners[i], &next = first.corners[(i + 1) % 3],
+                          &last = first.corners[(i + 2) % 3];
     for (std::size_t j = 0; j < 3; ++j) {
       if (second.corners[(j + 1) % 3] != last || second.corners[(j + 2) % 3] != next) continue;
       if ((corner + second.corners[j] - next - last).norm() > closure * group.radius) continue;
@@ -105,8 +108,8 @@ LightGroups::LightGroups(const LightSet& lights) {
     if (has_triangles) {
       triangles = measured(group, lights);
       group.radius *= sphere_margin;
-      group.round =
-          !triangles.panel && triangles.area > least_cover_of_round * 4.0f * std::numbers::pi_v<float> * group.radius * group.radius;
+      group.round = !triangles.panel && triangles.area > least_cover_of_round * 4.0f * std::numbers::pi_v<float> *
+                                                             group.radius * group.radius;
       if (triangles.panel) find_parallelogram(group, lights);
     }
     if (size() > most_weighed) continue;
@@ -117,7 +120,8 @@ LightGroups::LightGroups(const LightSet& lights) {
     lanes_.power[i] = by_power_.probability(i);
     // Power is π L A of a surface, 4π I of a point.
     const bool flat = has_triangles && triangles.panel;
-    lanes_.shown[i] = static_cast<float>(powers[static_cast<std::size_t>(i)] / std::numbers::pi) * (flat ? 1.0f : 0.25f);
+    lanes_.shown[i] =
+        static_cast<float>(powers[static_cast<std::size_t>(i)] / std::numbers::pi) * (flat ? 1.0f : 0.25f);
     lanes_.flat[i] = flat ? 1.0f : 0.0f;
     if (flat) {
       lanes_.panel_x[i] = triangles.normal.x();
@@ -155,7 +159,8 @@ float LightGroups::weigh(const Eigen::Vector3f& point, const Eigen::Vector3f& no
   return total;
 }
 
-LightGroups::Choice LightGroups::choose_among(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float u) const {
+LightGroups::Choice LightGroups::choose_among(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
+                                              float u) const {
   if (size() > most_weighed) {
     const int index = by_power_.choose(u);
     return {index, by_power_.probability(index), u};

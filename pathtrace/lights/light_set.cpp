@@ -41,11 +41,13 @@ ConeDirection direction_in(const Cone& cone, float u, float v) {
   const float sine_squared = drop * (2.0f - drop), sine = std::sqrt(sine_squared);
   const float angle = 2.0f * pi * v;
   const TangentFrame frame(cone.axis);
-  return {cosine * cone.axis + sine * (std::cos(angle) * frame.tangent + std::sin(angle) * frame.bitangent), cosine, sine_squared};
+  return {cosine * cone.axis + sine * (std::cos(angle) * frame.tangent + std::sin(angle) * frame.bitangent), cosine,
+          sine_squared};
 }
 }  // namespace
 
-int LightSet::add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, const Eigen::Vector3f& radiance) {
+int LightSet::add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
+                           const Eigen::Vector3f& radiance) {
   const Eigen::Vector3f edge1 = b - a, edge2 = c - a;
   const Eigen::Vector3f scaled_normal = edge1.cross(edge2);
   const float area = 0.5f * scaled_normal.norm();
@@ -75,7 +77,8 @@ void LightSet::set_environment(std::shared_ptr<const EnvironmentMap> environment
 
 LightShape LightSet::shape(int index) const {
   const Light& light = lights_[static_cast<std::size_t>(index)];
-  if (light.kind == Kind::triangle) return {{light.a, light.a + light.edge1, light.a + light.edge2}, light.a, 0.0f, light.emission};
+  if (light.kind == Kind::triangle)
+    return {{light.a, light.a + light.edge1, light.a + light.edge2}, light.a, 0.0f, light.emission};
   return {{}, light.a, light.kind == Kind::sphere ? light.edge1.x() : 0.0f, light.emission};
 }
 
@@ -113,17 +116,20 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
   const LightGroup& group = groups_.group(choice.group);
   if (group.parallelogram) {
     const Eigen::Vector3f direction = group.corner + choice.rest * group.edge1 + v * group.edge2 - point;
-    const float facing = -group.scaled_normal.dot(direction), square = direction.squaredNorm(), distance = std::sqrt(square);
+    const float facing = -group.scaled_normal.dot(direction), square = direction.squaredNorm(),
+                distance = std::sqrt(square);
     const Eigen::Vector3f& emission = lights_[static_cast<std::size_t>(group.lights.front())].emission;
     // pdf = 1/area · distance²/cos, with cos = facing / (area · distance)
-    return {direction, distance, emission, facing > 0.0f ? choice.probability * square * distance / facing : 0.0f, false};
+    return {direction, distance, emission, facing > 0.0f ? choice.probability * square * distance / facing : 0.0f,
+            false};
   }
   if (group.round) {
     const Eigen::Vector3f to_center = group.center - point;
     const float square = to_center.squaredNorm();
     if (square > group.radius * group.radius) {
       const Cone cone = cone_of(to_center, square, group.radius);
-      return {direction_in(cone, choice.rest, v).unit, 1.0f, Eigen::Vector3f::Zero(), choice.probability * cone.pdf(), false, choice.group};
+      return {direction_in(cone, choice.rest, v).unit, 1.0f,  Eigen::Vector3f::Zero(),
+              choice.probability * cone.pdf(),         false, choice.group};
     }
   }
   const int member = group.choices.choose(choice.rest);
@@ -142,7 +148,8 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
   }
 }
 
-LightSample LightSet::sample_triangle(const Light& light, float probability, const Eigen::Vector3f& point, float u, float v) {
+LightSample LightSet::sample_triangle(const Light& light, float probability, const Eigen::Vector3f& point, float u,
+                                      float v) {
   const float root = std::sqrt(u);
   const Eigen::Vector3f direction = light.a + (root * (1.0f - v)) * light.edge1 + (root * v) * light.edge2 - point;
   const float facing = -light.scaled_normal.dot(direction);
@@ -152,7 +159,8 @@ LightSample LightSet::sample_triangle(const Light& light, float probability, con
   return {direction, distance, light.emission, probability * 2.0f * square * distance / facing, false};
 }
 
-LightSample LightSet::sample_sphere(const Light& light, float probability, const Eigen::Vector3f& point, float u, float v) {
+LightSample LightSet::sample_sphere(const Light& light, float probability, const Eigen::Vector3f& point, float u,
+                                    float v) {
   const Eigen::Vector3f to_center = light.a - point;
   const float radius = light.edge1.x(), square = to_center.squaredNorm();
   if (square <= radius * radius) return {to_center, std::sqrt(square), light.emission, 0.0f, false};
@@ -162,8 +170,8 @@ LightSample LightSet::sample_sphere(const Light& light, float probability, const
   return {reach * d.unit, reach, light.emission, probability * cone.pdf(), false};
 }
 
-float LightSet::pdf(int index, const Eigen::Vector3f& from, const Eigen::Vector3f& from_normal, const Eigen::Vector3f& at,
-                    const Eigen::Vector3f& normal) const {
+float LightSet::pdf(int index, const Eigen::Vector3f& from, const Eigen::Vector3f& from_normal,
+                    const Eigen::Vector3f& at, const Eigen::Vector3f& normal) const {
   const Light& light = lights_[static_cast<std::size_t>(index)];
   const LightGroup& group = groups_.group(groups_.group_of(index));
   const float probability = lights_share_ * groups_.probability(groups_.group_of(index), from, from_normal);

@@ -2,7 +2,8 @@
 
 namespace sturm {
 
-/// Power heuristic with exponent 2 (Veach & Guibas 1995) for a technique against one that has `ratio` times its density.
+/// Power heuristic with exponent 2 (Veach & Guibas 1995) for a technique against one that has `ratio` times its
+/// density.
 inline float mis_weight(float ratio) {
   return 1.0f / (1.0f + ratio * ratio);
 }

@@ -12,7 +12,8 @@ inline Eigen::Matrix<double, 2, 3> axes_across(const LightRay& chief) {
 }
 
 /// Where a ray passes the plane across the chief ray at its origin, on `axes_across` of the chief ray [m].
-inline Eigen::Vector2d offset_across(const Eigen::Matrix<double, 2, 3>& across, const LightRay& chief, const LightRay& ray) {
+inline Eigen::Vector2d offset_across(const Eigen::Matrix<double, 2, 3>& across, const LightRay& chief,
+                                     const LightRay& ray) {
   const Eigen::Vector3d w = ray.origin - chief.origin;
   return across * (w - w.dot(chief.direction) / ray.direction.dot(chief.direction) * ray.direction);
 }

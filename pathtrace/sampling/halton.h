@@ -7,17 +7,18 @@
 
 namespace sturm {
 
-/// Halton's sequence with nested random digit shifts: coordinate k is the radical inverse in the k-th prime, each digit shifted by a number
-/// that depends on the digits before it (Owen's scrambling restricted to shifts). Addressed like owen_sobol, no faster: for comparison with
-/// renderers that use Halton's points.
+/// Halton's sequence with nested random digit shifts: coordinate k is the radical inverse in the k-th prime, each digit
+/// shifted by a number that depends on the digits before it (Owen's scrambling restricted to shifts). Addressed like
+/// owen_sobol, no faster: for comparison with renderers that use Halton's points.
 namespace halton {
 
 /// Later dimensions take these again under other keys, as padding does.
-inline constexpr std::array<std::uint32_t, 32> primes{2,  3,  5,  7,  11, 13, 17, 19, 23, 29,  31,  37,  41,  43,  47,  53,
-                                                      59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113, 127, 131};
+inline constexpr std::array<std::uint32_t, 32> primes{2,  3,  5,  7,   11,  13,  17,  19,  23,  29, 31,
+                                                      37, 41, 43, 47,  53,  59,  61,  67,  71,  73, 79,
+                                                      83, 89, 97, 101, 103, 107, 109, 113, 127, 131};
 
-/// The scrambled radical inverse of `index` in `base`, uniform in [0, 2³²). The first 2¹⁶ points are stratified digit by digit; beyond,
-/// only the digits that the index has. What follows is random.
+/// The scrambled radical inverse of `index` in `base`, uniform in [0, 2³²). The first 2¹⁶ points are stratified digit
+/// by digit; beyond, only the digits that the index has. What follows is random.
 inline std::uint32_t scrambled_radical_inverse(std::uint32_t index, std::uint32_t base, std::uint32_t key) {
   double value = 0.0, place = 1.0;
   std::uint32_t prefix = key;
@@ -36,7 +37,8 @@ inline std::uint32_t scrambled_radical_inverse(std::uint32_t index, std::uint32_
 /// The pair of coordinates that starts at a dimension; a dimension's second coordinate has the next prime.
 inline owen_sobol::Pair pair(std::uint32_t index, std::uint32_t dimension, const owen_sobol::Keys& keys) {
   const std::uint32_t first = 2u * dimension % static_cast<std::uint32_t>(primes.size());
-  return {scrambled_radical_inverse(index, primes[first], keys.x), scrambled_radical_inverse(index, primes[first + 1u], keys.y)};
+  return {scrambled_radical_inverse(index, primes[first], keys.x),
+          scrambled_radical_inverse(index, primes[first + 1u], keys.y)};
 }
 
 }  // namespace halton

@@ -3,10 +3,10 @@
 
 namespace sturm {
 
-/// Addressed random numbers: every value is a function of (seed, pixel, sample, dimension) alone, so any sample can be replayed and
-/// the picture does not depend on the number of threads. Padded Owen-scrambled (0,2)-sequences: Burley, "Practical Hash-based Owen
-/// Scrambling", JCGT 9(4), 2020, with the bit mixer of Vegdahl (2021). All arithmetic is branch-free on 32-bit words, so that loops
-/// over samples vectorise.
+/// Addressed random numbers: every value is a function of (seed, pixel, sample, dimension) alone, so any sample can be
+/// replayed and the picture does not depend on the number of threads. Padded Owen-scrambled (0,2)-sequences: Burley,
+/// "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020, with the bit mixer of Vegdahl (2021). All arithmetic is
+/// branch-free on 32-bit words, so that loops over samples vectorise.
 namespace owen_sobol {
 
 inline std::uint32_t reversed_bits(std::uint32_t x) {

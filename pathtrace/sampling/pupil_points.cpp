@@ -57,8 +57,8 @@ void fill_unit_disk(Sequence sequence, std::uint64_t seed, std::uint32_t replica
     map([&](std::uint32_t i) { return PixelSequence::independent(i, keys.order); });
 }
 
-void fill_pupil(const PupilSampler& sampler, Sequence sequence, std::uint64_t seed, std::uint32_t replicate, std::uint32_t first,
-                std::vector<Eigen::Vector2d>& points, std::vector<double>& weights) {
+void fill_pupil(const PupilSampler& sampler, Sequence sequence, std::uint64_t seed, std::uint32_t replicate,
+                std::uint32_t first, std::vector<Eigen::Vector2d>& points, std::vector<double>& weights) {
   const PixelSequence numbers(sequence, seed, replicate);
   weights.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

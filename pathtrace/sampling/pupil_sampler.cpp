@@ -45,12 +45,14 @@ PupilSampler::PupilSampler(const PupilSamplingSpec& spec, double apodization) : 
     case PupilSampling::Rings:
       rings_ = ring_points(spec.rings, spec.angle_factor);
       mean_weight_ = 0.0;
-      for (const Eigen::Vector2d& p : rings_) mean_weight_ += std::exp(-apodization * p.squaredNorm()) / static_cast<double>(rings_.size());
+      for (const Eigen::Vector2d& p : rings_)
+        mean_weight_ += std::exp(-apodization * p.squaredNorm()) / static_cast<double>(rings_.size());
   }
 }
 
 bool PupilSampler::unweighted() const {
-  return spec_.kind == PupilSampling::UniformDisk || (apodization_ == 0.0 && spec_.kind != PupilSampling::UniformPolarWeighted);
+  return spec_.kind == PupilSampling::UniformDisk ||
+         (apodization_ == 0.0 && spec_.kind != PupilSampling::UniformPolarWeighted);
 }
 
 WeightedPoint PupilSampler::at(double u, double v) const {

@@ -18,8 +18,8 @@ class PupilSampler {
   /// Uniform, without apodization.
   PupilSampler() : PupilSampler(PupilSamplingSpec{}, 0.0) {}
 
-  /// `apodization` is q = ρ ln 10 · a² ≥ 0 for the Stiles–Crawford weight 10^(−ρ r²); 0 is none. A uniform disc is apodized by its
-  /// density (weights 1), the other samplings by weights.
+  /// `apodization` is q = ρ ln 10 · a² ≥ 0 for the Stiles–Crawford weight 10^(−ρ r²); 0 is none. A uniform disc is
+  /// apodized by its density (weights 1), the other samplings by weights.
   PupilSampler(const PupilSamplingSpec& spec, double apodization);
 
   /// True where every point has the weight 1.
@@ -34,8 +34,8 @@ class PupilSampler {
   /// False for points that stand in fixed places.
   bool has_density() const { return spec_.kind != PupilSampling::Rings; }
 
-  /// How densely `at` spreads its points, per area of the unit disc, and the weight that it gives to one there. Needs `has_density`.
-  /// `uniform_polar` is infinitely dense at the centre.
+  /// How densely `at` spreads its points, per area of the unit disc, and the weight that it gives to one there. Needs
+  /// `has_density`. `uniform_polar` is infinitely dense at the centre.
   double density(const Eigen::Vector2d& point) const;
   double weight(const Eigen::Vector2d& point) const;
 

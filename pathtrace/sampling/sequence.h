@@ -21,7 +21,8 @@ class PixelSequence {
  public:
   PixelSequence(Sequence kind, std::uint64_t seed, std::uint32_t pixel)
       : kind_(kind),
-        key_(owen_sobol::combined(owen_sobol::combined(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)), pixel)) {}
+        key_(owen_sobol::combined(
+            owen_sobol::combined(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)), pixel)) {}
 
   Sequence kind() const { return kind_; }
 
@@ -55,7 +56,8 @@ class PixelSequence {
 
   Sequence kind_;
   std::uint32_t key_;
-  // All samples of a pixel use the same keys, so the first one to need a dimension leaves them here. One thread works on a pixel.
+  // All samples of a pixel use the same keys, so the first one to need a dimension leaves them here. One thread works
+  // on a pixel.
   mutable std::uint32_t known_ = 0;
   mutable std::array<owen_sobol::Keys, cached_dimensions> cache_;
 };

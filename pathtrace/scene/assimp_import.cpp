@@ -49,13 +49,15 @@ class ModelImport {
     std::vector<bool> used(scene->mNumMaterials, false);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) used.at(scene->mMeshes[i]->mMaterialIndex) = true;
     const bool metallic_roughness = extension == ".gltf" || extension == ".glb";
-    for (unsigned i = 0; i < scene->mNumMaterials; ++i) add_material(*scene, *scene->mMaterials[i], used[i], metallic_roughness);
+    for (unsigned i = 0; i < scene->mNumMaterials; ++i)
+      add_material(*scene, *scene->mMaterials[i], used[i], metallic_roughness);
     shown_.assign(scene->mNumMeshes, 0);
     prototype_of_.assign(scene->mNumMeshes, -1);
     count_shown(*scene->mRootNode);
     add_node(*scene, *scene->mRootNode, aiMatrix4x4());
     note_what_is_left_out(*scene, used);
-    if (result_.meshes.empty() && result_.instances.empty()) fail("", "no triangles", "a model with at least one triangle");
+    if (result_.meshes.empty() && result_.instances.empty())
+      fail("", "no triangles", "a model with at least one triangle");
     return std::move(result_);
   }
 
@@ -71,7 +73,8 @@ class ModelImport {
     return extension;
   }
 
-  Eigen::Vector3f checked_colour(const aiColor3D& colour, float largest, const std::string& where, const std::string& expected) const {
+  Eigen::Vector3f checked_colour(const aiColor3D& colour, float largest, const std::string& where,
+                                 const std::string& expected) const {
     for (const float value : {colour.r, colour.g, colour.b})
       if (!(value >= 0.0f && value <= largest && std::isfinite(value))) fail(where, std::to_string(value), expected);
     return {colour.r, colour.g, colour.b};
@@ -87,8 +90,8 @@ class ModelImport {
     source.Get(AI_MATKEY_COLOR_EMISSIVE, emission);
     source.Get(AI_MATKEY_EMISSIVE_INTENSITY, strength);
     material.albedo = checked_colour(base, 1.0f, where + ", base colour", "reflectances from 0 to 1");
-    material.emission =
-        checked_colour(emission * strength, std::numeric_limits<float>::max(), where + ", emission", "a finite radiance of at least 0");
+    material.emission = checked_colour(emission * strength, std::numeric_limits<float>::max(), where + ", emission",
+                                       "a finite radiance of at least 0");
     aiString path;
     if (used && (source.GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
                  source.GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS))
@@ -107,7 +110,8 @@ class ModelImport {
   }
 
   /// glTF's factors; a texture of them counts with its mean (roughness in green, metallic in blue), which is noted.
-  void take_metallic_roughness(const aiScene& scene, const aiMaterial& source, Material& material, const std::string& where) {
+  void take_metallic_roughness(const aiScene& scene, const aiMaterial& source, Material& material,
+                               const std::string& where) {
     GltfFactors factors;
     source.Get(AI_MATKEY_METALLIC_FACTOR, factors.metallic);
     source.Get(AI_MATKEY_ROUGHNESS_FACTOR, factors.roughness);
@@ -115,7 +119,8 @@ class ModelImport {
     for (const float factor : {factors.metallic, factors.roughness})
       if (!(factor >= 0.0f && factor <= 1.0f))
         fail(where + ", metallic or roughness factor", std::to_string(factor), "a factor from 0 to 1");
-    if (!(factors.index > 1.0f && factors.index <= 4.0f)) fail(where + ", index", std::to_string(factors.index), "above 1, at most 4");
+    if (!(factors.index > 1.0f && factors.index <= 4.0f))
+      fail(where + ", index", std::to_string(factors.index), "above 1, at most 4");
     aiString path;
     if (source.GetTexture(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE, &path) == aiReturn_SUCCESS) {
       const Eigen::Vector3f mean = mean_of(*texture(scene, path.C_Str(), where, TextureEncoding::Linear));
@@ -124,14 +129,17 @@ class ModelImport {
       note("material \"" + material.name + "\": the mean of its metallic-roughness texture is taken");
     }
     factors.base_colour = material.albedo;
-    if (material.albedo_texture) factors.base_colour = factors.base_colour.cwiseProduct(mean_of(*material.albedo_texture));
+    if (material.albedo_texture)
+      factors.base_colour = factors.base_colour.cwiseProduct(mean_of(*material.albedo_texture));
     GltfSurface found = gltf_surface(factors);
     if (!found.left_out.empty()) note("material \"" + material.name + "\" is taken without its " + found.left_out);
     material.surface = std::move(found.surface);
     if (const auto* metal = std::get_if<Conductor>(&material.surface)) {
-      if (material.albedo_texture) note("material \"" + material.name + "\": the mean colour of its texture is taken, since it is a metal");
+      if (material.albedo_texture)
+        note("material \"" + material.name + "\": the mean colour of its texture is taken, since it is a metal");
       material.albedo_texture = nullptr;
-      material.albedo = fresnel_conductor(1.0f, metal->eta, metal->kappa);  // the albedo layer shows a metal by its colour seen straight on
+      material.albedo = fresnel_conductor(
+          1.0f, metal->eta, metal->kappa);  // the albedo layer shows a metal by its colour seen straight on
     }
   }
 
@@ -147,7 +155,8 @@ class ModelImport {
     return read_image(path);
   }
 
-  std::shared_ptr<const Image> texture(const aiScene& scene, std::string name, const std::string& where, TextureEncoding encoding) {
+  std::shared_ptr<const Image> texture(const aiScene& scene, std::string name, const std::string& where,
+                                       TextureEncoding encoding) {
     std::replace(name.begin(), name.end(), '\\', '/');  // model files from Windows
     std::shared_ptr<const Image>& known = textures_[{name, encoding}];
     if (known) return known;
@@ -168,7 +177,8 @@ class ModelImport {
     if (scene.mNumCameras) note(std::to_string(scene.mNumCameras) + " cameras of the file are left out");
     if (scene.mNumAnimations) note("animations are left out: everything stands as at the start");
     for (unsigned i = 0; i < scene.mNumMeshes; ++i)
-      if (scene.mMeshes[i]->HasBones()) note("mesh \"" + std::string(scene.mMeshes[i]->mName.C_Str()) + "\": its skeleton is left out");
+      if (scene.mMeshes[i]->HasBones())
+        note("mesh \"" + std::string(scene.mMeshes[i]->mName.C_Str()) + "\": its skeleton is left out");
     for (unsigned i = 0; i < scene.mNumMaterials; ++i)
       if (used[i]) note_material(*scene.mMaterials[i], result_.materials[i].surface);
   }
@@ -180,7 +190,8 @@ class ModelImport {
     aiColor3D colour(0, 0, 0);
     const bool lambert = std::holds_alternative<Diffuse>(surface);
     if (lambert && source.Get(AI_MATKEY_METALLIC_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("metallic");
-    if (lambert && source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack()) add("specular");
+    if (lambert && source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack())
+      add("specular");
     if (source.Get(AI_MATKEY_OPACITY, value) == aiReturn_SUCCESS && value < 1.0f) add("transparency");
     if (source.Get(AI_MATKEY_TRANSMISSION_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("transmission");
     for (const auto& [type, name] : {std::pair{aiTextureType_NORMALS, "normal map"},
@@ -191,8 +202,8 @@ class ModelImport {
                                      {aiTextureType_DISPLACEMENT, "displacement"}})
       if (source.GetTextureCount(type) > 0) add(name);
     if (!left_out.empty())
-      note("material \"" + std::string(source.GetName().C_Str()) + "\" is taken " + (lambert ? "as Lambert " : "") + "without its " +
-           left_out);
+      note("material \"" + std::string(source.GetName().C_Str()) + "\" is taken " + (lambert ? "as Lambert " : "") +
+           "without its " + left_out);
   }
 
   void count_shown(const aiNode& node) {
@@ -202,7 +213,8 @@ class ModelImport {
 
   void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& world_from_parent) {
     const aiMatrix4x4 world_from_node = world_from_parent * node.mTransformation;
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) place_mesh(*scene.mMeshes[node.mMeshes[i]], node.mMeshes[i], world_from_node);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i)
+      place_mesh(*scene.mMeshes[node.mMeshes[i]], node.mMeshes[i], world_from_node);
     for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(scene, *node.mChildren[i], world_from_node);
   }
 
@@ -210,7 +222,8 @@ class ModelImport {
   void place_mesh(const aiMesh& source, unsigned index, const aiMatrix4x4& world_from_node) {
     const bool emits = result_.materials.at(source.mMaterialIndex).emission.maxCoeff() > 0.0f;
     if (shown_[index] < 2 || emits) {
-      if (Mesh mesh = converted(source, world_from_node); !mesh.triangles.empty()) result_.meshes.push_back(std::move(mesh));
+      if (Mesh mesh = converted(source, world_from_node); !mesh.triangles.empty())
+        result_.meshes.push_back(std::move(mesh));
       return;
     }
     if (prototype_of_[index] < 0) {
@@ -222,9 +235,11 @@ class ModelImport {
     const aiMatrix4x4& m = world_from_node;
     const float scale = static_cast<float>(scale_);  // the prototype's positions are scaled already
     Instance instance{prototype_of_[index], {}};
-    instance.world_from_prototype << m.a1, m.a2, m.a3, scale * m.a4, m.b1, m.b2, m.b3, scale * m.b4, m.c1, m.c2, m.c3, scale * m.c4;
+    instance.world_from_prototype << m.a1, m.a2, m.a3, scale * m.a4, m.b1, m.b2, m.b3, scale * m.b4, m.c1, m.c2, m.c3,
+        scale * m.c4;
     if (!instance.world_from_prototype.allFinite())
-      fail("mesh \"" + result_.prototypes.back().name + "\"", "a transformation that is not finite", "finite transformations");
+      fail("mesh \"" + result_.prototypes.back().name + "\"", "a transformation that is not finite",
+           "finite transformations");
     result_.instances.push_back(instance);
   }
 
@@ -235,12 +250,14 @@ class ModelImport {
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
       const aiVector3D p = world_from_node * source.mVertices[i];
       const Eigen::Vector3f position = (scale_ * Eigen::Vector3d(p.x, p.y, p.z)).cast<float>();
-      if (!position.allFinite()) fail("mesh \"" + mesh.name + "\"", "vertex " + std::to_string(i) + " is not finite", "finite positions");
+      if (!position.allFinite())
+        fail("mesh \"" + mesh.name + "\"", "vertex " + std::to_string(i) + " is not finite", "finite positions");
       mesh.positions.push_back(position);
       if (!source.HasTextureCoords(0)) continue;
       const Eigen::Vector2f uv(source.mTextureCoords[0][i].x, source.mTextureCoords[0][i].y);
       if (!uv.allFinite())
-        fail("mesh \"" + mesh.name + "\"", "texture coordinate " + std::to_string(i) + " is not finite", "finite coordinates");
+        fail("mesh \"" + mesh.name + "\"", "texture coordinate " + std::to_string(i) + " is not finite",
+             "finite coordinates");
       mesh.texture_coordinates.push_back(uv);
     }
     const bool mirrored = world_from_node.Determinant() < 0.0f;
@@ -249,7 +266,8 @@ class ModelImport {
       if (face.mNumIndices != 3) continue;  // points and lines that share a mesh with triangles
       std::array<std::uint32_t, 3> triangle{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
       if (*std::max_element(triangle.begin(), triangle.end()) >= source.mNumVertices)
-        fail("mesh \"" + mesh.name + "\"", "face " + std::to_string(f) + " names a vertex that does not exist", "valid vertex numbers");
+        fail("mesh \"" + mesh.name + "\"", "face " + std::to_string(f) + " names a vertex that does not exist",
+             "valid vertex numbers");
       if (mirrored) std::swap(triangle[1], triangle[2]);
       mesh.triangles.push_back(triangle);
     }
@@ -258,7 +276,8 @@ class ModelImport {
   }
 
   /// The file's normals, or none where they say no more than the triangles (or are no directions at all).
-  static std::vector<Eigen::Vector3f> vertex_normals(const aiMesh& source, const aiMatrix4x4& world_from_node, const Mesh& mesh) {
+  static std::vector<Eigen::Vector3f> vertex_normals(const aiMesh& source, const aiMatrix4x4& world_from_node,
+                                                     const Mesh& mesh) {
     aiMatrix3x3 turn(world_from_node);
     turn.Inverse().Transpose();
     std::vector<Eigen::Vector3f> normals;
@@ -271,7 +290,8 @@ class ModelImport {
     }
     for (const auto& triangle : mesh.triangles) {
       const Eigen::Vector3f& a = mesh.positions[triangle[0]];
-      const Eigen::Vector3f face = (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a).normalized();
+      const Eigen::Vector3f face =
+          (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a).normalized();
       for (const std::uint32_t corner : triangle)
         if (!((normals[corner] - face).norm() < 1e-3f)) return normals;
     }

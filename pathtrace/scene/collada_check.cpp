@@ -55,7 +55,8 @@ class NodeGraph {
         if (!tag.ends_with('/')) open.push_back(id);
         if (open.size() > deepest) fail(id, "nested more than " + std::to_string(deepest) + " deep", "fewer levels");
       } else if (name == "instance_node" && !open.empty()) {
-        if (const std::string url = attribute(tag, "url"); url.starts_with('#')) held_[open.back()].push_back(url.substr(1));
+        if (const std::string url = attribute(tag, "url"); url.starts_with('#'))
+          held_[open.back()].push_back(url.substr(1));
       }
     }
   }

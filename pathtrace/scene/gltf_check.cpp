@@ -55,16 +55,19 @@ class GltfCheck {
     const auto word = [&] {
       std::array<unsigned char, 4> bytes{};
       stream.read(reinterpret_cast<char*>(bytes.data()), 4);
-      if (!stream) fail("", "a file of " + std::to_string(size) + " bytes", "a GLB file with a header and a JSON chunk");
+      if (!stream)
+        fail("", "a file of " + std::to_string(size) + " bytes", "a GLB file with a header and a JSON chunk");
       return little_endian(bytes);
     };
     if (word() != 0x46546C67u) fail("", "another first word", "a GLB file (\"glTF\")");
     if (const std::uint32_t version = word(); version != 2) fail("", "version " + std::to_string(version), "glTF 2.0");
     if (const std::uint32_t length = word(); length > size)
-      fail("", "a header that claims " + std::to_string(length) + " bytes", "at most the " + std::to_string(size) + " bytes of the file");
+      fail("", "a header that claims " + std::to_string(length) + " bytes",
+           "at most the " + std::to_string(size) + " bytes of the file");
     const std::uint32_t json_length = word();
     if (word() != 0x4E4F534Au) fail("", "another first chunk", "a JSON chunk first");
-    if (json_length > size - 20) fail("", "a JSON chunk of " + std::to_string(json_length) + " bytes", "a chunk that fits into the file");
+    if (json_length > size - 20)
+      fail("", "a JSON chunk of " + std::to_string(json_length) + " bytes", "a chunk that fits into the file");
     std::string text(json_length, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(json_length));
     Container container{parse_json(text, file_.string()), {}};
@@ -72,7 +75,8 @@ class GltfCheck {
     if (rest < 8) return container;
     const std::uint32_t binary = word();
     word();
-    if (binary > rest - 8) fail("", "a binary chunk of " + std::to_string(binary) + " bytes", "a chunk that fits into the file");
+    if (binary > rest - 8)
+      fail("", "a binary chunk of " + std::to_string(binary) + " bytes", "a chunk that fits into the file");
     container.binary_bytes = binary;
     return container;
   }
@@ -86,7 +90,8 @@ class GltfCheck {
   }
 
   /// A member that is a whole number ≥ 0, or `otherwise`.
-  std::uint64_t number(const Json& object, const char* key, const std::string& pointer, std::optional<std::uint64_t> otherwise) const {
+  std::uint64_t number(const Json& object, const char* key, const std::string& pointer,
+                       std::optional<std::uint64_t> otherwise) const {
     const auto at = object.is_object() ? object.find(key) : object.end();
     if (!object.is_object() || (at == object.end() && !otherwise))
       fail(pointer, compact(object), std::string("an object with \"") + key + "\"");
@@ -108,22 +113,27 @@ class GltfCheck {
       if (!nodes[i].is_object()) fail(pointer, compact(nodes[i]), "an object");
       for (const Json& child : list(nodes[i], "children")) {
         if (!child.is_number_unsigned() || child.get<std::uint64_t>() >= nodes.size())
-          fail(pointer + "/children", compact(child), "the number of a node, less than " + std::to_string(nodes.size()));
+          fail(pointer + "/children", compact(child),
+               "the number of a node, less than " + std::to_string(nodes.size()));
         std::int64_t& known = parent[child.get<std::size_t>()];
         if (known >= 0)
-          fail(pointer + "/children", compact(child), "a node with one parent (it is a child of node " + std::to_string(known) + ")");
+          fail(pointer + "/children", compact(child),
+               "a node with one parent (it is a child of node " + std::to_string(known) + ")");
         known = static_cast<std::int64_t>(i);
       }
     }
-    // With one parent each, a cycle is a walk upwards that does not end. Nodes marked with an earlier walk are known to end.
+    // With one parent each, a cycle is a walk upwards that does not end. Nodes marked with an earlier walk are known to
+    // end.
     std::vector<std::size_t> walk(nodes.size(), 0);
     constexpr int deepest = 1000;  // Assimp follows nodes by recursion
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       int depth = 0;
-      for (std::int64_t at = static_cast<std::int64_t>(i); at >= 0; at = parent[static_cast<std::size_t>(at)], ++depth) {
+      for (std::int64_t at = static_cast<std::int64_t>(i); at >= 0;
+           at = parent[static_cast<std::size_t>(at)], ++depth) {
         if (walk[static_cast<std::size_t>(at)] == i + 1)
           fail("/nodes/" + std::to_string(at), "a node that is its own ancestor", "nodes that form trees");
-        if (depth > deepest) fail("/nodes/" + std::to_string(i), "more than " + std::to_string(deepest) + " ancestors", "fewer");
+        if (depth > deepest)
+          fail("/nodes/" + std::to_string(i), "more than " + std::to_string(deepest) + " ancestors", "fewer");
         walk[static_cast<std::size_t>(at)] = i + 1;
       }
     }
@@ -147,7 +157,8 @@ class GltfCheck {
         there = std::filesystem::file_size(path);
       }
       if (claimed > there)
-        fail(pointer + "/byteLength", std::to_string(claimed), "at most the " + std::to_string(there) + " bytes that are there");
+        fail(pointer + "/byteLength", std::to_string(claimed),
+             "at most the " + std::to_string(there) + " bytes that are there");
       buffer_bytes_.push_back(claimed);
     }
   }
@@ -178,7 +189,8 @@ class GltfCheck {
   }
 
   void check_accessors(const Json& accessors) const {
-    static const std::map<std::uint64_t, std::uint64_t> bytes{{5120, 1}, {5121, 1}, {5122, 2}, {5123, 2}, {5125, 4}, {5126, 4}};
+    static const std::map<std::uint64_t, std::uint64_t> bytes{{5120, 1}, {5121, 1}, {5122, 2},
+                                                              {5123, 2}, {5125, 4}, {5126, 4}};
     static const std::map<std::string, std::uint64_t> components{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
                                                                  {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
     for (std::size_t i = 0; i < accessors.size(); ++i) {
@@ -186,14 +198,16 @@ class GltfCheck {
       const std::uint64_t count = number(accessors[i], "count", pointer, std::nullopt);
       const auto component = bytes.find(number(accessors[i], "componentType", pointer, std::nullopt));
       const auto type = accessors[i].find("type");
-      const auto size = type != accessors[i].end() && type->is_string() ? components.find(type->get<std::string>()) : components.end();
+      const auto size = type != accessors[i].end() && type->is_string() ? components.find(type->get<std::string>())
+                                                                        : components.end();
       if (component == bytes.end() || size == components.end())
         fail(pointer, compact(accessors[i]), "a known \"componentType\" and \"type\"");
       if (count > most_elements) fail(pointer + "/count", std::to_string(count), "at most 2^28");
       if (!accessors[i].contains("bufferView")) continue;
       const std::uint64_t view = number(accessors[i], "bufferView", pointer, std::nullopt);
       if (view >= views_.size()) fail(pointer + "/bufferView", std::to_string(view), "the number of a buffer view");
-      const std::uint64_t element = component->second * size->second, offset = number(accessors[i], "byteOffset", pointer, 0);
+      const std::uint64_t element = component->second * size->second,
+                          offset = number(accessors[i], "byteOffset", pointer, 0);
       const std::uint64_t stride = views_[view].stride ? views_[view].stride : element;
       if (count == 0) continue;
       if (stride > 255 || offset > views_[view].bytes || (count - 1) * stride + element > views_[view].bytes - offset)

@@ -25,7 +25,8 @@ Conductor metal_of(const Eigen::Vector3f& reflectance, float roughness) {
 
 GltfSurface gltf_surface(const GltfFactors& factors) {
   const float roughness = factors.roughness < least_roughness ? 0.0f : factors.roughness;
-  const std::string mixture = factors.metallic > 0.0f && factors.metallic < 1.0f ? "mixture of metal and dielectric" : "";
+  const std::string mixture =
+      factors.metallic > 0.0f && factors.metallic < 1.0f ? "mixture of metal and dielectric" : "";
   if (factors.metallic >= 0.5f) return {metal_of(factors.base_colour, roughness), mixture};
   if (roughness >= 1.0f) return {Diffuse{}, mixture};
   return {Plastic(factors.index, roughness), mixture};

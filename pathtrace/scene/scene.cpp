@@ -11,16 +11,19 @@ namespace sturm {
 
 namespace {
 
-/// Without spatial splits: they take 7 % of the time more in a plain room, gain nothing on meshes, and are slow to build.
+/// Without spatial splits: they take 7 % of the time more in a plain room, gain nothing on meshes, and are slow to
+/// build.
 constexpr RTCBuildQuality build_quality = RTC_BUILD_QUALITY_MEDIUM;
 
 constexpr unsigned triangle_geometry = 0, sphere_geometry = 1, first_instance = 2;
-constexpr float least_squared_area = 1e-36f;  // [m⁴], of the doubled area; below, its square root is lost in single precision
-constexpr float largest_coordinate = 1e6f;    // [m]; beyond it single precision cannot resolve a millimetre
+constexpr float least_squared_area =
+    1e-36f;  // [m⁴], of the doubled area; below, its square root is lost in single precision
+constexpr float largest_coordinate = 1e6f;  // [m]; beyond it single precision cannot resolve a millimetre
 
 void require_usable(const Eigen::Vector3f& p, const std::string& where) {
   if (!(p.array().abs() <= largest_coordinate).all())
-    throw InputError("", where, "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")",
+    throw InputError("", where,
+                     "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")",
                      "finite coordinates within ±1e6 m");
 }
 
@@ -30,7 +33,8 @@ bool emits(const Material& material) {
 
 void require_material(int material, std::size_t count, const std::string& where) {
   if (material < 0 || static_cast<std::size_t>(material) >= count)
-    throw InputError("", where, "material " + std::to_string(material), "0 to " + std::to_string(static_cast<long long>(count) - 1));
+    throw InputError("", where, "material " + std::to_string(material),
+                     "0 to " + std::to_string(static_cast<long long>(count) - 1));
 }
 
 void validate(const Mesh& mesh, std::size_t material_count) {
@@ -40,7 +44,8 @@ void validate(const Mesh& mesh, std::size_t material_count) {
   for (const auto& triangle : mesh.triangles)
     for (std::uint32_t v : triangle)
       if (v >= mesh.positions.size())
-        throw InputError("", where, "vertex index " + std::to_string(v), "less than " + std::to_string(mesh.positions.size()));
+        throw InputError("", where, "vertex index " + std::to_string(v),
+                         "less than " + std::to_string(mesh.positions.size()));
   if (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != mesh.positions.size())
     throw InputError("", where, std::to_string(mesh.texture_coordinates.size()) + " texture coordinates",
                      "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
@@ -90,7 +95,8 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
   add_triangles(description.meshes, scene_.get());
   add_instances(description);
   add_spheres(description);
-  if (triangles_.empty() && sphere_material_.empty()) throw InputError("", "/scene", "no surface", "at least one mesh or sphere");
+  if (triangles_.empty() && sphere_material_.empty())
+    throw InputError("", "/scene", "no surface", "at least one mesh or sphere");
   for (const PointLight& light : description.lights) lights_.add_point(light.position, light.intensity);
   if (description.environment) add_environment(*description.environment);
   for (const int light : description.unseen_emitters) lights_.leave_out(light);
@@ -125,14 +131,16 @@ void Scene::add_triangles(std::span<const Mesh> meshes, RTCScene into) {
     triangle_count += mesh.triangles.size();
   }
   if (triangle_count == 0) return;
-  if (vertex_count > std::numeric_limits<std::uint32_t>::max() || triangle_count > std::numeric_limits<std::uint32_t>::max())
-    throw InputError("", "/scene", std::to_string(triangle_count) + " triangles", "fewer than 2^32 triangles and vertices");
+  if (vertex_count > std::numeric_limits<std::uint32_t>::max() ||
+      triangle_count > std::numeric_limits<std::uint32_t>::max())
+    throw InputError("", "/scene", std::to_string(triangle_count) + " triangles",
+                     "fewer than 2^32 triangles and vertices");
 
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices =
-      static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertex_count));
-  auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangle_count));
+  auto* vertices = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertex_count));
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangle_count));
   if (!vertices || !indices) {
     rtcReleaseGeometry(geometry);
     throw RuntimeFailure("Embree has no memory for " + std::to_string(triangle_count) + " triangles");
@@ -147,15 +155,20 @@ void Scene::add_triangles(std::span<const Mesh> meshes, RTCScene into) {
       const Eigen::Vector3f across = (corner(1) - corner(0)).cross(corner(2) - corner(0));
       const bool has_area = across.squaredNorm() > least_squared_area;
       for (std::uint32_t v : triangle) *indices++ = first_vertex + (has_area ? v : triangle[0]);
-      triangles_.push_back({across.stableNormalized(), static_cast<int>(mesh.material),
-                            emits(material) ? lights_.add_triangle(corner(0), corner(1), corner(2), material.emission) : -1});
+      triangles_.push_back(
+          {across.stableNormalized(), static_cast<int>(mesh.material),
+           emits(material) ? lights_.add_triangle(corner(0), corner(1), corner(2), material.emission) : -1});
       if (textured_) {
         const bool has = !mesh.texture_coordinates.empty();
-        const auto uv = [&](int k) { return has ? mesh.texture_coordinates[triangle[k]] : Eigen::Vector2f(0.0f, 0.0f); };
+        const auto uv = [&](int k) {
+          return has ? mesh.texture_coordinates[triangle[k]] : Eigen::Vector2f(0.0f, 0.0f);
+        };
         triangle_uv_.push_back({uv(0), uv(1), uv(2)});
       }
       if (smooth_) {
-        const auto normal = [&](int k) { return mesh.normals.empty() ? Eigen::Vector3f(0.0f, 0.0f, 0.0f) : mesh.normals[triangle[k]]; };
+        const auto normal = [&](int k) {
+          return mesh.normals.empty() ? Eigen::Vector3f(0.0f, 0.0f, 0.0f) : mesh.normals[triangle[k]];
+        };
         triangle_normals_.push_back({normal(0), normal(1), normal(2)});
       }
     }
@@ -183,7 +196,8 @@ void Scene::add_instances(const SceneDescription& description) {
     // Against the lengths of the axes: a small instance is no singular one.
     const float volume = turn.colwise().norm().prod();
     if (!(std::abs(turn.determinant()) > 1e-6f * volume))
-      throw InputError("", "instance of mesh '" + mesh.name + "'", "a singular transformation", "one that keeps a volume");
+      throw InputError("", "instance of mesh '" + mesh.name + "'", "a singular transformation",
+                       "one that keeps a volume");
     for (const Eigen::Vector3f& p : mesh.positions) {
       const Eigen::Vector3f world = turn * p + instance.world_from_prototype.col(3);
       require_usable(world, "instance of mesh '" + mesh.name + "'");
@@ -204,8 +218,8 @@ void Scene::add_spheres(const SceneDescription& description) {
   if (description.spheres.empty()) return;
   for (const Sphere& sphere : description.spheres) validate(sphere, materials_.size());
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  auto* data = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), description.spheres.size()));
+  auto* data = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                                           4 * sizeof(float), description.spheres.size()));
   if (!data) {
     rtcReleaseGeometry(geometry);
     throw RuntimeFailure("Embree has no memory for " + std::to_string(description.spheres.size()) + " spheres");
@@ -217,7 +231,8 @@ void Scene::add_spheres(const SceneDescription& description) {
     upper_ = upper_.cwiseMax(sphere.center + Eigen::Vector3f::Constant(sphere.radius));
     const Material& material = materials_[sphere.material];
     sphere_material_.push_back(sphere.material);
-    sphere_emitter_.push_back(emits(material) ? lights_.add_sphere(sphere.center, sphere.radius, material.emission) : -1);
+    sphere_emitter_.push_back(emits(material) ? lights_.add_sphere(sphere.center, sphere.radius, material.emission)
+                                              : -1);
   }
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene_.get(), geometry, sphere_geometry);
@@ -229,7 +244,8 @@ void Scene::add_environment(const Environment& environment) {
     constant_environment_ = environment.radiance;
     return;
   }
-  environment_map_ = std::make_shared<const EnvironmentMap>(environment.map, environment.radiance, environment.rotation);
+  environment_map_ =
+      std::make_shared<const EnvironmentMap>(environment.map, environment.radiance, environment.rotation);
   lights_.set_environment(environment_map_, 2.0f * (upper_ - lower_).norm());
 }
 
@@ -244,12 +260,15 @@ Eigen::Vector3f Scene::smooth_normal(std::size_t triangle, float u, float v, con
   return normal.dot(geometric) < 0.0f ? Eigen::Vector3f(-normal) : normal;
 }
 
-SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float t) const {
+SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                                  float t) const {
   const PlacedInstance* instance = nullptr;
-  if (!instances_.empty() && hit.instID[0] != RTC_INVALID_GEOMETRY_ID) instance = &instances_[hit.instID[0] - first_instance];
+  if (!instances_.empty() && hit.instID[0] != RTC_INVALID_GEOMETRY_ID)
+    instance = &instances_[hit.instID[0] - first_instance];
   const std::size_t primitive = instance ? instance->first_triangle + hit.primID : hit.primID;
   const Triangle* triangle = instance || hit.geomID == triangle_geometry ? &triangles_[primitive] : nullptr;
-  const Material& material = materials_[static_cast<std::size_t>(triangle ? triangle->material : sphere_material_[primitive])];
+  const Material& material =
+      materials_[static_cast<std::size_t>(triangle ? triangle->material : sphere_material_[primitive])];
   SurfacePoint point;
   point.position = origin + t * direction;
   if (!triangle)
@@ -258,14 +277,16 @@ SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& orig
     point.normal = (instance->normal_from_prototype * triangle->normal).normalized();
   else
     point.normal = triangle->normal;
-  point.shading_normal = triangle && smooth_ ? smooth_normal(primitive, hit.u, hit.v, instance, point.normal) : point.normal;
+  point.shading_normal =
+      triangle && smooth_ ? smooth_normal(primitive, hit.u, hit.v, instance, point.normal) : point.normal;
   point.material = &material;
   point.emitter = triangle ? triangle->emitter : sphere_emitter_[primitive];
   point.albedo = material.albedo;
   if (triangle && material.albedo_texture) {
     const auto& uv = triangle_uv_[primitive];
     const Eigen::Vector2f at = (1.0f - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
-    point.albedo = point.albedo.cwiseProduct(texel(*material.albedo_texture, at, material.nearest_filter, material.repeat_texture));
+    point.albedo = point.albedo.cwiseProduct(
+        texel(*material.albedo_texture, at, material.nearest_filter, material.repeat_texture));
   }
   return point;
 }

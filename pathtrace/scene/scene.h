@@ -17,13 +17,15 @@ namespace sturm {
 struct SurfacePoint {
   Eigen::Vector3f position;        ///< [m], world
   Eigen::Vector3f normal;          ///< geometric, unit length, on the side from which the mesh emits
-  Eigen::Vector3f shading_normal;  ///< interpolated from the vertices where the mesh has normals, on the side of `normal`; else the same
+  Eigen::Vector3f shading_normal;  ///< interpolated from the vertices where the mesh has normals, on the side of
+                                   ///< `normal`; else the same
   const Material* material;
   int emitter;             ///< index into the light set, −1 where the surface does not emit
   Eigen::Vector3f albedo;  ///< texture applied
 };
 
-/// Immutable scene on Embree 3: all triangles in one geometry, all spheres in another; repeated meshes are Embree instances.
+/// Immutable scene on Embree 3: all triangles in one geometry, all spheres in another; repeated meshes are Embree
+/// instances.
 class Scene {
  public:
   /// What its surfaces and its surroundings ask of a path tracer, each kind more than the one before it.
@@ -33,9 +35,9 @@ class Scene {
     mixed     ///< any surface model
   };
 
-  /// `isa` names the instruction set that Embree is pinned to ("" = its own choice); hits differ between instruction sets in the last bits.
-  /// Throws InputError for non-finite or out-of-range vertices, indices, materials and radii, for a wrong number of texture coordinates,
-  /// and for a scene without any surface.
+  /// `isa` names the instruction set that Embree is pinned to ("" = its own choice); hits differ between instruction
+  /// sets in the last bits. Throws InputError for non-finite or out-of-range vertices, indices, materials and radii,
+  /// for a wrong number of texture coordinates, and for a scene without any surface.
   explicit Scene(const SceneDescription& description, const std::string& isa = "avx2");
 
   RTCScene embree() const { return scene_.get(); }
@@ -54,7 +56,8 @@ class Scene {
   const std::string& instruction_set() const { return instruction_set_; }
 
   /// Resolves an Embree hit of the ray origin + t·direction.
-  SurfacePoint surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float t) const;
+  SurfacePoint surface_point(const RTCHit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                             float t) const;
 
   /// Whether a ray sees light of the surface itself there; the cheaper part of surface_point.
   bool shines(const RTCHit& hit, const Eigen::Vector3f& direction) const;
@@ -70,8 +73,9 @@ class Scene {
   using EmbreeScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
 
   struct Triangle {
-    Eigen::Vector3f normal;  ///< unit length, on the side that sees the corners counter-clockwise; a prototype's in its own frame
-    int material, emitter;   ///< index into the light set, −1: it does not emit
+    Eigen::Vector3f
+        normal;  ///< unit length, on the side that sees the corners counter-clockwise; a prototype's in its own frame
+    int material, emitter;  ///< index into the light set, −1: it does not emit
   };
 
   /// Where an instance's facts are, and how its normals become the world's.
@@ -96,8 +100,9 @@ class Scene {
   bool textured_ = false, smooth_ = false;
   std::vector<Material> materials_;
   std::vector<Triangle> triangles_;
-  std::vector<std::array<Eigen::Vector2f, 3>> triangle_uv_;       // empty when no mesh is textured
-  std::vector<std::array<Eigen::Vector3f, 3>> triangle_normals_;  // empty when no mesh is smooth; zero vectors on flat meshes
+  std::vector<std::array<Eigen::Vector2f, 3>> triangle_uv_;  // empty when no mesh is textured
+  std::vector<std::array<Eigen::Vector3f, 3>>
+      triangle_normals_;  // empty when no mesh is smooth; zero vectors on flat meshes
   std::vector<int> sphere_material_, sphere_emitter_;
   std::shared_ptr<const EnvironmentMap> environment_map_;
   Eigen::Vector3f constant_environment_{0.0f, 0.0f, 0.0f};

@@ -15,12 +15,14 @@ namespace sturm {
 /// A surface. Opaque ones reflect on both sides. Meshes emit from the side their winding faces.
 struct Material {
   std::string name;
-  Eigen::Vector3f albedo{0.0f, 0.0f, 0.0f};     ///< what `surface` takes as its colour; of a conductor only for the albedo layer
-  Eigen::Vector3f emission{0.0f, 0.0f, 0.0f};   ///< radiance, linear Rec. 709
-  std::shared_ptr<const Image> albedo_texture;  ///< 3 channels, linear, multiplies `albedo`; may be null. v runs upwards
-  bool nearest_filter = true;                   ///< else bilinear
-  bool repeat_texture = false;                  ///< else clamped
-  SurfaceModel surface;                         ///< Lambert unless stated
+  Eigen::Vector3f albedo{0.0f, 0.0f,
+                         0.0f};  ///< what `surface` takes as its colour; of a conductor only for the albedo layer
+  Eigen::Vector3f emission{0.0f, 0.0f, 0.0f};  ///< radiance, linear Rec. 709
+  std::shared_ptr<const Image>
+      albedo_texture;           ///< 3 channels, linear, multiplies `albedo`; may be null. v runs upwards
+  bool nearest_filter = true;   ///< else bilinear
+  bool repeat_texture = false;  ///< else clamped
+  SurfaceModel surface;         ///< Lambert unless stated
 };
 
 struct Mesh {
@@ -66,7 +68,8 @@ struct SceneDescription {
   std::optional<Environment> environment{};
   std::vector<Mesh> prototypes{};  ///< seen only as instances; must not emit
   std::vector<Instance> instances{};
-  std::vector<int> unseen_emitters{};  ///< never chosen as a light, by their numbers in the light set (pathtrace/plan/unseen_emitters.h)
+  std::vector<int> unseen_emitters{};  ///< never chosen as a light, by their numbers in the light set
+                                       ///< (pathtrace/plan/unseen_emitters.h)
   std::vector<std::string> notes{};    ///< what the model files hold and this program leaves out
 };
 

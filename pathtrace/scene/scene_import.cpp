@@ -30,7 +30,8 @@ Conductor conductor(const ConductorSpec& spec) {
     c.kappa = spec.kappa.cast<float>();
     return c;
   }
-  const auto metal = std::find_if(named_metals.begin(), named_metals.end(), [&](const NamedMetal& m) { return m.name == *spec.metal; });
+  const auto metal = std::find_if(named_metals.begin(), named_metals.end(),
+                                  [&](const NamedMetal& m) { return m.name == *spec.metal; });
   if (metal == named_metals.end()) throw InputError("", "metal", *spec.metal, "gold, copper, silver or aluminium");
   c.eta = Eigen::Vector3f(metal->eta.data());
   c.kappa = Eigen::Vector3f(metal->kappa.data());
@@ -43,7 +44,9 @@ struct SurfaceBuilder {
   SurfaceModel operator()(const DielectricSpec& s) const {
     return Dielectric{static_cast<float>(s.index), static_cast<float>(s.roughness)};
   }
-  SurfaceModel operator()(const PlasticSpec& s) const { return Plastic(static_cast<float>(s.index), static_cast<float>(s.roughness)); }
+  SurfaceModel operator()(const PlasticSpec& s) const {
+    return Plastic(static_cast<float>(s.index), static_cast<float>(s.roughness));
+  }
   SurfaceModel operator()(const SeedDiffuseSpec&) const { return SeedDiffuse{}; }
   SurfaceModel operator()(const SeedMetalSpec& s) const { return SeedMetal{static_cast<float>(s.alpha)}; }
   SurfaceModel operator()(const SeedDielectricSpec& s) const { return SeedDielectric{static_cast<float>(s.index)}; }
@@ -56,7 +59,8 @@ Material build_material(const MaterialSpec& spec) {
   material.emission = spec.emission.cast<float>();
   material.surface = std::visit(SurfaceBuilder{}, spec.surface);
   // The albedo layer shows a metal by its colour seen straight on.
-  if (const auto* metal = std::get_if<Conductor>(&material.surface)) material.albedo = fresnel_conductor(1.0f, metal->eta, metal->kappa);
+  if (const auto* metal = std::get_if<Conductor>(&material.surface))
+    material.albedo = fresnel_conductor(1.0f, metal->eta, metal->kappa);
   return material;
 }
 
@@ -66,14 +70,17 @@ std::shared_ptr<const Image> read_environment_picture(const std::filesystem::pat
   Image stored;
   if (file.extension() == ".exr") {
     LayeredImage layers = read_exr(file);
-    if (!layers.layers.contains("")) throw InputError(file.string(), "", "no channels R, G and B", "a picture in colour");
+    if (!layers.layers.contains(""))
+      throw InputError(file.string(), "", "no channels R, G and B", "a picture in colour");
     stored = std::move(layers.layers.at(""));
   } else {
     stored = read_image(file);
   }
-  if (stored.channels < 3) throw InputError(file.string(), "", std::to_string(stored.channels) + " channels", "a picture in colour");
+  if (stored.channels < 3)
+    throw InputError(file.string(), "", std::to_string(stored.channels) + " channels", "a picture in colour");
   if (static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height) > most_pixels)
-    throw InputError(file.string(), "", std::to_string(stored.width) + " x " + std::to_string(stored.height) + " pixels",
+    throw InputError(file.string(), "",
+                     std::to_string(stored.width) + " x " + std::to_string(stored.height) + " pixels",
                      "at most 2^25 pixels (8192 x 4096)");
   auto rgb = std::make_shared<Image>(stored.width, stored.height, 3);
   for (int y = 0; y < stored.height; ++y)
@@ -81,8 +88,8 @@ std::shared_ptr<const Image> read_environment_picture(const std::filesystem::pat
       for (int k = 0; k < 3; ++k) {
         const float value = stored.at(x, y)[k];
         if (!(value >= 0.0f && std::isfinite(value)))
-          throw InputError(file.string(), "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")", std::to_string(value),
-                           "finite radiances of at least 0");
+          throw InputError(file.string(), "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")",
+                           std::to_string(value), "finite radiances of at least 0");
         rgb->at(x, y)[k] = value;
       }
   return rgb;
@@ -173,8 +180,10 @@ SceneDescription build_scene(const SceneSpec& spec) {
     for (const Eigen::Vector3d& p : m.positions) mesh.positions.push_back(p.cast<float>());
     scene.meshes.push_back(std::move(mesh));
   }
-  for (const SphereSpec& s : spec.spheres) scene.spheres.push_back({s.center.cast<float>(), static_cast<float>(s.radius), s.material});
-  for (const PointLightSpec& l : spec.lights) scene.lights.push_back({l.position.cast<float>(), l.intensity.cast<float>()});
+  for (const SphereSpec& s : spec.spheres)
+    scene.spheres.push_back({s.center.cast<float>(), static_cast<float>(s.radius), s.material});
+  for (const PointLightSpec& l : spec.lights)
+    scene.lights.push_back({l.position.cast<float>(), l.intensity.cast<float>()});
   for (const ModelSpec& spec_of_model : spec.models) {
     SceneDescription model = import_model(spec_of_model);
     apply_overrides(model, spec_of_model);
@@ -183,9 +192,10 @@ SceneDescription build_scene(const SceneSpec& spec) {
     append_model(scene, std::move(model));
   }
   if (spec.environment)
-    scene.environment = Environment{spec.environment->radiance.cast<float>(),
-                                    spec.environment->file ? read_environment_picture(*spec.environment->file) : nullptr,
-                                    static_cast<float>(spec.environment->rotation)};
+    scene.environment =
+        Environment{spec.environment->radiance.cast<float>(),
+                    spec.environment->file ? read_environment_picture(*spec.environment->file) : nullptr,
+                    static_cast<float>(spec.environment->rotation)};
   return scene;
 }
 

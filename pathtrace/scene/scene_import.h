@@ -4,8 +4,8 @@
 
 namespace sturm {
 
-/// Everything that a scene names in one description: what is given in place first, then the models in their order, loaded from their
-/// files (pathtrace/scene/assimp_import.h). Throws InputError.
+/// Everything that a scene names in one description: what is given in place first, then the models in their order,
+/// loaded from their files (pathtrace/scene/assimp_import.h). Throws InputError.
 SceneDescription build_scene(const SceneSpec& spec);
 
 }  // namespace sturm

@@ -7,8 +7,8 @@
 
 namespace sturm {
 
-/// Looks up a 3-channel texture; (0, 0) is the lower left corner of the image, coordinates are clamped at the border, or
-/// the image repeats.
+/// Looks up a 3-channel texture; (0, 0) is the lower left corner of the image, coordinates are clamped at the border,
+/// or the image repeats.
 inline Eigen::Vector3f texel(const Image& texture, const Eigen::Vector2f& uv, bool nearest, bool repeat = false) {
   const auto wrapped = [](int i, int n) { return (i % n + n) % n; };
   const auto fetch = [&](int x, int y) {

@@ -19,9 +19,11 @@ std::string coordinate(double value) {
   return buffer;
 }
 
-std::string svg_text(double x, double y, const std::string& text, const char* anchor, int size, const std::string& colour) {
+std::string svg_text(double x, double y, const std::string& text, const char* anchor, int size,
+                     const std::string& colour) {
   return "<text x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" text-anchor=\"" + anchor + "\" font-size=\"" +
-         std::to_string(size) + "\"" + (colour.empty() ? "" : " fill=\"" + colour + "\"") + ">" + escaped(text) + "</text>\n";
+         std::to_string(size) + "\"" + (colour.empty() ? "" : " fill=\"" + colour + "\"") + ">" + escaped(text) +
+         "</text>\n";
 }
 
 }  // namespace sturm

@@ -3,8 +3,9 @@
 
 namespace sturm {
 
-/// A whole SVG document of a drawing that this program makes itself: white ground, plain sans-serif letters, so that it looks the same in a
-/// report, in a browser and on paper. `label` says what it shows for those who cannot see it (plain text).
+/// A whole SVG document of a drawing that this program makes itself: white ground, plain sans-serif letters, so that it
+/// looks the same in a report, in a browser and on paper. `label` says what it shows for those who cannot see it (plain
+/// text).
 std::string svg_document(int width, int height, const std::string& label, const std::string& body);
 
 /// `value` with two decimals, for coordinates.

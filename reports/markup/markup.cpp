@@ -94,16 +94,19 @@ void HtmlTable::add_row(const std::vector<Cell>& cells, const RowState& state) {
 std::string HtmlTable::html() const {
   std::string head;
   for (const Column& column : columns_) {
-    head += std::string("<th scope=\"col\"") + (column.numeric ? " class=\"n\"" : "") + ">" + column.heading_html + "</th>";
+    head +=
+        std::string("<th scope=\"col\"") + (column.numeric ? " class=\"n\"" : "") + ">" + column.heading_html + "</th>";
   }
-  const std::string table =
-      element("table", "class=\"" + css_class_ + "\"",
-              element("caption", "", escaped(caption_)) + element("thead", "", element("tr", "", head)) + element("tbody", "", rows_));
-  return element("div", "class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(caption_) + "\"", table);
+  const std::string table = element("table", "class=\"" + css_class_ + "\"",
+                                    element("caption", "", escaped(caption_)) +
+                                        element("thead", "", element("tr", "", head)) + element("tbody", "", rows_));
+  return element("div", "class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(caption_) + "\"",
+                 table);
 }
 
 std::string folded(std::string_view summary_html, std::string_view inner_html, bool open) {
-  return element("details", open ? "open=\"open\"" : "", element("summary", "", summary_html) + std::string(inner_html));
+  return element("details", open ? "open=\"open\"" : "",
+                 element("summary", "", summary_html) + std::string(inner_html));
 }
 
 }  // namespace sturm

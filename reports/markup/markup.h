@@ -39,7 +39,8 @@ struct RowState {
   std::string status;     ///< what the filter by state knows it by; "" = the row has no state
 };
 
-/// An HTML table with caption and scoped headers, in a frame that scrolls (also by keyboard) where the window is too narrow.
+/// An HTML table with caption and scoped headers, in a frame that scrolls (also by keyboard) where the window is too
+/// narrow.
 class HtmlTable {
  public:
   /// `css_class` may hold "sortable" and "filterable"; `caption` is plain text.

@@ -69,10 +69,13 @@ std::string measured_html(std::optional<double> value, std::optional<double> unc
   }
   const int decimals = 1 - rounded_exponent(*uncertainty, 2);
   const int exponent = rounded_exponent(std::max(std::abs(*value), *uncertainty), 2);
-  if (reads_well_in_fixed_notation(exponent) && decimals <= 7) return fixed(*value, decimals) + " ± " + fixed(*uncertainty, decimals);
+  if (reads_well_in_fixed_notation(exponent) && decimals <= 7)
+    return fixed(*value, decimals) + " ± " + fixed(*uncertainty, decimals);
   const double scale = std::pow(10.0, exponent);
   std::string html = "(";
-  html.append(fixed(*value / scale, decimals + exponent)).append(" ± ").append(fixed(*uncertainty / scale, decimals + exponent));
+  html.append(fixed(*value / scale, decimals + exponent))
+      .append(" ± ")
+      .append(fixed(*uncertainty / scale, decimals + exponent));
   return html.append(")").append(times_power_of_ten(exponent));
 }
 

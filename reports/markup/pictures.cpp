@@ -41,14 +41,16 @@ std::string data_uri(const Image& display) {
 Image main_layer(const std::filesystem::path& file) {
   LayeredImage image = read_exr(file);
   const auto main = image.layers.find("");
-  if (main == image.layers.end() || main->second.pixels.empty()) throw InputError(file.string(), "", "", "an image with a main layer");
+  if (main == image.layers.end() || main->second.pixels.empty())
+    throw InputError(file.string(), "", "", "an image with a main layer");
   return std::move(main->second);
 }
 
 Image luma_image(const Image& image) {
   const std::vector<double> values = luma(image);
   Image result(image.width, image.height, 1);
-  std::transform(values.begin(), values.end(), result.pixels.begin(), [](double value) { return static_cast<float>(value); });
+  std::transform(values.begin(), values.end(), result.pixels.begin(),
+                 [](double value) { return static_cast<float>(value); });
   return result;
 }
 
@@ -71,8 +73,10 @@ Image shrunk(const Image& image, int factor) {
   return result;
 }
 
-std::string svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y, const std::string& css_class) {
-  // SVG does not draw an ellipse without width; a focal line keeps this much, far below the line that is drawn around it.
+std::string svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y,
+                        const std::string& css_class) {
+  // SVG does not draw an ellipse without width; a focal line keeps this much, far below the line that is drawn around
+  // it.
   constexpr double narrowest_px = 0.01;
   const std::string x = plain_number(centre_x), y = plain_number(centre_y);
   std::string result = "<ellipse class=\"" + css_class + "\" cx=\"" + x + "\" cy=\"" + y + "\" rx=\"" +
@@ -111,13 +115,13 @@ std::string colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, 
     body += "<stop offset=\"" + plain_number(t) + "\" stop-color=\"" + hex_colour(colour) + "\"/>";
   }
   body = element("linearGradient", "id=\"" + gradient + "\"", body);
-  body += "<rect x=\"" + std::to_string(margin) + "\" y=\"20\" width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +
-          "\" fill=\"url(#" + gradient + ")\"/>";
+  body += "<rect x=\"" + std::to_string(margin) + "\" y=\"20\" width=\"" + std::to_string(width) + "\" height=\"" +
+          std::to_string(height) + "\" fill=\"url(#" + gradient + ")\"/>";
   body += "<text x=\"" + std::to_string(margin) + "\" y=\"13\">" + escaped(title) + "</text>";
   for (const ColourTick& tick : ticks) {
     const std::string x = plain_number(margin + tick.position * width);
-    body += "<path class=\"tick\" d=\"M" + x + " 34v4\"/><text x=\"" + x + "\" y=\"51\" text-anchor=\"middle\">" + escaped(tick.label) +
-            "</text>";
+    body += "<path class=\"tick\" d=\"M" + x + " 34v4\"/><text x=\"" + x + "\" y=\"51\" text-anchor=\"middle\">" +
+            escaped(tick.label) + "</text>";
   }
   return element("svg",
                  "class=\"bar\" viewBox=\"0 0 " + std::to_string(width + 2 * margin) +

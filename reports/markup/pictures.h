@@ -23,9 +23,10 @@ Image luma_image(const Image& image);
 /// Means over `factor`×`factor` blocks (the last ones may be smaller).
 Image shrunk(const Image& image, int factor);
 
-/// An <ellipse> for a picture with y down of an ellipse whose orientation has y up (wearer frame): it is turned by −orientation.
-/// `pixels_per_unit` converts the ellipse's unit; (centre_x, centre_y) in pixels.
-std::string svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y, const std::string& css_class);
+/// An <ellipse> for a picture with y down of an ellipse whose orientation has y up (wearer frame): it is turned by
+/// −orientation. `pixels_per_unit` converts the ellipse's unit; (centre_x, centre_y) in pixels.
+std::string svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y,
+                        const std::string& css_class);
 
 /// The longest of 1, 2, 5 × 10ⁿ that is not above `longest` > 0.
 double round_length_below(double longest);

@@ -30,20 +30,23 @@ bool is_biased(const Json& method) {
 std::string view_text(const Json& view) {
   std::size_t width = 8;
   for (const Json& method : array_at(view, "methods")) width = std::max(width, text_at(method, "id").size() + 2);
-  std::string text =
-      text_at(view, "id") + "\n  " + padded("method", width) + "   samples    time s Msample/s       RMSE rel. MSE   trimmed   1-SSIM\n";
+  std::string text = text_at(view, "id") + "\n  " + padded("method", width) +
+                     "   samples    time s Msample/s       RMSE rel. MSE   trimmed   1-SSIM\n";
   for (const Json& method : array_at(view, "methods")) {
     for (const Json& point : array_at(method, "points")) {
       const auto rate = number_at(point, "samples_per_second");
       text += "  " + padded(text_at(method, "id"), width) + column(number_at(point, "samples_per_pixel"), "%10.0f") +
-              column(number_at(point, "seconds/median"), "%10.3g") + column(rate ? std::optional(1e-6 * *rate) : rate, "%10.3g") + " ";
-      for (const ErrorKind& kind : error_kinds) text += column(number_at(point, "errors/" + std::string(kind.name) + "/value"), "%10.3g");
+              column(number_at(point, "seconds/median"), "%10.3g") +
+              column(rate ? std::optional(1e-6 * *rate) : rate, "%10.3g") + " ";
+      for (const ErrorKind& kind : error_kinds)
+        text += column(number_at(point, "errors/" + std::string(kind.name) + "/value"), "%10.3g");
       const std::string setting = text_at(point, "setting");
       text += (setting.empty() ? "" : "  " + setting) + (is_biased(method) ? "  (filtered: biased)" : "") + "\n";
     }
     const auto slope = number_at(method, "slopes/rmse/slope");
     if (slope) text += "  " + padded("", width) + "slope of RMSE" + column(slope, " %.4f");
-    if (const auto error = number_at(method, "slopes/rmse/standard_error"); slope && error) text += column(error, " ± %.4f");
+    if (const auto error = number_at(method, "slopes/rmse/standard_error"); slope && error)
+      text += column(error, " ± %.4f");
     if (slope) text += "\n";
     for (const Json& time : array_at(method, "times"))
       text += "  " + padded("", width) + text_at(time, "error") + column(number_at(time, "level"), " %g") + " in" +
@@ -58,16 +61,17 @@ std::string requirement_text(const Json& r) {
   if (low) bounds += column(low, " >= %g");
   if (high) bounds += column(high, " <= %g");
   const std::string note = text_at(r, "note");
-  return std::string(boolean_at(r, "passed").value_or(false) ? "pass  " : "FAIL  ") + padded(text_at(r, "id"), 28) + " " +
-         padded(text_at(r, "view"), 14) + column(number_at(r, "value"), "%10.4g") + (error ? column(error, " ± %.2g") : "") + bounds +
-         (note.empty() ? "" : " (" + note + ")") + "\n";
+  return std::string(boolean_at(r, "passed").value_or(false) ? "pass  " : "FAIL  ") + padded(text_at(r, "id"), 28) +
+         " " + padded(text_at(r, "view"), 14) + column(number_at(r, "value"), "%10.4g") +
+         (error ? column(error, " ± %.2g") : "") + bounds + (note.empty() ? "" : " (" + note + ")") + "\n";
 }
 
 std::string machine_text(const Json& machine) {
   std::string load;
   for (const Json& average : array_at(machine, "load_at_start")) load += column(number_at(average, ""), " %.2f");
   return text_at(machine, "cpu") + "," + column(number_at(machine, "cores"), " %.0f cores,") +
-         column(number_at(machine, "threads"), " %.0f threads, load at the start") + (load.empty() ? " unknown" : load) + "\n\n";
+         column(number_at(machine, "threads"), " %.0f threads, load at the start") +
+         (load.empty() ? " unknown" : load) + "\n\n";
 }
 
 /// What a view's methods are held against: the first of them; null if there is none.
@@ -80,7 +84,9 @@ const Json* baseline_of(const Json& view) {
 /// The method that reaches level number `index` of a view first, biased ones left out; null if none does.
 const Json* first_to_reach(const Json& view, std::size_t index) {
   const Json* first = nullptr;
-  const auto seconds = [index](const Json& method) { return number_at(method, "times/" + std::to_string(index) + "/seconds"); };
+  const auto seconds = [index](const Json& method) {
+    return number_at(method, "times/" + std::to_string(index) + "/seconds");
+  };
   for (const Json& method : array_at(view, "methods"))
     if (!is_biased(method) && seconds(method) && (!first || *seconds(method) < *seconds(*first))) first = &method;
   return first;

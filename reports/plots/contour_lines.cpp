@@ -10,10 +10,10 @@ std::vector<ContourPiece> contour_lines(const Eigen::MatrixXd& values, double le
     for (Eigen::Index column = 0; column + 1 < values.cols(); ++column) {
       // Counter-clockwise from (column, row), with side k from corner k to corner k + 1.
       const Eigen::Vector2d origin{double(column), double(row)};
-      const std::array<Eigen::Vector2d, 4> corner{origin, origin + Eigen::Vector2d(1, 0), origin + Eigen::Vector2d(1, 1),
-                                                  origin + Eigen::Vector2d(0, 1)};
-      const std::array<double, 4> above{values(row, column) - level, values(row, column + 1) - level, values(row + 1, column + 1) - level,
-                                        values(row + 1, column) - level};
+      const std::array<Eigen::Vector2d, 4> corner{origin, origin + Eigen::Vector2d(1, 0),
+                                                  origin + Eigen::Vector2d(1, 1), origin + Eigen::Vector2d(0, 1)};
+      const std::array<double, 4> above{values(row, column) - level, values(row, column + 1) - level,
+                                        values(row + 1, column + 1) - level, values(row + 1, column) - level};
       const double mean = 0.25 * (above[0] + above[1] + above[2] + above[3]);
       if (!std::isfinite(mean)) continue;
       std::vector<Eigen::Vector2d> crossings;

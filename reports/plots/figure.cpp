@@ -35,7 +35,8 @@ std::string figure_html(const Json& figure, const std::filesystem::path& run_fol
     const std::string address = "data:image/svg+xml;base64," + base64({svg->begin(), svg->end()});
     html += "<img class=\"figure\" alt=\"" + escaped(title) + "\" src=\"" + address + "\"/>\n";
   } else {
-    html += element("p", "class=\"missing\"", "No picture: " + escaped(name) + (svg ? " is not an SVG file." : " is not there."));
+    html += element("p", "class=\"missing\"",
+                    "No picture: " + escaped(name) + (svg ? " is not an SVG file." : " is not there."));
   }
   std::string caption = escaped(text_at(figure, "caption")) + "<small>File: <code>" + escaped(name) + "</code></small>";
   if (const std::string command = text_at(figure, "command"); !command.empty())

@@ -23,7 +23,8 @@ namespace {
 
 using File = std::unique_ptr<FILE, int (*)(FILE*)>;
 
-/// A nameless temporary file. Files instead of pipes: neither side can block the other, and a dead child raises no SIGPIPE.
+/// A nameless temporary file. Files instead of pipes: neither side can block the other, and a dead child raises no
+/// SIGPIPE.
 File scratch_file() {
   File file(std::tmpfile(), &std::fclose);
   if (!file) throw RuntimeFailure(std::string("cannot create a temporary file for gnuplot: ") + std::strerror(errno));
@@ -51,14 +52,16 @@ std::string run_gnuplot(std::string_view script) {
   posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, fileno(complaints.get()), STDERR_FILENO);
-  char name[] = "gnuplot", defaults[] = "--default-settings";  // the user's own start-up file must not restyle the report
+  char name[] = "gnuplot",
+       defaults[] = "--default-settings";  // the user's own start-up file must not restyle the report
   char* arguments[] = {name, defaults, nullptr};
   pid_t child = 0;
   const int failed = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) {
-    throw RuntimeFailure(std::string("the report's plots need gnuplot, which cannot be started (Debian package gnuplot-nox): ") +
-                         std::strerror(failed));
+    throw RuntimeFailure(
+        std::string("the report's plots need gnuplot, which cannot be started (Debian package gnuplot-nox): ") +
+        std::strerror(failed));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
@@ -79,8 +82,8 @@ std::string for_inline_use(std::string svg, const PlotFrame& frame) {
   svg = std::regex_replace(svg, std::regex(R"re(\sxmlns(:xlink)?="[^"]*")re"), "");
   svg = std::regex_replace(svg, std::regex(R"re(\sfont-family="[^"]*")re"), "");
   svg = std::regex_replace(svg, std::regex("xlink:href="), "href=");
-  // gnuplot gives each curve an id, some of them twice; nothing refers to those. Several plots share the page, so the ids that are
-  // needed must not meet.
+  // gnuplot gives each curve an id, some of them twice; nothing refers to those. Several plots share the page, so the
+  // ids that are needed must not meet.
   svg = std::regex_replace(svg, std::regex(R"re(\sid="gnuplot_[^"]*")re"), "");
   svg = std::regex_replace(svg, std::regex(R"re((\sid=['"]|href=['"]#))re"), "$1" + frame.id + "-");
   svg = std::regex_replace(svg, std::regex(R"re(url\(#)re"), "url(#" + frame.id + "-");
@@ -92,8 +95,8 @@ std::string for_inline_use(std::string svg, const PlotFrame& frame) {
 }  // namespace
 
 std::string gnuplot_file(std::string_view script, const PlotFrame& frame) {
-  const std::string setup = "set encoding utf8\nset terminal svg size " + std::to_string(frame.width) + "," + std::to_string(frame.height) +
-                            " dynamic enhanced font \"sans-serif,13\"\n";
+  const std::string setup = "set encoding utf8\nset terminal svg size " + std::to_string(frame.width) + "," +
+                            std::to_string(frame.height) + " dynamic enhanced font \"sans-serif,13\"\n";
   return run_gnuplot(setup + std::string(script) + "\n");
 }
 
@@ -103,7 +106,8 @@ std::string gnuplot_svg(std::string_view script, const PlotFrame& frame) {
 
 std::string gnuplot_png(std::string_view script, const PlotFrame& frame) {
   const std::string setup = "set encoding utf8\nset terminal pngcairo size " + std::to_string(2 * frame.width) + "," +
-                            std::to_string(2 * frame.height) + " enhanced font \"sans-serif,13\" fontscale 1.5 linewidth 2 pointscale 2\n";
+                            std::to_string(2 * frame.height) +
+                            " enhanced font \"sans-serif,13\" fontscale 1.5 linewidth 2 pointscale 2\n";
   return run_gnuplot(setup + std::string(script) + "\n");
 }
 

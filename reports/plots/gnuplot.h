@@ -10,8 +10,9 @@ struct PlotFrame {
   int width = 560, height = 400;  ///< [px] at its natural size; it scales with its place
 };
 
-/// Runs gnuplot on `script` (which must not set a terminal or output) and returns its plot as an <svg> element for an HTML page:
-/// no XML prolog, no namespace addresses, no fixed fonts. Throws RuntimeFailure if gnuplot is missing or complains.
+/// Runs gnuplot on `script` (which must not set a terminal or output) and returns its plot as an <svg> element for an
+/// HTML page: no XML prolog, no namespace addresses, no fixed fonts. Throws RuntimeFailure if gnuplot is missing or
+/// complains.
 std::string gnuplot_svg(std::string_view script, const PlotFrame& frame);
 
 /// The same picture as an SVG file of its own.

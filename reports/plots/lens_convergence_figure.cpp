@@ -14,8 +14,8 @@ namespace sturm {
 
 namespace {
 
-/// ‖C_method − C_rays‖_F [arcmin²] at one pupil: the relative error times the norm of the real rays' covariance, whose eigenvalues are
-/// the squares of half the semi-axes.
+/// ‖C_method − C_rays‖_F [arcmin²] at one pupil: the relative error times the norm of the real rays' covariance, whose
+/// eigenvalues are the squares of half the semi-axes.
 std::optional<double> absolute_error(const Json& pupil, const char* method) {
   const auto relative = number_at(value_at(pupil, method), "relative_frobenius");
   const auto major = number_at(pupil, "real_semi_axes_arcmin/0"), minor = number_at(pupil, "real_semi_axes_arcmin/1");
@@ -38,7 +38,8 @@ const Json* worst_view(const Json& section, const std::string& lens) {
   double largest = 0.0;
   for (const Json& view : array_at(section, "views")) {
     const Json& pupils = array_at(view, "pupils");
-    if (text_at(view, "lens") != lens || pupils.empty() || !(number_at(view, "eccentricity_deg").value_or(0.0) > 0.0)) continue;
+    if (text_at(view, "lens") != lens || pupils.empty() || !(number_at(view, "eccentricity_deg").value_or(0.0) > 0.0))
+      continue;
     const double error = absolute_error(pupils.front(), "ray_transfer").value_or(0.0);
     if (error > largest) {
       largest = error;
@@ -81,7 +82,8 @@ std::optional<Figure> convergence_figure(const Json& section) {
     add(rows_of(*view, "ray_transfer"), std::string("pt 7 ps 0.5 lw 1.6 lc rgb '") + colour + "'", text_at(lens, "id"));
   }
   if (!shown) return std::nullopt;
-  add(rows_of(*shown, "published"), "pt 5 ps 0.6 lw 1.6 dt 2 lc rgb '#b2182b'", "as published, " + text_at(*shown, "lens"));
+  add(rows_of(*shown, "published"), "pt 5 ps 0.6 lw 1.6 dt 2 lc rgb '#b2182b'",
+      "as published, " + text_at(*shown, "lens"));
   add(rows_of(*shown, "previous"), "pt 9 ps 0.7 lw 1.6 dt 3 lc rgb '#b8860b'", "previous, " + text_at(*shown, "lens"));
   const double start = absolute_error(array_at(*shown, "pupils").front(), "ray_transfer").value_or(1e-6),
                pupil = number_at(array_at(*shown, "pupils").front(), "pupil_mm").value_or(1.0);
@@ -104,9 +106,11 @@ set key outside right top Left reverse samplen 2 spacing 1.0 maxcols 1 font ",10
   figure.section = "lens_study";
   figure.title = "Absolute error against the pupil";
   figure.caption =
-      "Frobenius norm of the difference of the covariances from real rays, for each lens in the oblique view (eccentricity, direction, "
+      "Frobenius norm of the difference of the covariances from real rays, for each lens in the oblique view "
+      "(eccentricity, direction, "
       "distance) in which ray transfer errs most; the other two methods in the view in which eq. 11 errs most. Ray "
-      "transfer falls with the fourth power of the pupil: only the lens's aberration is left. A method with a first-order error falls with "
+      "transfer falls with the fourth power of the pupil: only the lens's aberration is left. A method with a "
+      "first-order error falls with "
       "the second.";
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 1120, .height = 520});
   return figure;

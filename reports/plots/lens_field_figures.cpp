@@ -63,8 +63,8 @@ std::optional<Figure> field_curves(const Json& field) {
       if (rows.empty()) continue;
       const std::string name = std::string("$") + s.key + axis;
       blocks += name + " << END\n" + rows + "END\n";
-      plots += (plots.empty() ? "plot " : ", ") + name + " with " + look_of(s, dash) + " lw 1.7 lc rgb '" + s.colour + "' title '" +
-               s.name + ", " + axis_name + "'";
+      plots += (plots.empty() ? "plot " : ", ") + name + " with " + look_of(s, dash) + " lw 1.7 lc rgb '" + s.colour +
+               "' title '" + s.name + ", " + axis_name + "'";
     }
   if (plots.empty()) return std::nullopt;
   const std::string script = R"(
@@ -81,7 +81,8 @@ set key outside right top Left reverse samplen 2 spacing 1.3
   figure.section = "lens_study";
   figure.title = "Wide field: semi-axes of the blur against the gaze";
   figure.caption = conditions(field) +
-                   " The comparison of Kakimoto's Fig. 14, with real rays as the judge: the previous method scales a blur that is right "
+                   " The comparison of Kakimoto's Fig. 14, with real rays as the judge: the previous method scales a "
+                   "blur that is right "
                    "inside by a wrong magnification.";
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 1120, .height = 430});
   return figure;
@@ -106,10 +107,12 @@ std::optional<Figure> field_ellipses(const Json& field) {
     for (std::size_t column = 0; column < points.size(); ++column) {
       const double x = label_width + cell * (static_cast<double>(column) + 0.5);
       if (row == 0)
-        body +=
-            svg_text(x, head - 14.0, plain_number(number_at(points[column], "azimuth_deg").value_or(0.0)) + "°", "middle", 12, "#5c6670");
-      const auto truth = ellipse_of(value_at(points[column], "real_rays")), e = ellipse_of(value_at(points[column], series[row].key));
-      if (truth && row > 0) body += element("g", "fill=\"#d9dde2\" stroke=\"none\"", svg_ellipse(*truth, scale, x, y, "truth"));
+        body += svg_text(x, head - 14.0, plain_number(number_at(points[column], "azimuth_deg").value_or(0.0)) + "°",
+                         "middle", 12, "#5c6670");
+      const auto truth = ellipse_of(value_at(points[column], "real_rays")),
+                 e = ellipse_of(value_at(points[column], series[row].key));
+      if (truth && row > 0)
+        body += element("g", "fill=\"#d9dde2\" stroke=\"none\"", svg_ellipse(*truth, scale, x, y, "truth"));
       if (e)
         body += element("g", std::string("fill=\"none\" stroke-width=\"1.8\" stroke=\"") + series[row].colour + "\"",
                         svg_ellipse(*e, scale, x, y, series[row].key));
@@ -126,7 +129,8 @@ std::optional<Figure> field_ellipses(const Json& field) {
   figure.section = "lens_study";
   figure.title = "Wide field: the blur ellipses side by side";
   figure.caption = conditions(field) + " Grey: real rays, behind the outline of each method.";
-  figure.svg = svg_document(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)), figure.title, body);
+  figure.svg =
+      svg_document(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)), figure.title, body);
   return figure;
 }
 

@@ -4,8 +4,9 @@
 
 namespace sturm {
 
-/// Error against real rays [D] of one lens by eccentricity of the gaze and pupil, a panel per method; the worst of all directions and
-/// distances. The colour is logarithmic from 0.001 D to 1 D, the number stands in the cell, framed from 0.05 D on.
+/// Error against real rays [D] of one lens by eccentricity of the gaze and pupil, a panel per method; the worst of all
+/// directions and distances. The colour is logarithmic from 0.001 D to 1 D, the number stands in the cell, framed from
+/// 0.05 D on.
 Figure heat_map(const LensStudyErrors& errors, const std::string& lens);
 
 }  // namespace sturm

@@ -54,7 +54,8 @@ struct Scale {
 
 std::string lines_at(const Eigen::MatrixXd& values, double level, const Scale& scale) {
   std::string rows;
-  for (const ContourPiece& piece : contour_lines(values, level)) rows += scale.at(piece[0]) + "\n" + scale.at(piece[1]) + "\n\n";
+  for (const ContourPiece& piece : contour_lines(values, level))
+    rows += scale.at(piece[0]) + "\n" + scale.at(piece[1]) + "\n\n";
   return rows;
 }
 
@@ -89,9 +90,10 @@ std::string panel(const LensMap& map, double limit, int number) {
     script += block("limit" + id, rows);
     add("limit", rows, "lw 3.2 lc rgb '#007a33'");
   }
-  script += palette(map.signed_scale) + "set title \"" + map.title + "\"\nset cblabel \"" + map.unit + "\"\nset cbrange [" +
-            text(map.signed_scale ? -limit : 0.0) + ":" + text(limit) + "]\nset xrange [" + text(-1.05 * rim) + ":" + text(1.05 * rim) +
-            "]\nset yrange [" + text(-1.05 * rim) + ":" + text(1.05 * rim) + "]\n";
+  script += palette(map.signed_scale) + "set title \"" + map.title + "\"\nset cblabel \"" + map.unit +
+            "\"\nset cbrange [" + text(map.signed_scale ? -limit : 0.0) + ":" + text(limit) + "]\nset xrange [" +
+            text(-1.05 * rim) + ":" + text(1.05 * rim) + "]\nset yrange [" + text(-1.05 * rim) + ":" +
+            text(1.05 * rim) + "]\n";
   return script + "plot " + curves + ", [t=0:2*pi] '+' using (" + text(rim) + "*cos($1)):(" + text(rim) +
          "*sin($1)) with lines lw 1.5 lc rgb '#000000' notitle, '+' using (" + text(map.fitting_cross_mm.x()) + "):(" +
          text(map.fitting_cross_mm.y()) + ") every 1000 with points pt 1 ps 1.6 lw 2 lc rgb '#000000' notitle\n";
@@ -129,7 +131,9 @@ std::string lens_map_svg(std::span<const LensMap> maps, const std::string& id) {
 
 std::string lens_map_svg_file(std::span<const LensMap> maps) {
   std::string svg = lens_map_svg(maps, "map");
-  svg.insert(4, " xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" font-family=\"sans-serif\"");
+  svg.insert(
+      4,
+      " xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" font-family=\"sans-serif\"");
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + svg;
 }
 

@@ -6,16 +6,17 @@
 
 namespace sturm {
 
-/// A quantity over a lens, as the wearer looks through it. Coordinates: mm on the lens about its back vertex, x to the wearer's right, y
-/// up.
+/// A quantity over a lens, as the wearer looks through it. Coordinates: mm on the lens about its back vertex, x to the
+/// wearer's right, y up.
 struct LensMap {
   std::string title;       ///< plain text; \\n (two characters) begins a new line
   std::string unit = "D";  ///< of the values
   double rim_radius_mm = 0.0;
-  Eigen::Vector2d fitting_cross_mm = Eigen::Vector2d::Zero();  ///< where the line of sight of primary gaze meets the lens
-  Eigen::MatrixXd values;      ///< square, (row, column) = (y, x) from −rim to +rim in equal steps; not finite = no value
-  bool signed_scale = true;    ///< blue – white – red about 0, or light to dark from 0
-  double contour_step = 0.25;  ///< > 0; every fourth line is thick
+  Eigen::Vector2d fitting_cross_mm =
+      Eigen::Vector2d::Zero();  ///< where the line of sight of primary gaze meets the lens
+  Eigen::MatrixXd values;  ///< square, (row, column) = (y, x) from −rim to +rim in equal steps; not finite = no value
+  bool signed_scale = true;                     ///< blue – white – red about 0, or light to dark from 0
+  double contour_step = 0.25;                   ///< > 0; every fourth line is thick
   std::optional<Eigen::MatrixXd> limit_values;  ///< a second quantity on the same places …
   double limit = 0.0;                           ///< … whose contour at this value is drawn as a heavy line
 };

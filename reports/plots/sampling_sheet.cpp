@@ -37,8 +37,8 @@ std::string percent(double part, double whole) {
 
 /// Bias, where it can be told from none at 4 σ, and noise, relative to the mean radiance.
 std::string numbers_of(const Json& entry) {
-  const auto square = number_at(entry, "mean_square_bias"), z = number_at(entry, "z"), noise = number_at(entry, "noise"),
-             brightness = number_at(entry, "mean_radiance");
+  const auto square = number_at(entry, "mean_square_bias"), z = number_at(entry, "z"),
+             noise = number_at(entry, "noise"), brightness = number_at(entry, "mean_radiance");
   if (!square || !z || !noise || !brightness || !(*brightness > 0.0)) return "no numbers";
   constexpr double told_apart = 4.0;
   const std::string bias = *z > told_apart ? percent(std::sqrt(*square), *brightness) : "none seen";
@@ -58,7 +58,8 @@ class Sheet {
     std::string body;
     double width = 0.0, y = heading_height;
     for (std::size_t c = 0; c < columns_.size(); ++c)
-      body += text(left(c) + picture_width / 2, heading_height - 12, "text-anchor=\"middle\" font-weight=\"bold\"", columns_[c]);
+      body += text(left(c) + picture_width / 2, heading_height - 12, "text-anchor=\"middle\" font-weight=\"bold\"",
+                   columns_[c]);
     for (const std::string& row : rows_) {
       double height = 0.0;
       for (std::size_t c = 0; c < columns_.size(); ++c)
@@ -68,10 +69,11 @@ class Sheet {
       y += height + caption_height + gap;
     }
     const std::string size = plain_number(width) + " " + plain_number(y);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" + plain_number(width) + "\" height=\"" +
-           plain_number(y) +
-           "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + body +
-           "</svg>\n";
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" + plain_number(width) +
+           "\" height=\"" + plain_number(y) +
+           "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" "
+           "fill=\"#fff\"/>\n" +
+           body + "</svg>\n";
   }
 
  private:
@@ -90,11 +92,13 @@ class Sheet {
     const auto png = file_contents(run_folder_ / text_at(entry, "files/picture_png"));
     const double ratio = number_at(entry, "aspect_ratio").value_or(1.5);
     height = picture_width / ratio;
-    const std::string place = "x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" width=\"" + plain_number(picture_width) +
-                              "\" height=\"" + plain_number(height) + "\"";
-    const std::string picture = png ? "<image " + place + " href=\"data:image/png;base64," + base64({png->begin(), png->end()}) + "\"/>\n"
-                                    : "<rect " + place + " fill=\"none\" stroke=\"#999\"/>\n";
-    return picture + text(x + picture_width / 2, y + height + 16, "text-anchor=\"middle\" font-size=\"12\"", numbers_of(entry));
+    const std::string place = "x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" width=\"" +
+                              plain_number(picture_width) + "\" height=\"" + plain_number(height) + "\"";
+    const std::string picture =
+        png ? "<image " + place + " href=\"data:image/png;base64," + base64({png->begin(), png->end()}) + "\"/>\n"
+            : "<rect " + place + " fill=\"none\" stroke=\"#999\"/>\n";
+    return picture +
+           text(x + picture_width / 2, y + height + 16, "text-anchor=\"middle\" font-size=\"12\"", numbers_of(entry));
   }
 
   /// Name, ray model and note of a row, the note broken into lines.
@@ -136,8 +140,10 @@ std::vector<Figure> sampling_sheets(const Json& section, const std::filesystem::
   const Json& entries = array_at(section, "entries");
   std::vector<Figure> figures;
   for (const std::string& sampler : different(entries, "sampler"))
-    figures.push_back({"sampling_study_" + sampler, "sampling_study", "Configurations and pupil samplings, " + sampler + " numbers",
-                       "Each picture is the mean of all replicates. Bias: RMS difference of the means to the uniform disc; noise: RMS "
+    figures.push_back({"sampling_study_" + sampler, "sampling_study",
+                       "Configurations and pupil samplings, " + sampler + " numbers",
+                       "Each picture is the mean of all replicates. Bias: RMS difference of the means to the uniform "
+                       "disc; noise: RMS "
                        "deviation of one replicate; both relative to the mean radiance.",
                        "", Sheet(entries, sampler, run_folder).svg()});
   return figures;

@@ -54,13 +54,14 @@ std::string ratio_plot(const Json& table, const RatioPlot& plot) {
     if (t && ratio && *ratio > 0.0) rows += point(*t, *ratio);
   }
   if (rows.empty()) return "";
-  const std::string script = std::string(style) + ratio_axis + plot.range + data_block("measured", rows) + "set ylabel \"" +
-                             plot.axis_label + "\"\nplot 1 with lines lw 2 lc rgb '#2166ac' title 'wavefront theory: 1', " +
-                             plot.closed_form +
-                             " with lines lw 1.5 lc rgb '#333333' title 'closed form of sin²', "
-                             "$measured with points pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b' title 'sin² rays, measured'";
-  return gnuplot_svg(
-      script, {.id = slug(plot.key), .label = plot.axis_label + " against V2/V1: measured points on the closed-form curve", .height = 430});
+  const std::string script =
+      std::string(style) + ratio_axis + plot.range + data_block("measured", rows) + "set ylabel \"" + plot.axis_label +
+      "\"\nplot 1 with lines lw 2 lc rgb '#2166ac' title 'wavefront theory: 1', " + plot.closed_form +
+      " with lines lw 1.5 lc rgb '#333333' title 'closed form of sin²', "
+      "$measured with points pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b' title 'sin² rays, measured'";
+  return gnuplot_svg(script, {.id = slug(plot.key),
+                              .label = plot.axis_label + " against V2/V1: measured points on the closed-form curve",
+                              .height = 430});
 }
 
 /// ‖a − b‖_F/‖b‖_F of symmetric matrices [xx, xy, yy].
@@ -93,8 +94,8 @@ std::string closed_form_differences(const Json& cases) {
   std::string rows;
   for (const Json& item : cases) {
     const auto cylinder = number_at(item, "cylinder_D");
-    const auto difference =
-        relative_difference(value_at(item, "sin2_closed_form/covariance_rad2"), value_at(item, "conoid/covariance_rad2"));
+    const auto difference = relative_difference(value_at(item, "sin2_closed_form/covariance_rad2"),
+                                                value_at(item, "conoid/covariance_rad2"));
     if (cylinder && difference && *difference > 1e-9) rows += point(std::abs(*cylinder), *difference);
   }
   return rows;
@@ -119,16 +120,17 @@ std::string difference_plot(const Json& report) {
   struct Series {
     std::string name, title, look, rows;
   };
-  const Series all[] = {{"sin2", "sin² rays", "pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b'", differences_of(cases, "sin2_radial")},
-                        {"closed", "closed form of sin²", "pt 2 ps 0.5 lw 1 lc rgb '#333333'", closed_form_differences(cases)},
-                        {"thin", "spherical-equivalent rays", "pt 8 ps 0.7 lw 1.2 lc rgb '#b8860b'", differences_of(cases, "thin_lens")},
-                        {"matrix", "power-matrix rays", "pt 4 ps 0.6 lw 1.4 lc rgb '#2166ac'", differences_of(cases, "power_matrix")}};
+  const Series all[] = {
+      {"sin2", "sin² rays", "pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b'", differences_of(cases, "sin2_radial")},
+      {"closed", "closed form of sin²", "pt 2 ps 0.5 lw 1 lc rgb '#333333'", closed_form_differences(cases)},
+      {"thin", "spherical-equivalent rays", "pt 8 ps 0.7 lw 1.2 lc rgb '#b8860b'", differences_of(cases, "thin_lens")},
+      {"matrix", "power-matrix rays", "pt 4 ps 0.6 lw 1.4 lc rgb '#2166ac'", differences_of(cases, "power_matrix")}};
   std::string blocks, plots;
   for (const Series& series : all) {
     if (series.rows.empty()) continue;
     blocks += data_block(series.name, series.rows);
-    plots +=
-        std::string(plots.empty() ? "plot " : ", ") + "$" + series.name + " with points " + series.look + " title '" + series.title + "'";
+    plots += std::string(plots.empty() ? "plot " : ", ") + "$" + series.name + " with points " + series.look +
+             " title '" + series.title + "'";
   }
   if (plots.empty()) return "";
   const std::string script = std::string(style) + R"(

@@ -78,8 +78,8 @@ Pictures load(const Json& entry, const std::filesystem::path& run_folder) {
 
 std::string still(const Image& display, const std::string& title) {
   return element("figure", "",
-                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) + "\" height=\"" +
-                     std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
+                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) +
+                     "\" height=\"" + std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
 }
 
 std::string stills(const Pictures& pictures, double budget) {
@@ -88,11 +88,13 @@ std::string stills(const Pictures& pictures, double budget) {
   std::string html = still(shrunk(pictures.display, factor), "Path traced");
   for (const Prediction& p : pictures.predictions)
     html += still(shrunk(p.display, factor), "Predicted, " + escaped(p.kind)) +
-            still(diverging_false_colour(shrunk(p.difference, factor), error_limit), escaped(p.kind) + " − path traced, ±0.1");
+            still(diverging_false_colour(shrunk(p.difference, factor), error_limit),
+                  escaped(p.kind) + " − path traced, ±0.1");
   return element("div", "class=\"three stills\"", html);
 }
 
-/// The maps of a prediction; none but the difference where pictures are too small for metrics or hold numbers that are not finite.
+/// The maps of a prediction; none but the difference where pictures are too small for metrics or hold numbers that are
+/// not finite.
 std::vector<ViewerCase::Map> maps_of(const Prediction& p, const Image& traced, std::size_t most) {
   std::vector<ImageMetric> metrics;
   try {
@@ -148,21 +150,24 @@ std::string viewer_place(const std::string& id, const Pictures& pictures, const 
   const bool all_maps = fit.maps > viewer_maps().size();
   return element("div", "class=\"viewer\" data-case=\"" + std::to_string(payload.add_case(shown)) + "\"", "") +
          element("p", "class=\"made-by\"",
-                 "Files: " + files + ". " + (all_maps ? "Maps" : "These and more maps") + " by <code>sturm compare PREDICTED " +
-                     escaped(pictures.file) + " --maps maps</code> in the run's folder.");
+                 "Files: " + files + ". " + (all_maps ? "Maps" : "These and more maps") +
+                     " by <code>sturm compare PREDICTED " + escaped(pictures.file) +
+                     " --maps maps</code> in the run's folder.");
 }
 
 }  // namespace
 
-std::vector<std::string> agreement_pictures(const Json& entries, const std::filesystem::path& run_folder, ViewerPayload& payload) {
+std::vector<std::string> agreement_pictures(const Json& entries, const std::filesystem::path& run_folder,
+                                            ViewerPayload& payload) {
   std::vector<Pictures> all;
   for (const Json& entry : entries) all.push_back(load(entry, run_folder));
   const Fit fit = fit_of(all);
   const double still_budget = still_byte_budget / static_cast<double>(std::max<std::size_t>(1, all.size()));
   std::vector<std::string> html;
   for (std::size_t i = 0; i < all.size(); ++i)
-    html.push_back(all[i].problem.empty() ? viewer_place(text_at(entries[i], "id"), all[i], fit, payload) + stills(all[i], still_budget)
-                                          : element("p", "class=\"missing\"", "No pictures: " + escaped(all[i].problem)));
+    html.push_back(all[i].problem.empty()
+                       ? viewer_place(text_at(entries[i], "id"), all[i], fit, payload) + stills(all[i], still_budget)
+                       : element("p", "class=\"missing\"", "No pictures: " + escaped(all[i].problem)));
   return html;
 }
 

@@ -34,7 +34,8 @@ void add_ellipses(const Json& report, std::vector<Case>& cases) {
       Case c{"ellipses",
              text_at(item, "id"),
              text_at(rays, "ray_model"),
-             closed ? "relative difference of covariances, from the closed form" : "relative difference of covariances, from the conoid",
+             closed ? "relative difference of covariances, from the closed form"
+                    : "relative difference of covariances, from the conoid",
              number_at(own, "relative_frobenius"),
              number_at(own, "z_max")};
       if (text_at(rays, "status") != "ok") c.status = Status::NoResult;
@@ -51,11 +52,13 @@ void add_ellipses(const Json& report, std::vector<Case>& cases) {
 
 void add_psfs(const Json& report, std::vector<Case>& cases) {
   for (const Json& psf : array_at(report, "psfs")) {
-    const auto predicted = number_at(psf, "predicted/semi_axes_arcmin/0"), measured = number_at(psf, "measured/semi_axes_arcmin/0");
+    const auto predicted = number_at(psf, "predicted/semi_axes_arcmin/0"),
+               measured = number_at(psf, "measured/semi_axes_arcmin/0");
     std::optional<double> relative;
     if (predicted && measured && *predicted > 0.0) relative = std::abs(*measured / *predicted - 1.0);
-    cases.push_back({"psfs", text_at(psf, "id"), text_at(psf, "ray_model"), "relative difference of major axes, from the conoid", relative,
-                     std::nullopt, relative ? Status::Measured : Status::NoResult});
+    cases.push_back({"psfs", text_at(psf, "id"), text_at(psf, "ray_model"),
+                     "relative difference of major axes, from the conoid", relative, std::nullopt,
+                     relative ? Status::Measured : Status::NoResult});
   }
 }
 
@@ -65,7 +68,8 @@ void add_images(const Json& report, std::vector<Case>& cases) {
     std::optional<double> ratio;
     if (error && floor && *floor > 0.0) ratio = *error / *floor;
     const Status status = !ratio ? Status::NoResult : *ratio > 1.0 ? Status::Differs : Status::Agrees;
-    cases.push_back({"images", text_at(image, "id"), text_at(image, "ray_model"), "RMSE ÷ noise floor", ratio, std::nullopt, status});
+    cases.push_back({"images", text_at(image, "id"), text_at(image, "ray_model"), "RMSE ÷ noise floor", ratio,
+                     std::nullopt, status});
   }
 }
 
@@ -114,18 +118,20 @@ std::string table_of(const std::vector<Case>& cases) {
 std::string case_section(const Json& report) {
   const std::vector<Case> cases = cases_of(report);
   if (cases.empty()) return "";
-  return element("section", "id=\"cases\"",
-                 element("h2", "", "Cases") +
-                     element("p", "",
-                             "<i>Failed</i>: the case that decided a failed gate. <i>Differs</i> and <i>agrees</i>: for ellipses and "
-                             "pupil samplings, whether |z| is above what chance alone exceeds in one report of a hundred, counting "
-                             "every one of them; for images and predictions, whether the RMSE is above the path tracer's own noise "
-                             "floor; for point spreads, whether the distance from theory is above 1.5 times that of two runs of "
-                             "theory; for spectacles, whether the error from real rays is anywhere above " +
-                                 plain_number(defocus_that_matters_D) +
-                                 " D, a fifth of the smallest step that lenses are ordered in. Some ray models are here because they "
-                                 "differ. <i>Measured</i>: no test of the single case.") +
-                     table_of(cases));
+  return element(
+      "section", "id=\"cases\"",
+      element("h2", "", "Cases") +
+          element(
+              "p", "",
+              "<i>Failed</i>: the case that decided a failed gate. <i>Differs</i> and <i>agrees</i>: for ellipses and "
+              "pupil samplings, whether |z| is above what chance alone exceeds in one report of a hundred, counting "
+              "every one of them; for images and predictions, whether the RMSE is above the path tracer's own noise "
+              "floor; for point spreads, whether the distance from theory is above 1.5 times that of two runs of "
+              "theory; for spectacles, whether the error from real rays is anywhere above " +
+                  plain_number(defocus_that_matters_D) +
+                  " D, a fifth of the smallest step that lenses are ordered in. Some ray models are here because they "
+                  "differ. <i>Measured</i>: no test of the single case.") +
+          table_of(cases));
 }
 
 }  // namespace sturm

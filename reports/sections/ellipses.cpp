@@ -18,11 +18,12 @@ struct Row {
 };
 
 std::string_view what_it_is(const std::string& ray_model) {
-  static const std::map<std::string, std::string_view> models = {{"pinhole", "the chief ray: no blur"},
-                                                                 {"thin_lens", "depth of field with the spherical equivalent"},
-                                                                 {"metalstigmatism", "sin² with focal distances added, as printed"},
-                                                                 {"sin2_radial", "sin² with vergences added"},
-                                                                 {"power_matrix", "wavefront theory to second order"}};
+  static const std::map<std::string, std::string_view> models = {
+      {"pinhole", "the chief ray: no blur"},
+      {"thin_lens", "depth of field with the spherical equivalent"},
+      {"metalstigmatism", "sin² with focal distances added, as printed"},
+      {"sin2_radial", "sin² with vergences added"},
+      {"power_matrix", "wavefront theory to second order"}};
   const auto found = models.find(ray_model);
   return found == models.end() ? std::string_view() : found->second;
 }
@@ -99,8 +100,9 @@ std::string summary_table(const std::vector<std::pair<std::string, std::vector<R
   for (const auto& [model, rows] : groups) {
     const auto without = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return undefined(*row.rays); });
     const auto differences = sorted_numbers(rows, "against_conoid/relative_frobenius");
-    table.add_row({"<code>" + text_html(model) + "</code>", escaped(what_it_is(model)), count_html(static_cast<double>(rows.size())),
-                   count_html(static_cast<double>(without)), number_html(median(differences), 3), number_html(largest(differences), 3),
+    table.add_row({"<code>" + text_html(model) + "</code>", escaped(what_it_is(model)),
+                   count_html(static_cast<double>(rows.size())), count_html(static_cast<double>(without)),
+                   number_html(median(differences), 3), number_html(largest(differences), 3),
                    number_html(largest(sorted_numbers(rows, "against_conoid/z_max")), 3),
                    number_html(largest(sorted_numbers(rows, "against_closed_form/z_max")), 3)});
   }
@@ -123,7 +125,8 @@ std::string degrees_html(const Json& json, const char* path) {
 
 std::string status_html(const Json& rays) {
   std::string html = text_html(text_at(rays, "status"));
-  for (const auto& [key, name] : {std::pair("dropped", "dropped"), std::pair("negative_focus", "with negative focus")}) {
+  for (const auto& [key, name] :
+       {std::pair("dropped", "dropped"), std::pair("negative_focus", "with negative focus")}) {
     const auto count = number_at(rays, std::string("counters/") + key);
     if (count && *count > 0.0) html += "<small>" + count_html(count) + " " + name + "</small>";
   }
@@ -135,27 +138,35 @@ Cell sortable(std::optional<double> value, int significant) {
 }
 
 std::string case_table(const std::string& model, const std::vector<Row>& rows) {
-  const bool closed_form =
-      std::any_of(rows.begin(), rows.end(), [](const Row& r) { return value_at(*r.rays, "against_closed_form").is_object(); });
-  std::vector<Column> columns = {
-      {"Case", false},           {"Conoid, semi-axes [arcmin]"}, {"Conoid, orientation [°]"}, {"Rays, semi-axes [arcmin]"},
-      {"Rays, orientation [°]"}, {"Relative difference"},        {"Largest |z| [σ]"},         {"Minor-axis error [arcmin]"},
-      {"Orientation error [°]"}, {"Bures–Wasserstein [arcmin]"}};
-  if (closed_form) columns.insert(columns.end(), {{"Relative difference from closed form"}, {"Largest |z| from closed form [σ]"}});
+  const bool closed_form = std::any_of(
+      rows.begin(), rows.end(), [](const Row& r) { return value_at(*r.rays, "against_closed_form").is_object(); });
+  std::vector<Column> columns = {{"Case", false},
+                                 {"Conoid, semi-axes [arcmin]"},
+                                 {"Conoid, orientation [°]"},
+                                 {"Rays, semi-axes [arcmin]"},
+                                 {"Rays, orientation [°]"},
+                                 {"Relative difference"},
+                                 {"Largest |z| [σ]"},
+                                 {"Minor-axis error [arcmin]"},
+                                 {"Orientation error [°]"},
+                                 {"Bures–Wasserstein [arcmin]"}};
+  if (closed_form)
+    columns.insert(columns.end(), {{"Relative difference from closed form"}, {"Largest |z| from closed form [σ]"}});
   columns.push_back({"Status", false});
   HtmlTable table("Ellipses of " + model + " rays against the conoid, worst first", "sortable filterable", columns);
   for (const Row& row : rows) {
     const Json &item = *row.item, &rays = *row.rays;
-    std::vector<Cell> cells = {text_html(text_at(item, "id")),
-                               {semi_axes_html(value_at(item, "conoid")), number_at(item, "conoid/semi_axes_rad/0")},
-                               {degrees_html(item, "conoid/orientation_deg"), number_at(item, "conoid/orientation_deg")},
-                               {semi_axes_html(rays), number_at(rays, "semi_axes_rad/0")},
-                               {degrees_html(rays, "orientation_deg"), number_at(rays, "orientation_deg")},
-                               sortable(number_at(rays, "against_conoid/relative_frobenius"), 3),
-                               sortable(number_at(rays, "against_conoid/z_max"), 3),
-                               sortable(number_at(rays, "against_conoid/minor_axis_error_arcmin"), 2),
-                               sortable(number_at(rays, "against_conoid/orientation_error_deg"), 2),
-                               sortable(number_at(rays, "against_conoid/bures_wasserstein_arcmin"), 2)};
+    std::vector<Cell> cells = {
+        text_html(text_at(item, "id")),
+        {semi_axes_html(value_at(item, "conoid")), number_at(item, "conoid/semi_axes_rad/0")},
+        {degrees_html(item, "conoid/orientation_deg"), number_at(item, "conoid/orientation_deg")},
+        {semi_axes_html(rays), number_at(rays, "semi_axes_rad/0")},
+        {degrees_html(rays, "orientation_deg"), number_at(rays, "orientation_deg")},
+        sortable(number_at(rays, "against_conoid/relative_frobenius"), 3),
+        sortable(number_at(rays, "against_conoid/z_max"), 3),
+        sortable(number_at(rays, "against_conoid/minor_axis_error_arcmin"), 2),
+        sortable(number_at(rays, "against_conoid/orientation_error_deg"), 2),
+        sortable(number_at(rays, "against_conoid/bures_wasserstein_arcmin"), 2)};
     if (closed_form) {
       cells.push_back(sortable(number_at(rays, "against_closed_form/relative_frobenius"), 3));
       cells.push_back(sortable(number_at(rays, "against_closed_form/z_max"), 3));
@@ -167,13 +178,15 @@ std::string case_table(const std::string& model, const std::vector<Row>& rows) {
 }
 
 std::string reference_table(const Json& reference) {
-  HtmlTable table("Conoid and closed form against independent numbers", "compact", {{"Quantity", false}, {"Largest relative error"}});
+  HtmlTable table("Conoid and closed form against independent numbers", "compact",
+                  {{"Quantity", false}, {"Largest relative error"}});
   const Json& errors = value_at(reference, "max_relative_error");
   if (!errors.is_object()) return "";
   for (const auto& [name, error] : errors.items()) table.add_row({escaped(name), number_html(number_at(error, ""), 2)});
   return element("p", "",
-                 "Both were compared with " + count_html(number_at(reference, "cases")) + " cases that other programs computed (<code>" +
-                     text_html(text_at(reference, "file")) + "</code>).") +
+                 "Both were compared with " + count_html(number_at(reference, "cases")) +
+                     " cases that other programs computed (<code>" + text_html(text_at(reference, "file")) +
+                     "</code>).") +
          table.html();
 }
 
@@ -186,16 +199,15 @@ std::string ellipse_section(const Json& report) {
   std::string html = element("h2", "", "All ellipses");
   if (!cases.empty()) {
     const auto groups = by_ray_model(cases);
-    html +=
-        element(
-            "p", "",
-            "Every prescription, distance and pupil. Semi-axes are major × minor, for rays 2 × standard deviation; orientations are of the "
-            "major axis as the wearer sees it. Standard error: " +
-                text_html(text_at(report, "ellipses/conditions/standard_error")) + ".") +
-        summary_table(groups);
+    html += element("p", "",
+                    "Every prescription, distance and pupil. Semi-axes are major × minor, for rays 2 × standard "
+                    "deviation; orientations are of the "
+                    "major axis as the wearer sees it. Standard error: " +
+                        text_html(text_at(report, "ellipses/conditions/standard_error")) + ".") +
+            summary_table(groups);
     for (const auto& [model, rows] : groups) {
-      html +=
-          folded("<code>" + text_html(model) + "</code>: " + std::to_string(rows.size()) + " cases, worst first", case_table(model, rows));
+      html += folded("<code>" + text_html(model) + "</code>: " + std::to_string(rows.size()) + " cases, worst first",
+                     case_table(model, rows));
     }
   }
   return element("section", "id=\"ellipses\"", html + reference);

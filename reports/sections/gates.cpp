@@ -44,7 +44,8 @@ std::string worst_case_html(const Json& gate) {
 
 std::string result_html(const Json& gate) {
   if (failed(gate)) return "<strong class=\"mark fail\">failed</strong>";
-  return proves_that_gates_fail(gate) ? "<span class=\"mark pass\">fails as it must</span>" : "<span class=\"mark pass\">passed</span>";
+  return proves_that_gates_fail(gate) ? "<span class=\"mark pass\">fails as it must</span>"
+                                      : "<span class=\"mark pass\">passed</span>";
 }
 
 /// Chance, tolerance and noise of a gate that states them.
@@ -53,9 +54,11 @@ std::string calibration_html(const Json& gate) {
   const std::string unit = text_at(gate, "unit").empty() ? "" : " " + escaped(text_at(gate, "unit"));
   if (const auto level = number_at(gate, "level"))
     html += element("small", "",
-                    *level > 0.0 ? "level: fails by chance in at most " + number_html(level, 2) + " of all runs" : "level: 0, no chance");
+                    *level > 0.0 ? "level: fails by chance in at most " + number_html(level, 2) + " of all runs"
+                                 : "level: 0, no chance");
   if (const auto tolerance = number_at(gate, "tolerance/value"))
-    html += element("small", "", "tolerance: " + exact_html(tolerance) + unit + "; " + escaped(text_at(gate, "tolerance/reason")));
+    html += element("small", "",
+                    "tolerance: " + exact_html(tolerance) + unit + "; " + escaped(text_at(gate, "tolerance/reason")));
   if (const std::string source = text_at(gate, "noise/source"); !source.empty()) {
     const auto noise = number_at(gate, "noise/standard_deviation");
     html += element("small", "", "noise: " + (noise ? "σ = " + exact_html(noise) + unit + "; " : "") + escaped(source));
@@ -64,8 +67,8 @@ std::string calibration_html(const Json& gate) {
 }
 
 std::string description(const Json& gate) {
-  std::string html =
-      element("span", "class=\"title\"", text_html(text_at(gate, "title"))) + element("code", "", text_html(text_at(gate, "id")));
+  std::string html = element("span", "class=\"title\"", text_html(text_at(gate, "title"))) +
+                     element("code", "", text_html(text_at(gate, "id")));
   if (const std::string statistic = text_at(gate, "statistic"); !statistic.empty())
     html += element("small", "", "statistic: " + escaped(statistic));
   std::string why;
@@ -79,11 +82,13 @@ std::string gate_table(const Json& gates) {
   std::vector<const Json*> order;
   for (const Json& gate : gates) order.push_back(&gate);
   std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return reading_order(*a) < reading_order(*b); });
-  HtmlTable table("Gates, failures first", "gates filterable",
-                  {{"Gate", false}, {"Result", false}, {"Value ± uncertainty"}, {"Bound, with unit"}, {"Worst case", false}});
+  HtmlTable table(
+      "Gates, failures first", "gates filterable",
+      {{"Gate", false}, {"Result", false}, {"Value ± uncertainty"}, {"Bound, with unit"}, {"Worst case", false}});
   for (const Json* gate : order) {
-    table.add_row({description(*gate), result_html(*gate), measured_html(number_at(*gate, "value"), number_at(*gate, "uncertainty"), 3),
-                   bound_html(*gate), worst_case_html(*gate)},
+    table.add_row({description(*gate), result_html(*gate),
+                   measured_html(number_at(*gate, "value"), number_at(*gate, "uncertainty"), 3), bound_html(*gate),
+                   worst_case_html(*gate)},
                   RowState{failed(*gate) ? "fail" : "", failed(*gate) ? "failed" : "passed"});
   }
   return table.html();
@@ -100,9 +105,9 @@ std::string mutant_table(const Json& mutants) {
                   rejected ? "" : "fail");
   }
   return element("h3", "", "The gates can fail") +
-         element(
-             "p", "",
-             "Each statistic below was computed again with one input made wrong on purpose. A gate that let it pass would be worthless.") +
+         element("p", "",
+                 "Each statistic below was computed again with one input made wrong on purpose. A gate that let it "
+                 "pass would be worthless.") +
          table.html();
 }
 

@@ -27,7 +27,8 @@ constexpr double bytes_per_pixel = 3.0 * 4.0 / 3.0;
 /// Share of the pixels that the ends of the error map's scale leave inside.
 constexpr double shown_share = 0.995;
 
-/// Bytes that the viewer's numbers may take on the page: two pictures of 3 channels and 7 maps per case, 2 bytes each in base64.
+/// Bytes that the viewer's numbers may take on the page: two pictures of 3 channels and 7 maps per case, 2 bytes each
+/// in base64.
 constexpr double viewer_byte_budget = 10e6;
 constexpr double viewer_bytes_per_pixel = (2 * 3 + 7) * 2.0 * 4.0 / 3.0;
 
@@ -75,7 +76,8 @@ int shrink_factor(const Image& image, std::size_t count, double bytes, double bu
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels * bytes / budget))));
 }
 
-/// The metrics of a pair with their maps; none where the pictures are too small for them or hold numbers that are not finite.
+/// The metrics of a pair with their maps; none where the pictures are too small for them or hold numbers that are not
+/// finite.
 std::vector<ImageMetric> maps_of(const Pair& pair) {
   try {
     return measure_images(pair.linear_predicted, pair.linear_traced, {});
@@ -91,12 +93,13 @@ std::string viewer_place(const Json& entry, const Pair& pair, double limit, std:
   const int factor = shrink_factor(pair.linear_traced, cases, viewer_bytes_per_pixel, viewer_byte_budget);
   payload.add_picture(traced, pair.linear_traced, factor);
   payload.add_picture(predicted, pair.linear_predicted, factor);
-  const std::size_t number = payload.add_case(case_of_images(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
-                                                             pair.difference, limit, maps_of(pair), factor));
+  const std::size_t number =
+      payload.add_case(case_of_images(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
+                                      pair.difference, limit, maps_of(pair), factor));
   return element("div", "class=\"viewer\" data-case=\"" + std::to_string(number) + "\"", "") +
          element("p", "class=\"made-by\"",
-                 "Files: " + file_link(traced) + ", " + file_link(predicted) + ". Maps by <code>sturm compare " + escaped(predicted) + " " +
-                     escaped(traced) + " --maps maps</code> in the run's folder.");
+                 "Files: " + file_link(traced) + ", " + file_link(predicted) + ". Maps by <code>sturm compare " +
+                     escaped(predicted) + " " + escaped(traced) + " --maps maps</code> in the run's folder.");
 }
 
 /// encode_png refuses numbers that are not finite; the picture shows them in the colour that stands for them.
@@ -110,8 +113,8 @@ Image with_visible_defects(Image display) {
 
 std::string picture(const Image& display, const std::string& title) {
   return element("figure", "",
-                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) + "\" height=\"" +
-                     std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
+                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) +
+                     "\" height=\"" + std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
 }
 
 std::string floor_html(const Json& entry, const std::string& metric) {
@@ -121,8 +124,8 @@ std::string floor_html(const Json& entry, const std::string& metric) {
 
 std::string metric_html(const Json& entry, const std::string& metric) {
   const Json& value = value_at(entry, "metrics/" + metric);
-  const std::string html =
-      value.is_object() ? measured_html(number_at(value, "value"), number_at(value, "uncertainty")) : number_html(number_at(value, ""), 3);
+  const std::string html = value.is_object() ? measured_html(number_at(value, "value"), number_at(value, "uncertainty"))
+                                             : number_html(number_at(value, ""), 3);
   return html + floor_html(entry, metric);
 }
 
@@ -135,7 +138,8 @@ std::string predicted_seconds_html(const Json& entry) {
   const auto sharp = number_at(entry, "seconds/sharp_view"), spreading = number_at(entry, "seconds/spreading");
   std::string html = number_html(number_at(entry, "seconds/predicted_total"), 3);
   if (sharp && spreading)
-    html += "<small>sharp view " + number_html(sharp, 2) + "</small><small>spreading " + number_html(spreading, 2) + "</small>";
+    html += "<small>sharp view " + number_html(sharp, 2) + "</small><small>spreading " + number_html(spreading, 2) +
+            "</small>";
   return html;
 }
 
@@ -153,27 +157,30 @@ std::string metrics_table(const Json& images) {
                    {"Faster"}});
   for (const Json& entry : images) {
     table.add_row({text_html(text_at(entry, "id")), "<code>" + text_html(text_at(entry, "ray_model")) + "</code>",
-                   metric_html(entry, "ssim_display"), metric_html(entry, "ssim_linear"), metric_html(entry, "psnr_display_dB"),
-                   metric_html(entry, "rmse_linear"), metric_html(entry, "relative_mse"),
-                   number_html(number_at(entry, "seconds/path_traced"), 3), predicted_seconds_html(entry), speed_up_html(entry)});
+                   metric_html(entry, "ssim_display"), metric_html(entry, "ssim_linear"),
+                   metric_html(entry, "psnr_display_dB"), metric_html(entry, "rmse_linear"),
+                   metric_html(entry, "relative_mse"), number_html(number_at(entry, "seconds/path_traced"), 3),
+                   predicted_seconds_html(entry), speed_up_html(entry)});
   }
   return table.html();
 }
 
 std::string article(const Json& entry, const Pair& pair, double limit, std::size_t cases, ViewerPayload& payload) {
-  std::string heading = text_html(text_at(entry, "id")) + " · <code>" + text_html(text_at(entry, "ray_model")) + "</code> <small>" +
-                        text_html(text_at(entry, "scene")) + " · " + text_html(text_at(entry, "prescription")) + " · pupil " +
-                        exact_html(number_at(entry, "pupil_mm")) + " mm · " + count_html(number_at(entry, "samples_per_pixel")) +
-                        " samples per pixel";
+  std::string heading = text_html(text_at(entry, "id")) + " · <code>" + text_html(text_at(entry, "ray_model")) +
+                        "</code> <small>" + text_html(text_at(entry, "scene")) + " · " +
+                        text_html(text_at(entry, "prescription")) + " · pupil " +
+                        exact_html(number_at(entry, "pupil_mm")) + " mm · " +
+                        count_html(number_at(entry, "samples_per_pixel")) + " samples per pixel";
   std::string body;
   if (pair.problem.empty()) {
     const int factor = shrink_factor(pair.path_traced, 3 * cases, bytes_per_pixel, byte_budget);
     if (factor > 1) heading += " · shown at 1/" + std::to_string(factor) + " of its size";
-    body = viewer_place(entry, pair, limit, cases, payload) +
-           element("div", "class=\"three stills\"",
-                   picture(with_visible_defects(shrunk(pair.path_traced, factor)), "Path traced") +
-                       picture(with_visible_defects(shrunk(pair.predicted, factor)), "Predicted") +
-                       picture(diverging_false_colour(shrunk(pair.difference, factor), limit), "Predicted − path traced"));
+    body =
+        viewer_place(entry, pair, limit, cases, payload) +
+        element("div", "class=\"three stills\"",
+                picture(with_visible_defects(shrunk(pair.path_traced, factor)), "Path traced") +
+                    picture(with_visible_defects(shrunk(pair.predicted, factor)), "Predicted") +
+                    picture(diverging_false_colour(shrunk(pair.difference, factor), limit), "Predicted − path traced"));
   } else {
     body = element("p", "class=\"missing\"", "No pictures: " + escaped(pair.problem));
   }
@@ -192,8 +199,10 @@ std::string image_section(const Json& report, const std::filesystem::path& run_f
   std::string html =
       element("h2", "", "Images") +
       element("p", "",
-              "The same view, path traced through the eye and predicted from one sharp view. <i>Floor</i> is the same metric between the "
-              "two halves of the path-traced replicates, each with half of the samples: the path tracer against its own noise. Display "
+              "The same view, path traced through the eye and predicted from one sharp view. <i>Floor</i> is the same "
+              "metric between the "
+              "two halves of the path-traced replicates, each with half of the samples: the path tracer against its "
+              "own noise. Display "
               "means sRGB, clamped to 0 … 1.") +
       metrics_table(images) +
       colour_bar_svg(ColourMap::Diverging, {{0.0, "−" + end}, {0.25, "−" + half}, {0.5, "0"}, {0.75, half}, {1.0, end}},

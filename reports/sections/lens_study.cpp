@@ -24,7 +24,8 @@ compared with <i>a</i>²/4 <i>X X</i><sup>T</sup> of each method. The error fall
 <p>Errors are the largest difference of the blur's half-width in any direction, in minutes of arc, or divided by the pupil's radius, in
 dioptres. The previous method's scaling to the object is our reading of a paper that gives no formula for it; before that scaling it is
 exact. Quadrature: )" +
-         count_html(number_at(conditions, "radial")) + " rings of " + count_html(number_at(conditions, "azimuthal")) + " rays.</p>\n";
+         count_html(number_at(conditions, "radial")) + " rings of " + count_html(number_at(conditions, "azimuthal")) +
+         " rays.</p>\n";
 }
 
 /// A bound on the error; the table gives the smallest eccentricity at which it is exceeded.
@@ -36,9 +37,11 @@ struct Threshold {
 
 constexpr Threshold thresholds[] = {
     {"Smallest gaze angle at which the error is above 0.05 D", "D", defocus_that_matters_D, &WorstError::defocus_D},
-    {"Smallest gaze angle at which the error is above 1 arcmin", "arcmin", blur_that_matters_arcmin, &WorstError::half_width_arcmin}};
+    {"Smallest gaze angle at which the error is above 1 arcmin", "arcmin", blur_that_matters_arcmin,
+     &WorstError::half_width_arcmin}};
 
-Cell threshold_cell(const LensStudyErrors& errors, const std::string& lens, const StudyMethod& method, double pupil, const Threshold& t) {
+Cell threshold_cell(const LensStudyErrors& errors, const std::string& lens, const StudyMethod& method, double pupil,
+                    const Threshold& t) {
   for (const double eccentricity : errors.eccentricities_deg()) {
     const auto value = errors.at(lens, method.key, eccentricity, pupil).*t.value;
     if (value && *value > t.bound) return {exact_html(eccentricity) + "°", eccentricity};
@@ -97,7 +100,8 @@ struct Range {
 };
 
 std::string order_table(const Json& section) {
-  HtmlTable table("Real rays approach the first order of ray transfer: oblique gazes, orders in the pupil's diameter", "sortable",
+  HtmlTable table("Real rays approach the first order of ray transfer: oblique gazes, orders in the pupil's diameter",
+                  "sortable",
                   {{"Lens", false},
                    {"What it is", false},
                    {"Order of the absolute error (theory: 4)"},
@@ -118,12 +122,13 @@ std::string order_table(const Json& section) {
       published.add(number_at(view, "first_order/published/defocus_D"));
       previous.add(number_at(view, "first_order/previous/defocus_D"));
     }
-    table.add_row({escaped(id), text_html(text_at(lens, "note")), order.html(), relative.html(), number_html(limit.high, 2),
-                   number_html(published.high, 2), number_html(previous.high, 2)});
+    table.add_row({escaped(id), text_html(text_at(lens, "note")), order.html(), relative.html(),
+                   number_html(limit.high, 2), number_html(published.high, 2), number_html(previous.high, 2)});
   }
-  return table.html() + element("p", "",
-                                "Relative orders and the limit: views whose larger principal blur is at least " + exact_html(least_blur_D) +
-                                    " D; nearer to focus the first order has next to no width.");
+  return table.html() +
+         element("p", "",
+                 "Relative orders and the limit: views whose larger principal blur is at least " +
+                     exact_html(least_blur_D) + " D; nearer to focus the first order has next to no width.");
 }
 
 std::string eq11_table(const Json& section) {
@@ -132,15 +137,18 @@ std::string eq11_table(const Json& section) {
   for (const char* reading : {"axes along e′<sub>1</sub>", "axes in the plane of incidence"})
     for (const char* outcome : {"free axes", "singular", "E′ not positive", "no length"})
       columns.push_back({std::string(outcome) + "<small>" + reading + "</small>"});
-  HtmlTable table("Where conoid tracing as published has no ellipse, or free axes: lines of sight by reading of the tangent plane's axes",
-                  "compact", columns);
+  HtmlTable table(
+      "Where conoid tracing as published has no ellipse, or free axes: lines of sight by reading of the tangent "
+      "plane's axes",
+      "compact", columns);
   std::map<double, std::map<std::string, int>> counts;
   for (const Json& gaze : array_at(section, "gazes")) {
     auto& row = counts[number_at(gaze, "eccentricity_deg").value_or(0.0)];
     ++row["all"];
     row["chief"] += text_at(gaze, "status") != "ok";
     for (const char* reading : {"principal", "incidence"})
-      if (const std::string word = text_at(gaze, std::string("eq11/") + reading); !word.empty()) ++row[reading + ("/" + word)];
+      if (const std::string word = text_at(gaze, std::string("eq11/") + reading); !word.empty())
+        ++row[reading + ("/" + word)];
   }
   for (auto& [eccentricity, row] : counts) {
     std::vector<Cell> cells = {exact_html(eccentricity) + "°", count_html(row["all"]), count_html(row["chief"])};
@@ -148,13 +156,13 @@ std::string eq11_table(const Json& section) {
       for (const char* outcome : outcomes) cells.push_back(count_html(row[std::string(reading) + outcome]));
     table.add_row(cells);
   }
-  return table.html() +
-         element(
-             "p", "",
-             "“Free axes”: the wave behind the lens is a plane or a sphere, without principal directions for the ellipse to lie along; it "
-             "keeps "
-             "those that it had. A relaxed eye sends out such a wave on the axis of the lens that corrects it. The other columns have no "
-             "ellipse.");
+  return table.html() + element("p", "",
+                                "“Free axes”: the wave behind the lens is a plane or a sphere, without principal "
+                                "directions for the ellipse to lie along; it "
+                                "keeps "
+                                "those that it had. A relaxed eye sends out such a wave on the axis of the lens that "
+                                "corrects it. The other columns have no "
+                                "ellipse.");
 }
 
 }  // namespace
@@ -170,8 +178,8 @@ std::string lens_study_section(const Json& report, const std::filesystem::path& 
     tables += folded(std::string(t.title) + ", by lens, method and pupil", threshold_table(errors, t), true);
   if (!maps.empty()) maps = folded("Error by gaze and pupil, one map per lens", maps, true);
   const std::string html = element("h2", "", "Conoid tracing through spectacles against real rays") +
-                           explanation(value_at(section, "conditions")) + largest_table(errors) + tables + maps + order_table(section) +
-                           eq11_table(section) + plots;
+                           explanation(value_at(section, "conditions")) + largest_table(errors) + tables + maps +
+                           order_table(section) + eq11_table(section) + plots;
   return element("section", "id=\"lens_study\"", html);
 }
 

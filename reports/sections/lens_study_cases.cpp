@@ -49,14 +49,16 @@ void add_lens_study_cases(const Json& report, std::vector<ReportCase>& cases) {
   std::map<std::pair<std::string, std::string>, Tally> tallies;
   for (const Json& view : array_at(report, "lens_study/views"))
     for (const Json& pupil : array_at(view, "pupils"))
-      for (const StudyMethod& method : study_methods) add(view, pupil, method.key, tallies[{text_at(view, "lens"), method.key}]);
+      for (const StudyMethod& method : study_methods)
+        add(view, pupil, method.key, tallies[{text_at(view, "lens"), method.key}]);
   for (const Json& lens : array_at(report, "lens_study/lenses"))
     for (const StudyMethod& method : study_methods) {
       const Tally& tally = tallies[{text_at(lens, "id"), method.key}];
       const CaseStatus status = !tally.worst_D                            ? CaseStatus::NoResult
                                 : *tally.worst_D > defocus_that_matters_D ? CaseStatus::Differs
                                                                           : CaseStatus::Agrees;
-      cases.push_back({"lens_study", text_at(lens, "id"), method.key, measure_of(tally), tally.worst_D, std::nullopt, status});
+      cases.push_back(
+          {"lens_study", text_at(lens, "id"), method.key, measure_of(tally), tally.worst_D, std::nullopt, status});
     }
 }
 

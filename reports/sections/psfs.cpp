@@ -30,8 +30,8 @@ std::string scale_bar(int width, int height, double pixel_arcmin) {
   const double length_arcmin = round_length_below(0.3 * width * pixel_arcmin);
   const double length = length_arcmin / pixel_arcmin, x = 0.05 * width, y = 0.95 * height;
   return "<path class=\"scale\" d=\"M" + plain_number(x) + " " + plain_number(y) + "h" + plain_number(length) +
-         "\"/><text class=\"scale\" x=\"" + plain_number(x) + "\" y=\"" + plain_number(y - 0.02 * height) + "\" font-size=\"" +
-         plain_number(0.05 * height) + "\">" + plain_number(length_arcmin) + " arcmin</text>";
+         "\"/><text class=\"scale\" x=\"" + plain_number(x) + "\" y=\"" + plain_number(y - 0.02 * height) +
+         "\" font-size=\"" + plain_number(0.05 * height) + "\">" + plain_number(length_arcmin) + " arcmin</text>";
 }
 
 std::string picture(const Json& psf, const std::filesystem::path& run_folder) {
@@ -55,7 +55,8 @@ std::string picture(const Json& psf, const std::filesystem::path& run_folder) {
 
 /// Value with its uncertainty on a line of its own, which keeps the table as narrow as the picture.
 std::string stacked_html(const Json& ellipse, const std::string& index) {
-  std::string html = measured_html(number_at(ellipse, "semi_axes_arcmin/" + index), number_at(ellipse, "standard_error_arcmin/" + index));
+  std::string html = measured_html(number_at(ellipse, "semi_axes_arcmin/" + index),
+                                   number_at(ellipse, "standard_error_arcmin/" + index));
   constexpr std::string_view separator = " ± ";
   if (const std::size_t at = html.find(separator); at != std::string::npos && html[0] != '(') {
     html = html.substr(0, at) + "<small>± " + html.substr(at + separator.size()) + "</small>";
@@ -64,11 +65,13 @@ std::string stacked_html(const Json& ellipse, const std::string& index) {
 }
 
 std::string numbers(const Json& psf) {
-  HtmlTable table("Semi-axes and orientation", "", {{"Ellipse", false}, {"Major [arcmin]"}, {"Minor [arcmin]"}, {"Angle [°]"}});
+  HtmlTable table("Semi-axes and orientation", "",
+                  {{"Ellipse", false}, {"Major [arcmin]"}, {"Minor [arcmin]"}, {"Angle [°]"}});
   const auto row = [&](const char* key, const std::string& name) {
     const Json& ellipse = value_at(psf, key);
     if (!ellipse.is_object()) return;
-    table.add_row({name, stacked_html(ellipse, "0"), stacked_html(ellipse, "1"), number_html(number_at(ellipse, "orientation_deg"), 3)});
+    table.add_row({name, stacked_html(ellipse, "0"), stacked_html(ellipse, "1"),
+                   number_html(number_at(ellipse, "orientation_deg"), 3)});
   };
   row("predicted", "<span class=\"key predicted\"></span>predicted");
   row("measured", "<span class=\"key measured\"></span>measured");
@@ -85,12 +88,15 @@ std::string figure(const Json& psf, const std::filesystem::path& run_folder) {
   }
   std::string hits;
   if (const auto count = number_at(psf, "measured/hits")) hits = " · " + count_html(count) + " rays hit";
-  return element("figure", "", element("h4", "", "<code>" + text_html(text_at(psf, "ray_model")) + "</code>" + hits) + html + numbers(psf));
+  return element(
+      "figure", "",
+      element("h4", "", "<code>" + text_html(text_at(psf, "ray_model")) + "</code>" + hits) + html + numbers(psf));
 }
 
 std::string group_heading(const Json& psf) {
   return text_html(text_at(psf, "id")) + " <small>" + text_html(text_at(psf, "prescription")) + " · " +
-         distance_html(value_at(psf, "distance_m")) + " m · pupil " + exact_html(number_at(psf, "pupil_mm")) + " mm</small>";
+         distance_html(value_at(psf, "distance_m")) + " m · pupil " + exact_html(number_at(psf, "pupil_mm")) +
+         " mm</small>";
 }
 
 /// The pictures of one id: what the conoid predicts, and the path-traced ones by ray model.
@@ -121,7 +127,8 @@ std::string psf_section(const Json& report, const std::filesystem::path& run_fol
   std::string html =
       element("h2", "", "Point-spread functions") +
       element("p", "",
-              "Path-traced images of a point-like light on the line of sight, seen by the wearer (x to the wearer's right, y up). "
+              "Path-traced images of a point-like light on the line of sight, seen by the wearer (x to the wearer's "
+              "right, y up). "
               "<span class=\"key predicted\"></span>Solid: the ellipse predicted by the conoid. "
               "<span class=\"key measured\"></span>Dashed: the ellipse with the second moments of the picture. "
               "Orientations are counter-clockwise from the horizontal.") +
@@ -139,7 +146,9 @@ std::string psf_section(const Json& report, const std::filesystem::path& run_fol
       if (!first) first = &psf;
       figures += figure(psf, run_folder);
     }
-    html += element("article", "", element("h3", "", group_heading(*first)) + element("div", "class=\"gallery\"", figures) + viewers[i]);
+    html +=
+        element("article", "",
+                element("h3", "", group_heading(*first)) + element("div", "class=\"gallery\"", figures) + viewers[i]);
   }
   return element("section", "id=\"psfs\"", html + made_by(report));
 }

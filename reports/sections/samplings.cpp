@@ -61,9 +61,12 @@ std::string sampling_section(const Json& report, const std::filesystem::path& ru
                   exact_html(number_at(section, "conditions/pupil_mm")) + " mm, " +
                   count_html(number_at(section, "conditions/replicates")) + " independent pictures of " +
                   count_html(number_at(section, "conditions/samples_per_pixel")) +
-                  " samples per pixel each, against as many by the uniform disc. The mean square bias [radiance²] is unbiased "
-                  "itself, so it may come out negative; z compares it with the error that it has where there is no bias. RMS bias "
-                  "(with the sign of its square) and noise (RMS deviation of one picture) are relative to the mean radiance. RMS "
+                  " samples per pixel each, against as many by the uniform disc. The mean square bias [radiance²] is "
+                  "unbiased "
+                  "itself, so it may come out negative; z compares it with the error that it has where there is no "
+                  "bias. RMS bias "
+                  "(with the sign of its square) and noise (RMS deviation of one picture) are relative to the mean "
+                  "radiance. RMS "
                   "pupil radius: of the points, relative to a uniform disc's, from the sampling's closed form.");
   for (const Json& figure : figures_of(report, "sampling_study")) html += figure_html(figure, run_folder);
   return element("section", "id=\"sampling_study\"", html + table_of(section));

@@ -9,7 +9,8 @@ namespace sturm {
 class ViewerPayload;
 
 /// The parts of the report page, in the order in which they are read; each is an HTML <section> or <header>,
-/// or "" when the report has nothing for it. Those with pictures to explore put their numbers into the page's one payload.
+/// or "" when the report has nothing for it. Those with pictures to explore put their numbers into the page's one
+/// payload.
 std::string verdict_section(const Json& report);
 std::string gates_section(const Json& report);
 std::string gate_power_section(const Json& report);

@@ -31,10 +31,13 @@ std::string headline(const Json& sin2) {
   const Json& lost = value_at(sin2, "lost_total_variance");
   HtmlTable table("What sin² rays lose, measured against prediction", "compact",
                   {{"Quantity", false}, {"Measured (median)"}, {"Predicted"}, {"Worst deviation"}});
-  table.add_row({"difference of the principal variances, sin² ÷ true", number_html(number_at(ratio, "measured_median"), 6),
-                 exact_html(number_at(ratio, "predicted")), number_html(number_at(ratio, "worst_deviation"), 2)});
-  table.add_row({"total variance lost ÷ (<i>a</i>²<i>C</i>²/16)", "–", "1", number_html(number_at(lost, "worst_deviation_relative"), 2)});
-  return element("p", "", "Cases with a cylinder: " + count_html(number_at(sin2, "cases_with_cylinder")) + ".") + table.html();
+  table.add_row({"difference of the principal variances, sin² ÷ true",
+                 number_html(number_at(ratio, "measured_median"), 6), exact_html(number_at(ratio, "predicted")),
+                 number_html(number_at(ratio, "worst_deviation"), 2)});
+  table.add_row({"total variance lost ÷ (<i>a</i>²<i>C</i>²/16)", "–", "1",
+                 number_html(number_at(lost, "worst_deviation_relative"), 2)});
+  return element("p", "", "Cases with a cylinder: " + count_html(number_at(sin2, "cases_with_cylinder")) + ".") +
+         table.html();
 }
 
 std::string case_table(const Json& rows) {
@@ -50,17 +53,19 @@ std::string case_table(const Json& rows) {
   for (const Json& row : rows) {
     const auto v1 = number_at(row, "V1_D"), v2 = number_at(row, "V2_D");
     const auto major = number_at(row, "ratio_major"), minor = number_at(row, "ratio_minor");
-    table.add_row({text_html(text_at(row, "case")),
-                   {number_html(v1), v1},
-                   {number_html(v2), v2},
-                   {pair_html(value_at(row, "true_semi_axes_arcmin")), number_at(row, "true_semi_axes_arcmin/0")},
-                   {pair_html(value_at(row, "sin2_semi_axes_arcmin")), number_at(row, "sin2_semi_axes_arcmin/0")},
-                   {pair_html(value_at(row, "closed_form_semi_axes_arcmin")), number_at(row, "closed_form_semi_axes_arcmin/0")},
-                   {number_html(major), major},
-                   {number_html(minor), minor}});
+    table.add_row(
+        {text_html(text_at(row, "case")),
+         {number_html(v1), v1},
+         {number_html(v2), v2},
+         {pair_html(value_at(row, "true_semi_axes_arcmin")), number_at(row, "true_semi_axes_arcmin/0")},
+         {pair_html(value_at(row, "sin2_semi_axes_arcmin")), number_at(row, "sin2_semi_axes_arcmin/0")},
+         {pair_html(value_at(row, "closed_form_semi_axes_arcmin")), number_at(row, "closed_form_semi_axes_arcmin/0")},
+         {number_html(major), major},
+         {number_html(minor), minor}});
   }
   constexpr std::size_t rows_that_stay_open = 12;
-  return folded("All " + std::to_string(rows.size()) + " cases with their semi-axes", table.html(), rows.size() <= rows_that_stay_open);
+  return folded("All " + std::to_string(rows.size()) + " cases with their semi-axes", table.html(),
+                rows.size() <= rows_that_stay_open);
 }
 
 }  // namespace
@@ -72,20 +77,21 @@ std::string sin2_section(const Json& report) {
   std::string html = element("h2", "", "sin² against its closed form") + explanation();
   if (sin2.is_object()) html += headline(sin2);
   if (const std::string plots = sin2_ratio_plots(report); !plots.empty()) {
-    html += element(
-        "figure", "",
-        element("div", "class=\"two\"", plots) + element("figcaption", "",
-                                                         "Every case with a cylinder. Left of t = 0 the target lies between the two "
-                                                         "focal lines. A focal line has no true width, so its minor ratio is not shown."));
+    html += element("figure", "",
+                    element("div", "class=\"two\"", plots) +
+                        element("figcaption", "",
+                                "Every case with a cylinder. Left of t = 0 the target lies between the two "
+                                "focal lines. A focal line has no true width, so its minor ratio is not shown."));
   }
   if (!by_cylinder.empty()) {
-    html +=
-        element("figure", "",
-                by_cylinder +
-                    element("figcaption", "",
-                            "‖rays − conoid‖ / ‖conoid‖ of the covariance matrices. Power-matrix rays differ only by their "
-                            "sampling noise; sin² and spherical-equivalent rays differ by physics. A difference of zero has no place on a "
-                            "logarithmic axis."));
+    html += element(
+        "figure", "",
+        by_cylinder +
+            element("figcaption", "",
+                    "‖rays − conoid‖ / ‖conoid‖ of the covariance matrices. Power-matrix rays differ only by their "
+                    "sampling noise; sin² and spherical-equivalent rays differ by physics. A difference of zero has no "
+                    "place on a "
+                    "logarithmic axis."));
   }
   if (const Json& rows = array_at(sin2, "table"); !rows.empty()) html += case_table(rows);
   return element("section", "id=\"sin2\"", html);

@@ -15,7 +15,8 @@ namespace {
 std::string explanation(const Json& conditions) {
   const auto count = [&](const char* key) { return count_html(number_at(conditions, key)); };
   return "<p>" + count("grid_eyes") + " constructed and " + count("real_eyes") +
-         " real prescriptions, each at every distance, pupil and state; " + count("radial") + " × " + count("azimuthal") +
+         " real prescriptions, each at every distance, pupil and state; " + count("radial") + " × " +
+         count("azimuthal") +
          R"( rays per case by quadrature. The error is the largest difference of the blur's half-width
 from wavefront theory in any direction, divided by the pupil's radius: the defocus [D] that would blur as much. Closed forms are the check;
 the numbers come from traced rays. With <i>V</i><sub>1</sub>, <i>V</i><sub>2</sub> the principal values of <i>I</i>/<i>d</i> + <i>F</i> − <i>A I</i>:</p>
@@ -104,9 +105,10 @@ std::string gallery_table(const Json& section) {
                    {"Radius of 80 % [arcmin]"}});
   for (const Json& view : array_at(section, "gallery"))
     for (const Json& psf : array_at(view, "models"))
-      table.add_row({text_html(text_at(view, "title")), text_html(text_at(psf, "model")), number_html(number_at(psf, "total_variation"), 3),
-                     number_html(number_at(psf, "total_variation_over_noise"), 3), number_html(number_at(psf, "radius_50_arcmin")),
-                     number_html(number_at(psf, "radius_80_arcmin"))});
+      table.add_row({text_html(text_at(view, "title")), text_html(text_at(psf, "model")),
+                     number_html(number_at(psf, "total_variation"), 3),
+                     number_html(number_at(psf, "total_variation_over_noise"), 3),
+                     number_html(number_at(psf, "radius_50_arcmin")), number_html(number_at(psf, "radius_80_arcmin"))});
   return table.html();
 }
 
@@ -140,17 +142,18 @@ std::string gallery_viewers(const Json& section, const std::filesystem::path& ru
 std::string sin2_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   const Json& section = value_at(report, "sin2_study");
   if (!section.is_object()) return "";
-  std::string html = element("h2", "", "What sin² does, and what it means") + explanation(value_at(section, "conditions")) +
-                     check_table(section) + model_table(section);
+  std::string html = element("h2", "", "What sin² does, and what it means") +
+                     explanation(value_at(section, "conditions")) + check_table(section) + model_table(section);
   for (const Json& figure : figures_of(report, "sin2_study")) html += figure_html(figure, run_folder);
   html += element("h3", "", "What it means for real eyes") +
           element("p", "",
                   "Median / 90 % / largest over the uncorrected eyes, pupil " +
                       exact_html(number_at(section, "conditions/reference_pupil_mm")) +
-                      " mm. Eyes with the pole of the printed formula within the pupil have no error that could be told; they are "
+                      " mm. Eyes with the pole of the printed formula within the pupil have no error that could be "
+                      "told; they are "
                       "counted apart. In percent: of the true major semi-axis.") +
-          population_table(section, false) + folded("View by view", population_table(section, true)) + gallery_table(section) +
-          gallery_viewers(section, run_folder, payload);
+          population_table(section, false) + folded("View by view", population_table(section, true)) +
+          gallery_table(section) + gallery_viewers(section, run_folder, payload);
   return element("section", "id=\"sin2_study\"", html);
 }
 

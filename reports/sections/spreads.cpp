@@ -35,7 +35,8 @@ struct LoadedGroup {
 void load(const SpreadGroup::Spread& spread, const std::filesystem::path& run_folder, std::vector<Loaded>& pictures) {
   try {
     Image density = luma_image(main_layer(run_folder / spread.file));
-    const bool fits = pictures.empty() || (density.width == pictures[0].density.width && density.height == pictures[0].density.height);
+    const bool fits = pictures.empty() ||
+                      (density.width == pictures[0].density.width && density.height == pictures[0].density.height);
     if (fits) pictures.push_back({spread, std::move(density)});
   } catch (const InputError&) {
     // The still of the same file says what is wrong with it.

@@ -12,8 +12,8 @@ namespace {
 
 using Status = CaseStatus;
 
-/// Total variation of two runs of one pattern over that of two others: between the seeds 1 … 6 and six views it scatters from 0.90 to 1.21
-/// (configs/gates/sin2_study.json), and patterns that are really others have above 100.
+/// Total variation of two runs of one pattern over that of two others: between the seeds 1 … 6 and six views it
+/// scatters from 0.90 to 1.21 (configs/gates/sin2_study.json), and patterns that are really others have above 100.
 constexpr double same_pattern = 1.5;
 
 /// What a gate's statistic is about: the section, and the model or kind ("": any).
@@ -27,9 +27,12 @@ Subject subject_of(const std::string& statistic) {
   if (starts("agreement_")) return {"agreement", statistic.substr(statistic.rfind('/') + 1)};
   if (starts("sampling_")) return {"sampling_study", ""};
   if (starts("sin2_study/gallery_")) return {"sin2_study", about("repaired") ? "repaired" : "sin2_radial"};
-  if (starts("lens_")) return {"lens_study", about("published") ? "published" : about("previous") ? "previous" : "ray_transfer"};
+  if (starts("lens_"))
+    return {"lens_study", about("published") ? "published" : about("previous") ? "previous" : "ray_transfer"};
   if (starts("sin2_study/")) return {"sin2_study", ""};
-  const std::string model = about("thin_lens") ? "thin_lens" : about("sin2") && !about("matrix") ? "sin2_radial" : "power_matrix";
+  const std::string model = about("thin_lens")                  ? "thin_lens"
+                            : about("sin2") && !about("matrix") ? "sin2_radial"
+                                                                : "power_matrix";
   return {starts("psf_") ? "psfs" : starts("image_") ? "images" : "ellipses", model};
 }
 
@@ -52,23 +55,29 @@ void add_agreement_cases(const Json& report, std::vector<ReportCase>& cases) {
       std::optional<double> ratio;
       if (error && floor && *floor > 0.0) ratio = *error / *floor;
       const Status status = !ratio ? Status::NoResult : *ratio > 1.0 ? Status::Differs : Status::Agrees;
-      cases.push_back({"agreement", text_at(entry, "id"), text_at(prediction, "kind"), "RMSE in display space ÷ noise floor", ratio,
-                       std::nullopt, status});
+      cases.push_back({"agreement", text_at(entry, "id"), text_at(prediction, "kind"),
+                       "RMSE in display space ÷ noise floor", ratio, std::nullopt, status});
     }
   }
 }
 
 void add_sampling_cases(const Json& report, std::vector<ReportCase>& cases) {
   const auto replicates = number_at(report, "sampling_study/conditions/replicates");
-  // z is close to Student's t with one degree of freedom less than there are pairs of replicates (compare/images/paired_bias.h).
+  // z is close to Student's t with one degree of freedom less than there are pairs of replicates
+  // (compare/images/paired_bias.h).
   const double degrees = replicates ? 0.5 * *replicates * (*replicates - 1.0) - 1.0 : 0.0;
   TestFamily family(case_family_level);
   const std::size_t first = cases.size();
   for (const Json& entry : array_at(report, "sampling_study/entries")) {
-    const auto square = number_at(entry, "mean_square_bias"), radiance = number_at(entry, "mean_radiance"), t = number_at(entry, "z");
-    ReportCase item{"sampling_study", text_at(entry, "configuration") + "|" + text_at(entry, "sampling") + "|" + text_at(entry, "sampler"),
-                    text_at(entry, "ray_model"), "RMS bias of the picture ÷ mean radiance, with the sign of its square", std::nullopt};
-    if (square && radiance && *radiance > 0.0) item.value = std::copysign(std::sqrt(std::abs(*square)), *square) / *radiance;
+    const auto square = number_at(entry, "mean_square_bias"), radiance = number_at(entry, "mean_radiance"),
+               t = number_at(entry, "z");
+    ReportCase item{
+        "sampling_study",
+        text_at(entry, "configuration") + "|" + text_at(entry, "sampling") + "|" + text_at(entry, "sampler"),
+        text_at(entry, "ray_model"), "RMS bias of the picture ÷ mean radiance, with the sign of its square",
+        std::nullopt};
+    if (square && radiance && *radiance > 0.0)
+      item.value = std::copysign(std::sqrt(std::abs(*square)), *square) / *radiance;
     if (t && degrees > 0.0) item.z = normal_equivalent_of_t(*t, degrees);
     item.status = item.z ? Status::Measured : Status::NoResult;
     if (item.z) family.add(item.id, *item.z);
@@ -96,7 +105,8 @@ void add_sin2_study_cases(const Json& report, std::vector<ReportCase>& cases) {
       const auto ratio = number_at(psf, "total_variation_over_noise");
       const Status status = !ratio ? Status::NoResult : *ratio > same_pattern ? Status::Differs : Status::Agrees;
       cases.push_back({"sin2_study", text_at(view, "id"), text_at(psf, "model"),
-                       "total variation of the point spread from theory's ÷ that of two runs of theory", ratio, std::nullopt, status});
+                       "total variation of the point spread from theory's ÷ that of two runs of theory", ratio,
+                       std::nullopt, status});
     }
 }
 

@@ -130,12 +130,14 @@ std::string lens_study_csv(const Json& section) {
       for (const StudyMethod& method : study_methods) {
         const std::string first_order = std::string("first_order/") + method.key;
         csv += fields(view, view_columns).substr(1) + ",ok" + fields(pupil, pupil_columns) + "," + method.key +
-               fields(value_at(view, first_order), first_order_columns) + fields(value_at(pupil, method.key), error_columns) + end_of_line;
+               fields(value_at(view, first_order), first_order_columns) +
+               fields(value_at(pupil, method.key), error_columns) + end_of_line;
       }
   for (const Json& gaze : array_at(section, "gazes")) {
     if (text_at(gaze, "status") == "ok") continue;
     csv += fields(gaze, view_columns).substr(1) + "," + quoted(text_at(gaze, "status")) +
-           std::string(std::size(pupil_columns) + 1 + std::size(first_order_columns) + std::size(error_columns), ',') + end_of_line;
+           std::string(std::size(pupil_columns) + 1 + std::size(first_order_columns) + std::size(error_columns), ',') +
+           end_of_line;
   }
   return csv;
 }

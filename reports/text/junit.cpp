@@ -58,9 +58,9 @@ std::string attribute(const char* name, const std::string& value) {
 
 std::string failure_of(const Json& gate) {
   const std::string unit = text_at(gate, "unit");
-  const std::string message = text_at(gate, "title") + ": " + text_at(gate, "statistic") + " = " + number_text(gate, "value") +
-                              (unit.empty() ? "" : " " + unit) + ", bound " + number_text(gate, "bound") + " (" + text_at(gate, "kind") +
-                              ")";
+  const std::string message = text_at(gate, "title") + ": " + text_at(gate, "statistic") + " = " +
+                              number_text(gate, "value") + (unit.empty() ? "" : " " + unit) + ", bound " +
+                              number_text(gate, "bound") + " (" + text_at(gate, "kind") + ")";
   return "    <failure" + attribute("type", text_at(gate, "kind")) + attribute("message", message) + ">" +
          escaped("worst case: " + text_at(gate, "worst_case") + "\n" + text_at(gate, "reason")) + "</failure>\n";
 }
@@ -71,7 +71,8 @@ std::string junit_xml(const Json& gate_results, const std::string& suite, std::o
   std::size_t failures = 0;
   std::string cases;
   for (const Json& gate : gate_results) {
-    cases += "   <testcase" + attribute("classname", suite + "." + text_at(gate, "kind")) + attribute("name", text_at(gate, "id"));
+    cases += "   <testcase" + attribute("classname", suite + "." + text_at(gate, "kind")) +
+             attribute("name", text_at(gate, "id"));
     if (boolean_at(gate, "passed").value_or(false)) {
       cases += "/>\n";
     } else {
@@ -79,15 +80,15 @@ std::string junit_xml(const Json& gate_results, const std::string& suite, std::o
       cases += ">\n" + failure_of(gate) + "   </testcase>\n";
     }
   }
-  std::string counts =
-      attribute("tests", std::to_string(gate_results.size())) + attribute("failures", std::to_string(failures)) + attribute("errors", "0");
+  std::string counts = attribute("tests", std::to_string(gate_results.size())) +
+                       attribute("failures", std::to_string(failures)) + attribute("errors", "0");
   if (seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3f", *seconds);
     counts += attribute("time", text);
   }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts + ">\n  <testsuite" + attribute("name", suite) + counts +
-         ">\n" + cases + "  </testsuite>\n</testsuites>\n";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts + ">\n  <testsuite" +
+         attribute("name", suite) + counts + ">\n" + cases + "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace sturm

@@ -47,9 +47,9 @@ std::string table(const Json& gates, bool of_passed) {
   for (const Json& gate : gates) {
     if (passed(gate) != of_passed) continue;
     const auto uncertainty = number_at(gate, "uncertainty");
-    rows += std::string("| ") + (of_passed ? "✓" : "✗") + " | " + cell(text_at(gate, "title")) + " | " + number(gate, "value") +
-            (uncertainty ? " ± " + plain_number(*uncertainty, 2) : "") + " | " + bound(gate) + " | " + cell(text_at(gate, "worst_case")) +
-            " |\n";
+    rows += std::string("| ") + (of_passed ? "✓" : "✗") + " | " + cell(text_at(gate, "title")) + " | " +
+            number(gate, "value") + (uncertainty ? " ± " + plain_number(*uncertainty, 2) : "") + " | " + bound(gate) +
+            " | " + cell(text_at(gate, "worst_case")) + " |\n";
   }
   return rows.empty() ? "" : "| | gate | value | bound | worst case |\n|---|---|---|---|---|\n" + rows;
 }
@@ -58,14 +58,14 @@ std::string table(const Json& gates, bool of_passed) {
 
 std::string report_markdown(const Json& report, const Json& gate_results, const Json& verdict) {
   const bool all = boolean_at(verdict, "passed").value_or(false);
-  std::string text =
-      "## " + std::string(all ? "✓ " : "✗ ") + cell(text_at(report, "title")) + "\n\n" + cell(text_at(verdict, "sentence")) + "\n";
+  std::string text = "## " + std::string(all ? "✓ " : "✗ ") + cell(text_at(report, "title")) + "\n\n" +
+                     cell(text_at(verdict, "sentence")) + "\n";
   if (const std::string failures = table(gate_results, false); !failures.empty()) text += "\n" + failures;
   if (const std::string passes = table(gate_results, true); !passes.empty())
     text += "\n<details><summary>Gates that passed</summary>\n\n" + passes + "\n</details>\n";
-  text += "\nSeed " + number(value_at(report, "provenance"), "seed") + ", commit " + cell(text_at(report, "provenance/commit")) + ", " +
-          number(value_at(report, "provenance/seconds"), "total") + " s with " + number(value_at(report, "provenance"), "threads") +
-          " threads. Values ± one standard error.\n";
+  text += "\nSeed " + number(value_at(report, "provenance"), "seed") + ", commit " +
+          cell(text_at(report, "provenance/commit")) + ", " + number(value_at(report, "provenance/seconds"), "total") +
+          " s with " + number(value_at(report, "provenance"), "threads") + " threads. Values ± one standard error.\n";
   return text;
 }
 

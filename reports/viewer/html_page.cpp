@@ -20,9 +20,11 @@ std::string asset(std::string_view name) {
   throw std::logic_error("the report's " + std::string(name) + " was not compiled in");
 }
 
-/// The parts of the page's script: one scope for all, so that functions may be used before their file; page.js starts everything.
-constexpr const char* scripts[] = {"tables.js",       "payload.js",        "tone.js",         "viewpoint.js", "viewer.js",
-                                   "viewer_panel.js", "viewer_readout.js", "viewer_input.js", "page.js"};
+/// The parts of the page's script: one scope for all, so that functions may be used before their file; page.js starts
+/// everything.
+constexpr const char* scripts[] = {"tables.js",         "payload.js",      "tone.js",
+                                   "viewpoint.js",      "viewer.js",       "viewer_panel.js",
+                                   "viewer_readout.js", "viewer_input.js", "page.js"};
 
 /// In a CDATA section, whose marks are comments to JavaScript: so the page is well-formed XML, too.
 std::string script() {
@@ -34,11 +36,13 @@ std::string script() {
 }  // namespace
 
 std::string html_page(std::string_view title, std::string_view body_html) {
-  const std::string head = "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
-                           element("title", "", escaped(title)) + element("style", "", asset("report.css"));
+  const std::string head =
+      "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
+      element("title", "", escaped(title)) + element("style", "", asset("report.css"));
   return "<!DOCTYPE html>\n" +
          element("html", "lang=\"en\"",
-                 element("head", "", head) + element("body", "", element("main", "", body_html) + element("script", "", script())));
+                 element("head", "", head) +
+                     element("body", "", element("main", "", body_html) + element("script", "", script())));
 }
 
 }  // namespace sturm

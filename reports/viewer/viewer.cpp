@@ -24,12 +24,14 @@ std::string address(const std::vector<unsigned char>& bytes) {
 }
 
 Json pixels_json(const Image& image) {
-  return {
-      {"width", image.width}, {"height", image.height}, {"channels", image.channels}, {"halves", address(half_float_bytes(image.pixels))}};
+  return {{"width", image.width},
+          {"height", image.height},
+          {"channels", image.channels},
+          {"halves", address(half_float_bytes(image.pixels))}};
 }
 
-/// Values that may be tiny, times the power of two with which the largest is between 2¹³ and 2¹⁴: so all down to 4e-9 of it are normal
-/// 16-bit floats, with their full precision.
+/// Values that may be tiny, times the power of two with which the largest is between 2¹³ and 2¹⁴: so all down to 4e-9
+/// of it are normal 16-bit floats, with their full precision.
 Json scaled_pixels_json(Image image) {
   constexpr int largest_exponent = 13;
   float largest = 0.0f;
@@ -102,17 +104,19 @@ std::string colour_table(const ColourAt& colour_at) {
 
 const std::vector<std::string>& viewer_maps() {
   // With the two pictures and their difference nine layers: one for each digit key.
-  static const std::vector<std::string> keys{"ssim_display", "flip", "hdr_flip", "ciede2000", "relative_mse", "rmse_linear"};
+  static const std::vector<std::string> keys{"ssim_display", "flip",         "hdr_flip",
+                                             "ciede2000",    "relative_mse", "rmse_linear"};
   return keys;
 }
 
-std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics,
-                                            std::size_t most) {
+std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double difference_limit,
+                                            const std::vector<ImageMetric>& metrics, std::size_t most) {
   using Scale = ViewerCase::Map::Scale;
   std::vector<ViewerCase::Map> maps = {
       {"difference", "Predicted − path traced (luma, display space)", difference, difference_limit, Scale::Signed}};
   for (const std::string& key : viewer_maps()) {
-    const auto metric = std::find_if(metrics.begin(), metrics.end(), [&](const ImageMetric& m) { return m.key == key; });
+    const auto metric =
+        std::find_if(metrics.begin(), metrics.end(), [&](const ImageMetric& m) { return m.key == key; });
     if (maps.size() >= most || metric == metrics.end() || metric->map.pixels.empty()) continue;
     const bool squares = key == "rmse_linear";  // whose map holds what is averaged under the root
     maps.push_back({key, squares ? "Squared error, linear" : metric->title, on_the_picture(*metric), scale_end(*metric),
@@ -121,8 +125,9 @@ std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double diff
   return maps;
 }
 
-ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file, const std::string& predicted_file,
-                          const Image& difference, double difference_limit, const std::vector<ImageMetric>& metrics, int factor) {
+ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file,
+                          const std::string& predicted_file, const Image& difference, double difference_limit,
+                          const std::vector<ImageMetric>& metrics, int factor) {
   ViewerCase shown;
   shown.title = title;
   shown.pictures = {{"path_traced", "Path traced", path_traced_file}, {"predicted", "Predicted", predicted_file}};
@@ -165,7 +170,8 @@ std::string ViewerPayload::html() const {
   for (const std::string& text : cases_) cases += (cases.empty() ? "" : ",") + text;
   const Json colours = {{"sequential", colour_table([](double t) { return sequential_colour(t); })},
                         {"diverging", colour_table([](double t) { return diverging_colour(2.0 * t - 1.0); })}};
-  const std::string document = "{\"pictures\":{" + pictures + "},\"cases\":[" + cases + "],\"colours\":" + text_of(colours) + "}";
+  const std::string document =
+      "{\"pictures\":{" + pictures + "},\"cases\":[" + cases + "],\"colours\":" + text_of(colours) + "}";
   return element("script", "type=\"application/json\" id=\"viewer-payload\"", markup_free(document));
 }
 

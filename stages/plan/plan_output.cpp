@@ -20,8 +20,11 @@ const char* effect(const PlanItem& item) {
 Json plan_json(const WorkPlan& plan) {
   Json list = Json::array();
   for (const PlanItem& item : plan) {
-    Json entry = {
-        {"item", item.name}, {"left_out", item.left_out()}, {"needed", !item.needless}, {"reason", item.finding}, {"saved", item.saved}};
+    Json entry = {{"item", item.name},
+                  {"left_out", item.left_out()},
+                  {"needed", !item.needless},
+                  {"reason", item.finding},
+                  {"saved", item.saved}};
     if (item.needless) entry["picture"] = name_of(item.claim);
     if (!item.view.empty()) entry["view"] = item.view;
     list.push_back(std::move(entry));

@@ -57,8 +57,10 @@ PlanItem environment_item(SceneDescription& scene, const SkipSpec& skip) {
 PlanItem emitters_item(SceneDescription& scene, const SkipSpec& skip) {
   const std::vector<int> unseen = unseen_emitters(scene);
   const bool some = !unseen.empty();
-  PlanItem item{"unseen_emitters", "", some, skip.unseen_emitters, some ? PlanClaim::same_mean : PlanClaim::same_bits, "", {}};
-  item.finding = some ? std::to_string(unseen.size()) + " emitting triangles face no surface" : "every emitter may be seen by a surface";
+  PlanItem item{
+      "unseen_emitters", "", some, skip.unseen_emitters, some ? PlanClaim::same_mean : PlanClaim::same_bits, "", {}};
+  item.finding = some ? std::to_string(unseen.size()) + " emitting triangles face no surface"
+                      : "every emitter may be seen by a surface";
   if (item.left_out()) {
     scene.unseen_emitters = unseen;
     item.saved["emitters"] = unseen.size();
@@ -122,8 +124,13 @@ void plan_prediction(const RenderSpec& spec, const CameraPose& pose, RenderPlan&
   if (spec.prediction.kind == PredictionKind::Multipass) return;  // spreads nothing
   const double threshold_px = PredictorSettings{}.sharp_below_px;
   if (spec.prediction.kind == PredictionKind::Layered) {
-    plan.items.push_back(
-        {"sharp_spots", "", true, spec.skip.sharp_spots, PlanClaim::rounding, "known for each ellipse once it is there", {}});
+    plan.items.push_back({"sharp_spots",
+                          "",
+                          true,
+                          spec.skip.sharp_spots,
+                          PlanClaim::rounding,
+                          "known for each ellipse once it is there",
+                          {}});
     if (spec.skip.sharp_spots) plan.copied_below_px = threshold_px;
     return;
   }
@@ -160,7 +167,8 @@ RenderPlan plan_render(const RenderSpec& spec, SceneDescription& scene) {
   const PlanItem pair = pair_item(spec);
   plan.one_view = pair.left_out();
   const double half = 0.5 * *spec.camera.interpupillary_distance_m;
-  if (!plan.one_view) plan.left = plan_view(spec, spec.left.value_or(spec.eye), moved_sideways(pose, -half), scene, "left", plan.items);
+  if (!plan.one_view)
+    plan.left = plan_view(spec, spec.left.value_or(spec.eye), moved_sideways(pose, -half), scene, "left", plan.items);
   plan.right = plan_view(spec, spec.eye, moved_sideways(pose, half), scene, "right", plan.items);
   plan.items.push_back(pair);
   return plan;
@@ -186,7 +194,8 @@ void count_converged(WorkPlan& plan, const PassSummary& passes) {
 
 void count_copied(WorkPlan& plan, const PredictionCounters& counters) {
   for (PlanItem& item : plan)
-    if (item.name == "sharp_spots" && item.left_out()) item.saved["pixels"] += static_cast<std::uint64_t>(counters.sharp_pixels);
+    if (item.name == "sharp_spots" && item.left_out())
+      item.saved["pixels"] += static_cast<std::uint64_t>(counters.sharp_pixels);
 }
 
 void count_same_view(WorkPlan& plan, std::uint64_t camera_rays) {

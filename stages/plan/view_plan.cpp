@@ -59,8 +59,8 @@ PlanItem pupil_item(const RenderSpec& spec, const Eye& eye, RayModel model, bool
   return item;
 }
 
-PlanItem sharp_item(const RenderSpec& spec, const Eye& eye, RayModel model, const CameraPose& pose, const SceneDescription& scene,
-                    bool naked, ViewPlan& plan) {
+PlanItem sharp_item(const RenderSpec& spec, const Eye& eye, RayModel model, const CameraPose& pose,
+                    const SceneDescription& scene, bool naked, ViewPlan& plan) {
   PlanItem item{"sharp_pixels", "", false, spec.skip.sharp_pixels, PlanClaim::same_bits, "", {}};
   const bool known = model == RayModel::thin_lens || model == RayModel::power_matrix || model == RayModel::sin2_radial;
   if (!naked || !known || eye.pupil_radius_m == 0.0) {
@@ -78,11 +78,12 @@ PlanItem sharp_item(const RenderSpec& spec, const Eye& eye, RayModel model, cons
   }
   std::shared_ptr<const SharpCells> cells;
   if (item.switched_on) cells = sharp_cells(scene, pose, eye, accommodation_D, spec.sharp_below_px);
-  const double share = cells ? static_cast<double>(cells->pixels()) / (static_cast<double>(pose.width) * pose.height) : 0.0;
+  const double share =
+      cells ? static_cast<double>(cells->pixels()) / (static_cast<double>(pose.width) * pose.height) : 0.0;
   item.needless = cells != nullptr;
-  item.finding =
-      (item.switched_on ? "in " + printed("%.3g %% of the pixels", 100.0 * share) : std::string("pixels are not looked for where")) +
-      " the blur is at most " + bound + " (sharp " + described(sharp) + ")";
+  item.finding = (item.switched_on ? "in " + printed("%.3g %% of the pixels", 100.0 * share)
+                                   : std::string("pixels are not looked for where")) +
+                 " the blur is at most " + bound + " (sharp " + described(sharp) + ")";
   if (!cells) return item;
   item.claim = PlanClaim::bounded;
   item.saved["pixels"] = cells->pixels();
@@ -97,7 +98,8 @@ std::string plain_px(double pixels) {
 }
 
 std::string described(const SharpVergences& sharp) {
-  const std::string from = std::isinf(sharp.nearest) ? "at any distance" : "from " + printed("%.4g m", 1.0 / sharp.nearest);
+  const std::string from =
+      std::isinf(sharp.nearest) ? "at any distance" : "from " + printed("%.4g m", 1.0 / sharp.nearest);
   if (std::isinf(sharp.nearest)) return from;
   return from + (sharp.farthest > 0.0 ? " to " + printed("%.4g m", 1.0 / sharp.farthest) : std::string(" on"));
 }

@@ -87,18 +87,22 @@ Json comparison(const Matrix2d& measured, const Matrix2d& predicted, const Matri
   const bool both_have_axes = a.orientation_deg && b.orientation_deg;
   const auto relative = [](double x, double y) { return y > 1e-9 ? Json(x / y - 1.0) : Json(nullptr); };
   return {{"z_max", error.norm() > 0.0 ? Json(z) : Json(nullptr)},
-          {"relative_frobenius", predicted.norm() > 0.0 ? Json((measured - predicted).norm() / predicted.norm()) : Json(nullptr)},
+          {"relative_frobenius",
+           predicted.norm() > 0.0 ? Json((measured - predicted).norm() / predicted.norm()) : Json(nullptr)},
           {"semi_axis_errors", {relative(a.semi_major, b.semi_major), relative(a.semi_minor, b.semi_minor)}},
           {"minor_axis_error_arcmin", (a.semi_minor - b.semi_minor) * arcminutes_per_radian},
-          {"orientation_error_deg", both_have_axes ? Json(std::remainder(*a.orientation_deg - *b.orientation_deg, 180.0)) : Json(nullptr)},
-          {"bures_wasserstein_arcmin", 0.5 * std::hypot(a.semi_major - b.semi_major, a.semi_minor - b.semi_minor) * arcminutes_per_radian}};
+          {"orientation_error_deg",
+           both_have_axes ? Json(std::remainder(*a.orientation_deg - *b.orientation_deg, 180.0)) : Json(nullptr)},
+          {"bures_wasserstein_arcmin",
+           0.5 * std::hypot(a.semi_major - b.semi_major, a.semi_minor - b.semi_minor) * arcminutes_per_radian}};
 }
 
 Json ray_entry(const std::string& model, const Matrix2d& V, double a, const Matrix2d& closed_form, Scatter& scatter) {
   const bool undefined = model == "metalstigmatism" && V.trace() < -16.0;
   Json entry = {{"ray_model", model}, {"status", undefined ? "undefined" : "ok"}};
   entry["counters"] = {{"launched", 262144}, {"dropped", 0}, {"negative_focus", model == "metalstigmatism" ? 4711 : 0}};
-  for (const char* key : {"semi_axes_rad", "orientation_deg", "covariance_rad2", "covariance_standard_error_rad2", "against_closed_form"})
+  for (const char* key :
+       {"semi_axes_rad", "orientation_deg", "covariance_rad2", "covariance_standard_error_rad2", "against_closed_form"})
     entry[key] = nullptr;
   entry["against_conoid"] = {{"z_max", nullptr}, {"relative_frobenius", nullptr}};
   if (undefined) return entry;
@@ -118,7 +122,8 @@ Json ray_entry(const std::string& model, const Matrix2d& V, double a, const Matr
   entry["against_conoid"] = comparison(measured, covariance_of_disc_image(V, a), error);
   if (model == "sin2_radial") {
     entry["against_closed_form"] = comparison(measured, closed_form, error);
-    for (const char* key : {"semi_axis_errors", "minor_axis_error_arcmin", "orientation_error_deg", "bures_wasserstein_arcmin"}) {
+    for (const char* key :
+         {"semi_axis_errors", "minor_axis_error_arcmin", "orientation_error_deg", "bures_wasserstein_arcmin"}) {
       entry["against_closed_form"].erase(key);  // the schema has these for the conoid only
     }
   }
@@ -138,8 +143,8 @@ Json axes_in_arcmin(const Matrix2d& covariance) {
   return {e.semi_major * arcminutes_per_radian, e.semi_minor * arcminutes_per_radian};
 }
 
-Json sin2_row(const std::string& id, const PrincipalValues& v, const Matrix2d& true_covariance, const Matrix2d& closed_form,
-              const Json& rays) {
+Json sin2_row(const std::string& id, const PrincipalValues& v, const Matrix2d& true_covariance,
+              const Matrix2d& closed_form, const Json& rays) {
   const Json truth = axes_in_arcmin(true_covariance);
   const double major = rays["semi_axes_rad"][0].get<double>() * arcminutes_per_radian;
   const double minor = rays["semi_axes_rad"][1].get<double>() * arcminutes_per_radian;
@@ -180,7 +185,8 @@ void add_ellipses(Json& report) {
                           {"orientation_deg", or_null(e.orientation_deg)},
                           {"covariance_rad2", triple(conoid)}};
         const Ellipse c = Ellipse::of_second_moments(closed_form);
-        item["sin2_closed_form"] = {{"covariance_rad2", triple(closed_form)}, {"semi_axes_rad", {c.semi_major, c.semi_minor}}};
+        item["sin2_closed_form"] = {{"covariance_rad2", triple(closed_form)},
+                                    {"semi_axes_rad", {c.semi_major, c.semi_minor}}};
         for (const char* model : {"pinhole", "thin_lens", "metalstigmatism", "sin2_radial", "power_matrix"}) {
           item["rays"].push_back(ray_entry(model, V, a, closed_form, scatter));
         }
@@ -199,11 +205,11 @@ void add_ellipses(Json& report) {
                           {"sequence", "sobol"},
                           {"standard_error", "scatter of the replicates / sqrt(replicates)"}}},
                         {"cases", std::move(cases)}};
-  report["sin2"] = {
-      {"cases_with_cylinder", with_cylinder},
-      {"ratio_of_difference_of_principal_variances", {{"measured_median", 0.500003}, {"predicted", 0.5}, {"worst_deviation", 4.1e-4}}},
-      {"lost_total_variance", {{"worst_deviation_relative", 9.3e-4}}},
-      {"table", std::move(table)}};
+  report["sin2"] = {{"cases_with_cylinder", with_cylinder},
+                    {"ratio_of_difference_of_principal_variances",
+                     {{"measured_median", 0.500003}, {"predicted", 0.5}, {"worst_deviation", 4.1e-4}}},
+                    {"lost_total_variance", {{"worst_deviation_relative", 9.3e-4}}},
+                    {"table", std::move(table)}};
 }
 
 struct PsfSetup {
@@ -256,26 +262,27 @@ void add_images(Json& report) {
   for (const std::string model : {"power_matrix", "sin2_radial"}) {
     const bool agrees = model == "power_matrix";
     const std::string stem = "images/cornell_" + model;
-    report["images"].push_back({{"id", "cornell"},
-                                {"scene", "../scenes/cornell_box.json"},
-                                {"prescription", "with-the-rule"},
-                                {"pupil_mm", 5},
-                                {"ray_model", model},
-                                {"files", {{"path_traced", stem + "_traced.exr"}, {"predicted", stem + "_predicted.exr"}}},
-                                {"seconds", {{"path_traced", 41.3}, {"predicted_total", 2.91}, {"sharp_view", 2.44}, {"spreading", 0.47}}},
-                                {"samples_per_pixel", 256},
-                                {"metrics",
-                                 {{"ssim_display", {{"value", agrees ? 0.98712 : 0.93127}, {"uncertainty", 0.0011}}},
-                                  {"ssim_linear", {{"value", agrees ? 0.9843 : 0.9210}, {"uncertainty", 0.0016}}},
-                                  {"psnr_display_dB", agrees ? 38.21 : 30.02},
-                                  {"rmse_linear", agrees ? 0.0081 : 0.0214},
-                                  {"relative_mse", agrees ? 0.00092 : 0.0061}}},
-                                {"noise_floor", {{"ssim_display", 0.9915}, {"rmse_linear", 0.0066}, {"relative_mse", 0.00071}}}});
+    report["images"].push_back(
+        {{"id", "cornell"},
+         {"scene", "../scenes/cornell_box.json"},
+         {"prescription", "with-the-rule"},
+         {"pupil_mm", 5},
+         {"ray_model", model},
+         {"files", {{"path_traced", stem + "_traced.exr"}, {"predicted", stem + "_predicted.exr"}}},
+         {"seconds", {{"path_traced", 41.3}, {"predicted_total", 2.91}, {"sharp_view", 2.44}, {"spreading", 0.47}}},
+         {"samples_per_pixel", 256},
+         {"metrics",
+          {{"ssim_display", {{"value", agrees ? 0.98712 : 0.93127}, {"uncertainty", 0.0011}}},
+           {"ssim_linear", {{"value", agrees ? 0.9843 : 0.9210}, {"uncertainty", 0.0016}}},
+           {"psnr_display_dB", agrees ? 38.21 : 30.02},
+           {"rmse_linear", agrees ? 0.0081 : 0.0214},
+           {"relative_mse", agrees ? 0.00092 : 0.0061}}},
+         {"noise_floor", {{"ssim_display", 0.9915}, {"rmse_linear", 0.0066}, {"relative_mse", 0.00071}}}});
   }
 }
 
-Json gate(const char* id, const char* title, const char* kind, bool passed, const char* statistic, Json value, Json uncertainty, Json bound,
-          const char* unit, int cases, const char* worst, const char* reason) {
+Json gate(const char* id, const char* title, const char* kind, bool passed, const char* statistic, Json value,
+          Json uncertainty, Json bound, const char* unit, int cases, const char* worst, const char* reason) {
   return {{"id", id},
           {"title", title},
           {"kind", kind},
@@ -295,8 +302,8 @@ void add_gates(Json& report, bool failing) {
       gate("conoid_reference", "The conoid agrees with independently computed numbers", "upper_bound", true,
            "conoid_reference_max_relative_error", 8.8e-15, nullptr, 1e-12, "", 150, "C100",
            "the references agree with each other to 9e-15"),
-      gate("matrix_equals_conoid", "Power-matrix rays have the conoid's second moments", "upper_bound", !failing, "matrix_vs_conoid_max_z",
-           failing ? 6.31 : 3.12, nullptr, 4.8, "σ", 64, "P172-OS|1.0 m|6.0 mm",
+      gate("matrix_equals_conoid", "Power-matrix rays have the conoid's second moments", "upper_bound", !failing,
+           "matrix_vs_conoid_max_z", failing ? 6.31 : 3.12, nullptr, 4.8, "σ", 64, "P172-OS|1.0 m|6.0 mm",
            "family-wise level 0.5 % over 48 independent quantities of Student's t with 15 degrees of freedom"),
       gate("sin2_closed_form", "sin² rays have the second moments of their closed form", "upper_bound", true,
            "sin2_vs_closed_form_max_relative", 4.1e-4, nullptr, 2e-3, "", 64, "mixed|1.0 m|3.0 mm",
@@ -304,13 +311,14 @@ void add_gates(Json& report, bool failing) {
       gate("sin2_differs", "sin² rays differ from the conoid wherever there is a cylinder", "must_differ", true,
            "sin2_vs_conoid_min_relative_difference_ratio", 0.9987, 0.0012, 0.95, "", 48, "weak|0.4 m|3.0 mm",
            "half the true difference of the principal variances, minus sampling noise"),
-      gate("image_ssim", "The predicted image is the path-traced one", "lower_bound", true, "image_ssim_display_min", 0.98712, 0.0011, 0.97,
-           "", 2, "cornell", "noise floor of two path-traced images, minus three standard uncertainties"),
-      gate("image_ssim_baseline", "No image got worse than the committed baseline", "baseline", !failing, "image_ssim_baseline_z",
-           failing ? Json(nullptr) : Json(0.42), nullptr, 4, "σ", 2, "cornell",
+      gate("image_ssim", "The predicted image is the path-traced one", "lower_bound", true, "image_ssim_display_min",
+           0.98712, 0.0011, 0.97, "", 2, "cornell",
+           "noise floor of two path-traced images, minus three standard uncertainties"),
+      gate("image_ssim_baseline", "No image got worse than the committed baseline", "baseline", !failing,
+           "image_ssim_baseline_z", failing ? Json(nullptr) : Json(0.42), nullptr, 4, "σ", 2, "cornell",
            "two images of one scene with different seeds differ by less"),
-      gate("mirrored_axis_fails", "A conoid with a mirrored AXIS is found out", "must_fail", true, "mirrored_axis", 812.4, nullptr, 4.8,
-           "σ", 40, "P172-OS|1.0 m|6.0 mm", "the same bound as matrix_equals_conoid")};
+      gate("mirrored_axis_fails", "A conoid with a mirrored AXIS is found out", "must_fail", true, "mirrored_axis",
+           812.4, nullptr, 4.8, "σ", 40, "P172-OS|1.0 m|6.0 mm", "the same bound as matrix_equals_conoid")};
   report["must_fail"] = {{{"id", "mirrored_axis"},
                           {"what", "the conoid was given AXIS 180 − α"},
                           {"failed_as_it_must", true},
@@ -321,14 +329,15 @@ void add_gates(Json& report, bool failing) {
                           {"failed_as_it_must", true},
                           {"value", 96.21},
                           {"bound", 4.8}}};
-  report["verdict"] = {
-      {"passed", !failing},
-      {"sentence", failing ? "2 of 7 gates failed: matrix_equals_conoid, image_ssim_baseline."
-                           : "7 of 7 gates passed, and both mutants were rejected."},
-      {"sin2_sentence",
-       "Over 48 cases with a cylinder, sin² rays show 0.500003 of the true difference of the principal variances (closed form: exactly "
-       "1/2); at a focal "
-       "line 0.79 of the true length, between the focal lines down to 0.71 of the true radius. sin² interpolation is not astigmatism."}};
+  report["verdict"] = {{"passed", !failing},
+                       {"sentence", failing ? "2 of 7 gates failed: matrix_equals_conoid, image_ssim_baseline."
+                                            : "7 of 7 gates passed, and both mutants were rejected."},
+                       {"sin2_sentence",
+                        "Over 48 cases with a cylinder, sin² rays show 0.500003 of the true difference of the "
+                        "principal variances (closed form: exactly "
+                        "1/2); at a focal "
+                        "line 0.79 of the true length, between the focal lines down to 0.71 of the true radius. sin² "
+                        "interpolation is not astigmatism."}};
 }
 
 /// What one picture element of a checkerboard with a bright lamp would radiate.
@@ -352,7 +361,8 @@ void write_image(const std::filesystem::path& file, int blur, double noise, Scat
   for (int y = 0; y < main.height; ++y) {
     for (int x = 0; x < main.width; ++x) {
       for (int c = 0; c < 3; ++c)
-        main.at(x, y)[c] = static_cast<float>(std::max(0.0, scene_radiance(x, y, c, blur) * (1.0 + noise * scatter.normal())));
+        main.at(x, y)[c] =
+            static_cast<float>(std::max(0.0, scene_radiance(x, y, c, blur) * (1.0 + noise * scatter.normal())));
     }
   }
   image.layers[""] = main;
@@ -396,11 +406,13 @@ Json synthetic_report(bool failing) {
                           {"inputs",
                            {{{"file", "configs/experiments/validation.json"},
                              {"sha256", "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"}}}}};
-  report["spec"] = {{"format", "sturm.experiment/1"}, {"title", "Validation"}, {"seed", 1}, {"gates", "../gates/validation.json"}};
+  report["spec"] = {
+      {"format", "sturm.experiment/1"}, {"title", "Validation"}, {"seed", 1}, {"gates", "../gates/validation.json"}};
   report["reference"] = {
       {"file", "tests/reference/naked_eye_blur.json"},
       {"cases", 150},
-      {"max_relative_error", {{"conoid_semi_axes", 8.8e-15}, {"conoid_covariance", 1.2e-14}, {"sin2_closed_form", 9.1e-15}}}};
+      {"max_relative_error",
+       {{"conoid_semi_axes", 8.8e-15}, {"conoid_covariance", 1.2e-14}, {"sin2_closed_form", 9.1e-15}}}};
   add_gates(report, failing);
   add_ellipses(report);
   add_psfs(report);
@@ -413,7 +425,8 @@ void write_synthetic_pictures(const Json& report, const std::filesystem::path& r
   std::filesystem::create_directories(run_folder / "psf");
   std::filesystem::create_directories(run_folder / "images");
   for (const Json& psf : report["psfs"]) {
-    const auto* setup = std::find_if(std::begin(psf_setups), std::end(psf_setups), [&](const PsfSetup& s) { return psf["id"] == s.id; });
+    const auto* setup = std::find_if(std::begin(psf_setups), std::end(psf_setups),
+                                     [&](const PsfSetup& s) { return psf["id"] == s.id; });
     write_psf(run_folder / psf["file"].get<std::string>(), *setup, psf["ray_model"].get<std::string>(), scatter);
     Scatter of_its_own;
     write_psf(run_folder / psf["files"]["predicted"].get<std::string>(), *setup, "power_matrix", of_its_own);

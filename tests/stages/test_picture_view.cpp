@@ -51,9 +51,10 @@ TEST(PictureView, HasNoBlurWhereOneFormulaDoesNotHold) {
 }
 
 TEST(PictureView, OtherAttributesOfThatNameTellNothing) {
-  for (const std::string& text : {std::string("{"), std::string("[]"), std::string("{\"format\": \"sturm.render/1\"}"),
-                                  std::string("{\"format\": \"sturm.scene/1\"}"), changed("\"vfov_deg\": 90", "\"vfov_deg\": \"wide\""),
-                                  changed("\"look_at_m\": [0, 0, -1]", "\"look_at_m\": [0, 0, 0]")}) {
+  for (const std::string& text :
+       {std::string("{"), std::string("[]"), std::string("{\"format\": \"sturm.render/1\"}"),
+        std::string("{\"format\": \"sturm.scene/1\"}"), changed("\"vfov_deg\": 90", "\"vfov_deg\": \"wide\""),
+        changed("\"look_at_m\": [0, 0, -1]", "\"look_at_m\": [0, 0, 0]")}) {
     const PictureView view = view_of(picture(text));
     EXPECT_FALSE(view.pixels_per_degree) << text;
     EXPECT_FALSE(view.layers.blur_px) << text;

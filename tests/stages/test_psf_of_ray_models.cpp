@@ -1,10 +1,11 @@
-// The point-spread function of every ray model, as it stands in a rendered picture, against the model's bundle of rays: its second moments
-// and centroid as `sturm ellipse` has them, and the whole pattern pixel by pixel.
+// The point-spread function of every ray model, as it stands in a rendered picture, against the model's bundle of rays:
+// its second moments and centroid as `sturm ellipse` has them, and the whole pattern pixel by pixel.
 //
-// A small square lamp in a black world, straight ahead. With independent samples a pixel's value is the share of its N camera rays that met
-// the lamp, so N × value is binomial and its variance is known. A ray through pupil point p with the chief slope q passes the lamp's plane
-// at d(q + p/d + s(p)): what a pixel sees is the point reflection −(p/d + s(p)) of the ray pattern, spread by the lamp. Reflection leaves
-// second moments alone and turns centroid and coma round.
+// A small square lamp in a black world, straight ahead. With independent samples a pixel's value is the share of its N
+// camera rays that met the lamp, so N × value is binomial and its variance is known. A ray through pupil point p with
+// the chief slope q passes the lamp's plane at d(q + p/d + s(p)): what a pixel sees is the point reflection −(p/d +
+// s(p)) of the ray pattern, spread by the lamp. Reflection leaves second moments alone and turns centroid and coma
+// round.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,18 +26,21 @@ constexpr double distance_m = 1.0;
 constexpr int resolution = 48, samples = 4096;
 constexpr double semi_axis_px = 13.0;  // of the longer one
 constexpr double lamp_side_px = 3.0;
-constexpr int bundle_rays = 1 << 20;  // of the pattern that the pixels are held against: 28 times as many as meet the lamp in the picture
+constexpr int bundle_rays =
+    1 << 20;  // of the pattern that the pixels are held against: 28 times as many as meet the lamp in the picture
 constexpr std::uint64_t picture_seed = 5;
 
 Json eye_document(const std::string& model) {
-  Json eye = {{"prescription", {{"sphere_D", -1.5}, {"cylinder_D", -1.25}, {"axis_deg", 30}, {"vertex_distance_mm", 0}}},
-              {"pupil_diameter_mm", 4},
-              {"accommodation", {{"mode", "fixed"}, {"focus_distance_m", 2}}}};
+  Json eye = {
+      {"prescription", {{"sphere_D", -1.5}, {"cylinder_D", -1.25}, {"axis_deg", 30}, {"vertex_distance_mm", 0}}},
+      {"pupil_diameter_mm", 4},
+      {"accommodation", {{"mode", "fixed"}, {"focus_distance_m", 2}}}};
   if (model != "zernike") return eye;
   eye.erase("prescription");
   // Astigmatism and defocus, with a trefoil, both comas and spherical aberration.
-  eye["wavefront"] = {{"pupil_diameter_mm", 4},
-                      {"coefficients_um", {{"3", 0.3}, {"4", 0.9}, {"5", -0.25}, {"6", 0.08}, {"7", -0.3}, {"8", 0.2}, {"12", 0.06}}}};
+  eye["wavefront"] = {
+      {"pupil_diameter_mm", 4},
+      {"coefficients_um", {{"3", 0.3}, {"4", 0.9}, {"5", -0.25}, {"6", 0.08}, {"7", -0.3}, {"8", 0.2}, {"12", 0.06}}}};
   return eye;
 }
 
@@ -67,8 +71,8 @@ RenderSpec view_of(const std::string& model, double pixel_slope) {
   return read_render_spec(view, "view.json");
 }
 
-/// Expected value of every pixel: the share of (pixel's area × pupil) that sees the lamp, by `bundle_rays` independent rays and lamp
-/// points.
+/// Expected value of every pixel: the share of (pixel's area × pupil) that sees the lamp, by `bundle_rays` independent
+/// rays and lamp points.
 std::vector<double> expected_picture(const std::string& model, double pixel_slope, const Eye& eye) {
   const EyeRays<double> rays = eye_rays_for(*ray_model_named(model), eye, eye.accommodation_for(0.0)).value();
   std::vector<double> picture(resolution * resolution);
@@ -82,22 +86,26 @@ std::vector<double> expected_picture(const std::string& model, double pixel_slop
     const auto ray = rays.through(rays.pupil_radius() * x, rays.pupil_radius() * y);
     const double right = -(ray.px / distance_m + ray.sx) / pixel_slope + 0.5 * lamp_side_px * unit(random),
                  up = -(ray.py / distance_m + ray.sy) / pixel_slope + 0.5 * lamp_side_px * unit(random);
-    const int column = static_cast<int>(std::floor(0.5 * resolution + right)), row = static_cast<int>(std::floor(0.5 * resolution - up));
-    if (column >= 0 && column < resolution && row >= 0 && row < resolution) picture[row * resolution + column] += of_one_ray;
+    const int column = static_cast<int>(std::floor(0.5 * resolution + right)),
+              row = static_cast<int>(std::floor(0.5 * resolution - up));
+    if (column >= 0 && column < resolution && row >= 0 && row < resolution)
+      picture[row * resolution + column] += of_one_ray;
   }
   return picture;
 }
 
-/// Pearson's χ² of the hits of all pixels as a normal deviate. Pixels that expect fewer than 10 hits are put together. The expectation is
-/// itself counted with `bundle_rays` rays, whose noise adds to the variance.
+/// Pearson's χ² of the hits of all pixels as a normal deviate. Pixels that expect fewer than 10 hits are put together.
+/// The expectation is itself counted with `bundle_rays` rays, whose noise adds to the variance.
 double pattern_deviate(const Image& image, const std::vector<double>& expected) {
   constexpr double fewest = 10.0;
-  const double noise_of_expectation = samples * lamp_side_px * lamp_side_px / bundle_rays;  // over that of the picture's own hits
+  const double noise_of_expectation =
+      samples * lamp_side_px * lamp_side_px / bundle_rays;  // over that of the picture's own hits
   double chi_squared = 0.0, rest_hits = 0.0, rest_expected = 0.0;
   int bins = 0;
   const auto add = [&](double hits, double mean) {
     const double difference = hits - mean;
-    chi_squared += difference * difference / (mean * (1.0 - std::min(mean / samples, 1.0)) + mean * noise_of_expectation);
+    chi_squared +=
+        difference * difference / (mean * (1.0 - std::min(mean / samples, 1.0)) + mean * noise_of_expectation);
     ++bins;
   };
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -168,11 +176,13 @@ TEST_P(PsfSlow, ThePictureOfAPointIsTheReflectedBundle) {
     EXPECT_LT(std::abs(z), 4.0) << model << ", entry " << entry << ": " << covariance[entry] << " against " << expected;
     std::printf("%s: covariance entry %d, z = %.2f\n", model.c_str(), entry, z);
   }
-  std::printf("%s: centroid z = %.2f, %.2f; pattern z = %.2f\n", model.c_str(), z_centroid.x(), z_centroid.y(), z_pattern);
+  std::printf("%s: centroid z = %.2f, %.2f; pattern z = %.2f\n", model.c_str(), z_centroid.x(), z_centroid.y(),
+              z_pattern);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryModel, PsfSlow,
-                         ::testing::Values("pinhole", "thin_lens", "metalstigmatism", "sin2_radial", "power_matrix", "zernike"),
+                         ::testing::Values("pinhole", "thin_lens", "metalstigmatism", "sin2_radial", "power_matrix",
+                                           "zernike"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 }  // namespace

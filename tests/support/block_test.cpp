@@ -68,7 +68,8 @@ double deviate(const MeanAndVariance& a, const MeanAndVariance& b) {
 
 BlockTest::Ratio ratio_of_means(std::span<const Image> a, std::span<const Image> b, int channel) {
   const Rectangle all{0, 0, a[0].width, a[0].height};
-  const MeanAndVariance ma = measure(a, all, channel, BlockVariance::Replicates), mb = measure(b, all, channel, BlockVariance::Replicates);
+  const MeanAndVariance ma = measure(a, all, channel, BlockVariance::Replicates),
+                        mb = measure(b, all, channel, BlockVariance::Replicates);
   if (mb.mean == 0.0) return {0.0, 0.0};
   const double ratio = ma.mean / mb.mean;
   return {ratio, std::sqrt(ma.variance_of_mean + ratio * ratio * mb.variance_of_mean) / std::abs(mb.mean)};
@@ -80,7 +81,8 @@ BlockTest block_test(std::span<const Image> a, std::span<const Image> b, const B
   if (a.size() < 2 || b.size() < 2)
     throw InputError("", "", std::to_string(std::min(a.size(), b.size())) + " replicate(s)",
                      "at least two independent replicates of each image");
-  if (options.block < 1) throw InputError("", "", "blocks of " + std::to_string(options.block) + " pixels", "at least 1 pixel");
+  if (options.block < 1)
+    throw InputError("", "", "blocks of " + std::to_string(options.block) + " pixels", "at least 1 pixel");
   for (const Image& image : a) require_comparable(image, a[0]);
   for (const Image& image : b) require_comparable(image, a[0]);
 
@@ -96,7 +98,8 @@ BlockTest block_test(std::span<const Image> a, std::span<const Image> b, const B
         const double z = deviate(measure(a, block, c, options.variance), measure(b, block, c, options.variance));
         test.z.at(x, y)[c] = static_cast<float>(z);
         test.chi_squared[c].value += z * z;
-        if (std::abs(z) > test.z_max) test.z_max = std::abs(z), test.worst_x = x, test.worst_y = y, test.worst_channel = c;
+        if (std::abs(z) > test.z_max)
+          test.z_max = std::abs(z), test.worst_x = x, test.worst_y = y, test.worst_channel = c;
       }
     }
   test.threshold = normal_upper_quantile(0.5 * sidak_level(options.family_level, test.z.pixels.size()));

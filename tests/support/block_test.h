@@ -10,9 +10,11 @@ namespace sturm {
 enum class BlockVariance {
   /// From the block means of the replicates. Always right, but R replicates give only R − 1 degrees of freedom each.
   Replicates,
-  /// From the scatter of every pixel between the replicates, added up over the block: hundreds of degrees of freedom even with two
+  /// From the scatter of every pixel between the replicates, added up over the block: hundreds of degrees of freedom
+  /// even with two
   /// replicates.
-  /// Only for images whose pixels are independent of each other (path traced, one sampler per pixel, box filter), not for filtered or
+  /// Only for images whose pixels are independent of each other (path traced, one sampler per pixel, box filter), not
+  /// for filtered or
   /// predicted ones.
   IndependentPixels
 };
@@ -23,22 +25,25 @@ struct BlockTestOptions {
   BlockVariance variance = BlockVariance::Replicates;
 };
 
-/// Do two images, each rendered several times with independent seeds, have the same expectation? Seen as such by Welch's t test of the
-/// block means, with Satterthwaite's degrees of freedom.
+/// Do two images, each rendered several times with independent seeds, have the same expectation? Seen as such by
+/// Welch's t test of the block means, with Satterthwaite's degrees of freedom.
 struct BlockTest {
-  Image z;  ///< blocks across × blocks down × channels: normal deviates of the same tail probability as t; positive where a is brighter
-  double threshold = 0.0;  ///< on |z|, Šidák-corrected over all blocks and channels (conservative: channels share their paths)
-  double z_max = 0.0;      ///< largest |z|
+  Image z;  ///< blocks across × blocks down × channels: normal deviates of the same tail probability as t; positive
+            ///< where a is brighter
+  double threshold =
+      0.0;  ///< on |z|, Šidák-corrected over all blocks and channels (conservative: channels share their paths)
+  double z_max = 0.0;                               ///< largest |z|
   int worst_x = 0, worst_y = 0, worst_channel = 0;  ///< block indices of z_max
 
-  /// Σ z² over the blocks of one channel against chi squared: finds a small difference that is everywhere. (One channel at a time, since
-  /// the channels are not independent.)
+  /// Σ z² over the blocks of one channel against chi squared: finds a small difference that is everywhere. (One channel
+  /// at a time, since the channels are not independent.)
   struct ChiSquared {
     double value, degrees, p;
   };
   std::vector<ChiSquared> chi_squared;
 
-  /// Image mean of a over image mean of b per channel, with the standard error from the replicates; 0 ± 0 where b is black.
+  /// Image mean of a over image mean of b per channel, with the standard error from the replicates; 0 ± 0 where b is
+  /// black.
   struct Ratio {
     double value, standard_error;
   };

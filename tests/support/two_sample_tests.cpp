@@ -39,11 +39,13 @@ TwoSampleTest welch_test(std::span<const double> a, std::span<const double> b) {
   TwoSampleTest test;
   if (variance == 0.0) {
     if (difference == 0.0) return test;
-    return {std::copysign(std::numeric_limits<double>::max(), difference), 0.0, 0.0, std::copysign(largest_z, difference)};
+    return {std::copysign(std::numeric_limits<double>::max(), difference), 0.0, 0.0,
+            std::copysign(largest_z, difference)};
   }
   test.statistic = difference / std::sqrt(variance);
   test.degrees = variance * variance /
-                 (x.variance_of_mean * x.variance_of_mean / (x.size - 1.0) + y.variance_of_mean * y.variance_of_mean / (y.size - 1.0));
+                 (x.variance_of_mean * x.variance_of_mean / (x.size - 1.0) +
+                  y.variance_of_mean * y.variance_of_mean / (y.size - 1.0));
   test.p = student_t_two_sided(test.statistic, test.degrees);
   test.z = normal_equivalent_of_t(test.statistic, test.degrees);
   return test;

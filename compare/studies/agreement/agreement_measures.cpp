@@ -46,7 +46,8 @@ int margin_of(const Image& picture, const Ssim& similarity) {
 
 }  // namespace
 
-ReplicatePictures::ReplicatePictures(std::vector<Image> images) : images_(std::move(images)), mean_(mean_of(0, images_.size())) {}
+ReplicatePictures::ReplicatePictures(std::vector<Image> images)
+    : images_(std::move(images)), mean_(mean_of(0, images_.size())) {}
 
 Image ReplicatePictures::mean_of(std::size_t first, std::size_t last, std::optional<std::size_t> left_out) const {
   Image result(images_.front().width, images_.front().height, images_.front().channels);

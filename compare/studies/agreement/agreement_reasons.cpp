@@ -38,21 +38,22 @@ std::vector<Place> worst_places(const Json& prediction, const std::string& share
 std::string by_place(const Json& prediction, const std::string& share) {
   std::string list;
   for (const Place& p : worst_places(prediction, share))
-    list += formatted("%s%.0f %% %s (%.2g %% of the pixels)", list.empty() ? "" : ", ", 100.0 * p.share, cause_in_words(p.name).c_str(),
-                      100.0 * p.pixels);
+    list += formatted("%s%.0f %% %s (%.2g %% of the pixels)", list.empty() ? "" : ", ", 100.0 * p.share,
+                      cause_in_words(p.name).c_str(), 100.0 * p.pixels);
   return list;
 }
 
 std::string on_similarity(const Json& entry, const Json& prediction) {
   const auto ssim = number_at(prediction, "parts/0/ssim_display/value"),
              reference = number_at(prediction, "similarity_loss/reference_noise"),
-             noise = number_at(prediction, "similarity_loss/prediction_noise"), method = number_at(prediction, "similarity_loss/method"),
-             samples = number_at(entry, "samples_per_pixel"), replicates = number_at(entry, "replicates"),
-             sharp = number_at(entry, "sharp_samples_per_pixel");
+             noise = number_at(prediction, "similarity_loss/prediction_noise"),
+             method = number_at(prediction, "similarity_loss/method"), samples = number_at(entry, "samples_per_pixel"),
+             replicates = number_at(entry, "replicates"), sharp = number_at(entry, "sharp_samples_per_pixel");
   if (!ssim || !reference || !noise || !method || !samples || !replicates || !sharp) return "";
   if (*ssim >= similarity_bar) return formatted("SSIM %.4f reaches %.2f.", *ssim, similarity_bar);
   return formatted(
-             "SSIM %.4f misses %.2f. Of the %.4f that are missing to 1, %.4f are noise of the reference (%.0f paths per pixel), %.4f noise "
+             "SSIM %.4f misses %.2f. Of the %.4f that are missing to 1, %.4f are noise of the reference (%.0f paths "
+             "per pixel), %.4f noise "
              "of the "
              "prediction (sharp view of %.0f), %.4f the method",
              *ssim, similarity_bar, 1.0 - *ssim, *reference, *samples * *replicates, *noise, *sharp, *method) +
@@ -63,13 +64,16 @@ std::string on_similarity(const Json& entry, const Json& prediction) {
 std::string on_time(const Json& prediction) {
   const auto faster = number_at(prediction, "times_faster"), cost = number_at(prediction, "cost_in_paths"),
              paths = number_at(prediction, "samples_of_equal_error"), needed = number_at(prediction, "rmse_needed"),
-             error = number_at(prediction, "squared_error/total"), noise = number_at(prediction, "squared_error/prediction_noise");
+             error = number_at(prediction, "squared_error/total"),
+             noise = number_at(prediction, "squared_error/prediction_noise");
   if (!faster || !cost || !paths || !error || !noise) return "";
-  const std::string start = formatted("%.3g × faster than path tracing to the same error (%.3g paths per pixel)", *faster, *paths);
+  const std::string start =
+      formatted("%.3g × faster than path tracing to the same error (%.3g paths per pixel)", *faster, *paths);
   if (*faster >= speed_bar) return start + formatted(" reaches %.0f.", speed_bar);
   return start + formatted(" misses %.0f. The prediction takes the time of %.3g paths per pixel", speed_bar, *cost) +
-         (needed ? formatted(", so %.0f × needed the RMSE %.2g that path tracing has after %.0f times as many; it has %.2g", speed_bar,
-                             *needed, speed_bar, std::sqrt(std::max(0.0, *error)))
+         (needed ? formatted(
+                       ", so %.0f × needed the RMSE %.2g that path tracing has after %.0f times as many; it has %.2g",
+                       speed_bar, *needed, speed_bar, std::sqrt(std::max(0.0, *error)))
                  : "") +
          formatted(". Of its squared error %.0f %% are noise of the prediction. By place: ",
                    100.0 * std::clamp(*noise / *error, 0.0, 1.0)) +

@@ -18,7 +18,8 @@ void add_agreement_statistics(const Json& report, Statistics& out) {
       const auto times = number_at(prediction, "times_faster");
       out["agreement_ssim_display/" + id + "/" + kind] = {ssim, error, 1, id};
       const auto method = number_at(prediction, "similarity_loss/method");
-      out["agreement_ssim_without_noise/" + id + "/" + kind] = {method ? Number(1.0 - *method) : std::nullopt, error, 1, id};
+      out["agreement_ssim_without_noise/" + id + "/" + kind] = {method ? Number(1.0 - *method) : std::nullopt, error, 1,
+                                                                id};
       out["agreement_times_faster/" + id + "/" + kind] = {times, std::nullopt, 1, id};
       similar.try_emplace(kind, Extreme::Of::Smallest).first->second.add(ssim, id, error);
       fast.try_emplace(kind, Extreme::Of::Smallest).first->second.add(times, id);

@@ -16,14 +16,17 @@ struct LogPoint {
 std::vector<LogPoint> log_curve(std::span<const CostPoint> points) {
   std::vector<LogPoint> curve;
   for (const CostPoint& p : points) curve.push_back({std::log(p.seconds), std::log(p.error)});
-  std::sort(curve.begin(), curve.end(), [](const LogPoint& p, const LogPoint& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
-  curve.erase(std::unique(curve.begin(), curve.end(), [](const LogPoint& p, const LogPoint& q) { return p.x == q.x; }), curve.end());
+  std::sort(curve.begin(), curve.end(),
+            [](const LogPoint& p, const LogPoint& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+  curve.erase(std::unique(curve.begin(), curve.end(), [](const LogPoint& p, const LogPoint& q) { return p.x == q.x; }),
+              curve.end());
   return curve;
 }
 
 /// Height of a curve at x inside its range.
 double height(const std::vector<LogPoint>& curve, double x) {
-  const auto right = std::lower_bound(curve.begin(), curve.end(), x, [](const LogPoint& p, double value) { return p.x < value; });
+  const auto right =
+      std::lower_bound(curve.begin(), curve.end(), x, [](const LogPoint& p, double value) { return p.x < value; });
   if (right == curve.begin() || right->x == x) return right->y;
   const LogPoint& left = *(right - 1);
   return left.y + (right->y - left.y) * (x - left.x) / (right->x - left.x);
@@ -44,8 +47,8 @@ std::optional<PowerLaw> fit_power_law(std::span<const CostPoint> points) {
     propagated += x * x * relative * relative;
     all_known = all_known && p.standard_error;
   }
-  const auto [least, most] =
-      std::minmax_element(points.begin(), points.end(), [](const CostPoint& p, const CostPoint& q) { return p.samples < q.samples; });
+  const auto [least, most] = std::minmax_element(
+      points.begin(), points.end(), [](const CostPoint& p, const CostPoint& q) { return p.samples < q.samples; });
   if (points.size() < 2 || most->samples < 2.0 * least->samples) return std::nullopt;
   PowerLaw law;
   law.slope = xy / xx;
@@ -70,7 +73,8 @@ std::vector<std::size_t> pareto_front(std::span<const CostPoint> points) {
     });
     if (!beaten) front.push_back(i);
   }
-  std::stable_sort(front.begin(), front.end(), [&](std::size_t i, std::size_t j) { return points[i].seconds < points[j].seconds; });
+  std::stable_sort(front.begin(), front.end(),
+                   [&](std::size_t i, std::size_t j) { return points[i].seconds < points[j].seconds; });
   return front;
 }
 
@@ -90,7 +94,8 @@ TimeToReach time_to_reach(std::span<const CostPoint> points, double level) {
 std::vector<Crossover> crossovers(std::span<const CostPoint> a, std::span<const CostPoint> b) {
   const std::vector<LogPoint> curve_a = log_curve(a), curve_b = log_curve(b);
   if (curve_a.empty() || curve_b.empty()) return {};
-  const double first = std::max(curve_a.front().x, curve_b.front().x), last = std::min(curve_a.back().x, curve_b.back().x);
+  const double first = std::max(curve_a.front().x, curve_b.front().x),
+               last = std::min(curve_a.back().x, curve_b.back().x);
   std::set<double> corners;
   for (const auto* curve : {&curve_a, &curve_b})
     for (const LogPoint& p : *curve)

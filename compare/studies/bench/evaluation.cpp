@@ -19,13 +19,15 @@ const char* word(Reach reach) {
 }
 
 Json point_json(const MeasuredSetting& setting, const PictureErrors& noise_floor) {
-  const auto [fastest, slowest] = std::minmax_element(setting.rounds.begin(), setting.rounds.end(),
-                                                      [](const BenchSample& a, const BenchSample& b) { return a.seconds < b.seconds; });
+  const auto [fastest, slowest] =
+      std::minmax_element(setting.rounds.begin(), setting.rounds.end(),
+                          [](const BenchSample& a, const BenchSample& b) { return a.seconds < b.seconds; });
   const double seconds = median_seconds(setting), samples = mean_samples(setting);
   Json errors;
   for (const ErrorKind& kind : error_kinds) {
     const ErrorEstimate e = estimate(setting, noise_floor, kind);
-    const Json cost = e.value ? Json(error_seconds({samples, seconds, *e.value, e.standard_error}, kind)) : Json(nullptr);
+    const Json cost =
+        e.value ? Json(error_seconds({samples, seconds, *e.value, e.standard_error}, kind)) : Json(nullptr);
     errors[std::string(kind.name)] = {{"value", number_or_null(e.value)},
                                       {"standard_error", number_or_null(e.standard_error)},
                                       {"raw", e.raw},
@@ -59,8 +61,10 @@ Json method_json(const MeasuredView& view, const BenchMethod& method, const std:
   }
   for (const ErrorLevel& level : levels) {
     const TimeToReach time = time_to_reach(curve_of(view, method.id, error_kind(level.error)).points, level.level);
-    entry["times"].push_back(
-        {{"error", level.error}, {"level", level.level}, {"seconds", number_or_null(time.seconds)}, {"status", word(time.reach)}});
+    entry["times"].push_back({{"error", level.error},
+                              {"level", level.level},
+                              {"seconds", number_or_null(time.seconds)},
+                              {"status", word(time.reach)}});
   }
   return entry;
 }
@@ -73,7 +77,8 @@ Json pareto_json(const MeasuredView& view, const std::vector<std::string>& metho
     const MethodCurve curve = curve_of(view, method, kind);
     points.insert(points.end(), curve.points.begin(), curve.points.end());
     for (std::size_t i = 0; i < curve.points.size(); ++i)
-      names.push_back({{"method", method}, {"samples_per_pixel", curve.samples_per_pixel[i]}, {"setting", curve.labels[i]}});
+      names.push_back(
+          {{"method", method}, {"samples_per_pixel", curve.samples_per_pixel[i]}, {"setting", curve.labels[i]}});
   }
   for (const std::size_t i : pareto_front(points)) {
     Json entry = names[i];
@@ -103,11 +108,14 @@ Json best_json(const MethodCurve& curve, const MethodCurve& baseline) {
 
 }  // namespace
 
-Json evaluated(const MeasuredView& view, const std::vector<BenchMethod>& methods, const std::vector<ErrorLevel>& levels) {
+Json evaluated(const MeasuredView& view, const std::vector<BenchMethod>& methods,
+               const std::vector<ErrorLevel>& levels) {
   std::vector<std::string> used = methods_in(view);
-  Json result = {{"methods", Json::array()}, {"pareto", Json::object()}, {"crossovers", Json::array()}, {"ratios", Json::array()}};
+  Json result = {
+      {"methods", Json::array()}, {"pareto", Json::object()}, {"crossovers", Json::array()}, {"ratios", Json::array()}};
   for (const BenchMethod& method : methods)
-    if (std::find(used.begin(), used.end(), method.id) != used.end()) result["methods"].push_back(method_json(view, method, levels));
+    if (std::find(used.begin(), used.end(), method.id) != used.end())
+      result["methods"].push_back(method_json(view, method, levels));
   for (const BenchMethod& method : methods)
     if (method.denoised) std::erase(used, method.id);
   for (const ErrorKind& kind : error_kinds) {
@@ -142,7 +150,8 @@ Json evaluated(const std::vector<BenchRequirement>& requirements, const std::vec
     for (const MeasuredView& view : views) {
       if (std::find(r.views.begin(), r.views.end(), view.id) == r.views.end()) continue;
       Json entry = statistic_json(statistic_of(r, view));
-      const std::optional<double> value = entry["value"].is_null() ? std::nullopt : std::optional(entry["value"].get<double>());
+      const std::optional<double> value =
+          entry["value"].is_null() ? std::nullopt : std::optional(entry["value"].get<double>());
       entry.update({{"id", r.id},
                     {"title", r.title},
                     {"reason", r.reason},
@@ -165,7 +174,8 @@ Json bench_verdict(const Json& requirements) {
   std::string sentence = "No requirements.";
   if (!requirements.empty())
     sentence = failed == 0 ? "All " + std::to_string(requirements.size()) + " requirements hold."
-                           : std::to_string(failed) + " of " + std::to_string(requirements.size()) + " requirements do not hold.";
+                           : std::to_string(failed) + " of " + std::to_string(requirements.size()) +
+                                 " requirements do not hold.";
   return {{"passed", failed == 0}, {"sentence", sentence}};
 }
 
@@ -177,8 +187,8 @@ Json picture_errors_json(const PictureErrors& e) {
 }
 
 PictureErrors picture_errors_from(const Json& json) {
-  return {json.at("mse").get<double>(), json.at("relative_mse").get<double>(), json.at("relative_mse_trimmed").get<double>(),
-          json.at("one_minus_ssim").get<double>()};
+  return {json.at("mse").get<double>(), json.at("relative_mse").get<double>(),
+          json.at("relative_mse_trimmed").get<double>(), json.at("one_minus_ssim").get<double>()};
 }
 
 }  // namespace sturm

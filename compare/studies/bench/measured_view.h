@@ -52,9 +52,10 @@ enum class FloorStatus {
 
 /// The error of a setting over its rounds.
 struct ErrorEstimate {
-  double raw = 0.0;                      ///< as measured, the reference's noise included
-  std::optional<double> value;           ///< with the noise floor taken off where the kind allows it
-  std::optional<double> standard_error;  ///< of value, from the scatter of the rounds (for a root: of its square, to first order)
+  double raw = 0.0;             ///< as measured, the reference's noise included
+  std::optional<double> value;  ///< with the noise floor taken off where the kind allows it
+  std::optional<double>
+      standard_error;  ///< of value, from the scatter of the rounds (for a root: of its square, to first order)
   FloorStatus status = FloorStatus::Clear;
 };
 
@@ -71,8 +72,9 @@ struct MethodCurve {
 };
 MethodCurve curve_of(const MeasuredView& view, std::string_view method, const ErrorKind& kind);
 
-/// Squared error × seconds of a point: what does not depend on the number of samples where noise falls as their root. The mean squared
-/// errors count as they are, the RMSE with its square; 1 − SSIM, too, grows with the square of little noise.
+/// Squared error × seconds of a point: what does not depend on the number of samples where noise falls as their root.
+/// The mean squared errors count as they are, the RMSE with its square; 1 − SSIM, too, grows with the square of little
+/// noise.
 double error_seconds(const CostPoint& point, const ErrorKind& kind);
 
 }  // namespace sturm

@@ -41,8 +41,8 @@ std::vector<double> squared_differences(const Image& a, const Image& b, double f
 
 }  // namespace
 
-ReferenceImage::ReferenceImage(const Image& first_half, const Image& second_half, std::optional<double> max_neighbourhood_radiance,
-                               double exposure)
+ReferenceImage::ReferenceImage(const Image& first_half, const Image& second_half,
+                               std::optional<double> max_neighbourhood_radiance, double exposure)
     : mean_(mean_of(first_half, second_half)),
       display_(to_display(mean_, exposure)),
       exposure_(exposure),

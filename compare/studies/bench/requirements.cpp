@@ -43,9 +43,10 @@ StatisticValue time_ratio(const MethodCurve& method, const MethodCurve& baseline
   if (!reached.seconds) return {std::nullopt, std::nullopt, "the error is never reached"};
   const double value = *reached.seconds / goal.seconds;
   if (!reached.slope) return {value, std::nullopt, "at most: the cheapest setting reaches the error"};
-  const auto least_certain = std::max_element(method.points.begin(), method.points.end(), [](const CostPoint& a, const CostPoint& b) {
-    return a.standard_error.value_or(0.0) / a.error < b.standard_error.value_or(0.0) / b.error;
-  });
+  const auto least_certain =
+      std::max_element(method.points.begin(), method.points.end(), [](const CostPoint& a, const CostPoint& b) {
+        return a.standard_error.value_or(0.0) / a.error < b.standard_error.value_or(0.0) / b.error;
+      });
   std::optional<double> relative = relative_error_of(*least_certain, goal);
   if (relative) *relative /= std::abs(*reached.slope);
   return ratio(value, relative);
@@ -62,7 +63,8 @@ StatisticValue cost_ratio(const MethodCurve& method, const MethodCurve& baseline
 StatisticValue statistic_of(const BenchRequirement& requirement, const MeasuredView& view) {
   const ErrorKind& kind = error_kind(requirement.error);
   const MethodCurve method = curve_of(view, requirement.method, kind);
-  const MethodCurve baseline = requirement.baseline.empty() ? MethodCurve{} : curve_of(view, requirement.baseline, kind);
+  const MethodCurve baseline =
+      requirement.baseline.empty() ? MethodCurve{} : curve_of(view, requirement.baseline, kind);
   switch (requirement.statistic) {
     case BenchStatistic::Slope: {
       const auto law = fit_power_law(method.points);

@@ -12,7 +12,8 @@ namespace sturm {
 
 namespace {
 
-Statistic statistic(const Json& at, const std::string& value, const std::string& standard_error, const std::string& name) {
+Statistic statistic(const Json& at, const std::string& value, const std::string& standard_error,
+                    const std::string& name) {
   return {number_at(at, value), number_at(at, standard_error), 1, name};
 }
 
@@ -52,7 +53,8 @@ void add_method(const Json& method, const std::string& view, Statistics& out) {
   for (const Json& time : array_at(method, "times")) {
     const auto level = number_at(time, "level");
     if (level)
-      out[prefix + "seconds/" + text_at(time, "error") + "/" + plain_number(*level)] = {number_at(time, "seconds"), std::nullopt, 1, name};
+      out[prefix + "seconds/" + text_at(time, "error") + "/" + plain_number(*level)] = {number_at(time, "seconds"),
+                                                                                        std::nullopt, 1, name};
   }
 }
 
@@ -64,7 +66,8 @@ void add_bench_statistics(const Json& report, Statistics& out) {
     for (const Json& method : array_at(view, "methods"))
       if (!boolean_at(method, "biased").value_or(false)) add_method(method, id, out);
     for (const Json& ratio : array_at(view, "ratios")) {
-      const std::string method = text_at(ratio, "method"), prefix = prefix_of(id, method), error = "/" + text_at(ratio, "error");
+      const std::string method = text_at(ratio, "method"), prefix = prefix_of(id, method),
+                        error = "/" + text_at(ratio, "error");
       const std::string name = id + ", " + method;
       for (const char* kind : {"error_ratio", "time_ratio", "cost_ratio"})
         out[prefix + kind + error] = statistic(value_at(ratio, kind), "value", "standard_error", name);

@@ -49,7 +49,8 @@ LensStudyErrors::LensStudyErrors(const Json& section) {
   std::sort(pupils_.begin(), pupils_.end());
 }
 
-WorstError LensStudyErrors::at(const std::string& lens, const std::string& method, double eccentricity_deg, double pupil_mm) const {
+WorstError LensStudyErrors::at(const std::string& lens, const std::string& method, double eccentricity_deg,
+                               double pupil_mm) const {
   const auto found = cells_.find({lens, method, eccentricity_deg, pupil_mm});
   return found == cells_.end() ? WorstError{} : found->second;
 }

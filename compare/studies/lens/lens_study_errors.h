@@ -15,8 +15,8 @@ struct StudyMethod {
 inline constexpr StudyMethod study_methods[] = {
     {"ray_transfer", "ray transfer"}, {"published", "as published (eq. 11)"}, {"previous", "previous (Table 1)"}};
 
-/// Above these an error of a blur ellipse matters to somebody who looks through the lens: a fifth of the smallest step that lenses are
-/// ordered in, and the resolution of a healthy eye.
+/// Above these an error of a blur ellipse matters to somebody who looks through the lens: a fifth of the smallest step
+/// that lenses are ordered in, and the resolution of a healthy eye.
 inline constexpr double defocus_that_matters_D = 0.05;
 inline constexpr double blur_that_matters_arcmin = 1.0;
 

@@ -36,12 +36,14 @@ void add_orders(const Json& section, Statistics& out) {
   out["lens_spline_relative_order_min"] = spline.result();
 }
 
-/// The largest first-order error of a method in the views of one lens; views where it has none are left out: they are counted elsewhere.
+/// The largest first-order error of a method in the views of one lens; views where it has none are left out: they are
+/// counted elsewhere.
 Extreme largest_first_order_error(const Json& views, const std::string& lens, const std::string& method) {
   Extreme largest;
   for (const Json& view : views)
     if (text_at(view, "lens") == lens)
-      if (const Number error = number_at(view, "first_order/" + method + "/defocus_D")) largest.add(error, view_name(view));
+      if (const Number error = number_at(view, "first_order/" + method + "/defocus_D"))
+        largest.add(error, view_name(view));
   return largest;
 }
 
@@ -55,7 +57,8 @@ void add_methods(const Json& section, Statistics& out) {
     for (const Json& view : views) {
       if (text_at(view, "lens") != id) continue;
       const bool on_axis = number_at(view, "eccentricity_deg").value_or(1.0) == 0.0;
-      if (round_lens && (on_axis || round_eye)) revolution.add(number_at(view, "first_order/published/defocus_D"), view_name(view));
+      if (round_lens && (on_axis || round_eye))
+        revolution.add(number_at(view, "first_order/published/defocus_D"), view_name(view));
       unscaled.add(number_at(view, "previous_unscaled_error"), view_name(view));
     }
     if (!round_eye) published.add(largest_first_order_error(views, id, "published").result().value, id);

@@ -9,7 +9,8 @@ namespace sturm {
 /// The statistics of a report's section "lens_study" (compare/findings/gate_statistics.h lists them).
 void add_lens_study(const Json& report, Statistics& out);
 
-/// Views whose larger principal blur is below this have a first order that is nearly zero, and no relative error that means anything.
+/// Views whose larger principal blur is below this have a first order that is nearly zero, and no relative error that
+/// means anything.
 inline constexpr double least_blur_D = 0.5;
 
 /// Ids of the lenses with a spline surface, where orders hold only roughly. A section that does not say has none.

@@ -12,7 +12,8 @@ namespace {
 
 using Value = std::optional<double>;
 
-/// The largest (or smallest) of a quantity over the cases that it is asked of, and where it is. One case without a number leaves none.
+/// The largest (or smallest) of a quantity over the cases that it is asked of, and where it is. One case without a
+/// number leaves none.
 class Worst {
  public:
   explicit Worst(bool smallest = false) : smallest_(smallest) {}
@@ -28,7 +29,9 @@ class Worst {
   }
 
   Json json(const Sin2StudySpec& spec) const {
-    return {{"value", number_or_null(value_)}, {"cases", cases_}, {"worst_case", where_ ? Json(label_of(*where_, spec)) : Json(nullptr)}};
+    return {{"value", number_or_null(value_)},
+            {"cases", cases_},
+            {"worst_case", where_ ? Json(label_of(*where_, spec)) : Json(nullptr)}};
   }
 
  private:
@@ -92,8 +95,11 @@ bool has(const StudyCase& c, Quantity q) {
 }
 
 /// The sum of all samplings' checks: measured rms against √(E[r²]/(a²/2)).
-void add_samplings(Json& checks, const std::function<Json(const Asked&, const Of&, bool)>& worst, const Sin2StudySpec& spec) {
-  const auto measured = [](Quantity q) { return [q](const StudyCase& c) { return c.status == StudyStatus::ok && has(c, q); }; };
+void add_samplings(Json& checks, const std::function<Json(const Asked&, const Of&, bool)>& worst,
+                   const Sin2StudySpec& spec) {
+  const auto measured = [](Quantity q) {
+    return [q](const StudyCase& c) { return c.status == StudyStatus::ok && has(c, q); };
+  };
   const double rings = spec.rings.rings;
   const struct {
     const char* name;
@@ -118,10 +124,13 @@ Json study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases
       if (asked(c)) w.add(c, value(c));
     return w.json(spec);
   };
-  const Asked matrix = ok(StudyModel::power_matrix), sin2 = ok(StudyModel::sin2_radial), printed = ok(StudyModel::metalstigmatism);
+  const Asked matrix = ok(StudyModel::power_matrix), sin2 = ok(StudyModel::sin2_radial),
+              printed = ok(StudyModel::metalstigmatism);
   const Asked astigmatic = both(sin2, [](const StudyCase& c) { return has(c, Quantity::lost_variance_ratio); });
   const Asked round_eye = both(sin2, [](const StudyCase& c) { return !has(c, Quantity::lost_variance_ratio); });
-  const Of error_per_cylinder = [](const StudyCase& c) { return quotient(c[Quantity::error_D], principal_difference(c)); };
+  const Of error_per_cylinder = [](const StudyCase& c) {
+    return quotient(c[Quantity::error_D], principal_difference(c));
+  };
   Json checks = Json::object();
   checks["cases"] = {{"value", cases.size()}, {"cases", cases.size()}, {"worst_case", nullptr}};
   checks["matrix_vs_theory_max"] = worst(matrix, quantity(Quantity::theory_deviation), false);
@@ -129,9 +138,11 @@ Json study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases
   checks["metalstigmatism_vs_closed_form_max"] = worst(printed, quantity(Quantity::closed_form_deviation), false);
   checks["sin2_radial_part_max_D"] = worst(sin2, quantity(Quantity::radial_deviation_D), false);
   checks["sin2_without_cylinder_max"] = worst(round_eye, quantity(Quantity::theory_deviation), false);
-  checks["sin2_half_difference_max_deviation"] = worst(both(sin2, [](const StudyCase& c) { return has(c, Quantity::difference_ratio); }),
-                                                       distance_from(Quantity::difference_ratio, 0.5), false);
-  checks["sin2_lost_variance_max_deviation"] = worst(astigmatic, distance_from(Quantity::lost_variance_ratio, 1.0), false);
+  checks["sin2_half_difference_max_deviation"] =
+      worst(both(sin2, [](const StudyCase& c) { return has(c, Quantity::difference_ratio); }),
+            distance_from(Quantity::difference_ratio, 0.5), false);
+  checks["sin2_lost_variance_max_deviation"] =
+      worst(astigmatic, distance_from(Quantity::lost_variance_ratio, 1.0), false);
   checks["sin2_error_per_cylinder_min"] = worst(astigmatic, error_per_cylinder, true);
   checks["sin2_error_per_cylinder_max"] = worst(astigmatic, error_per_cylinder, false);
   checks["line_focus_length_max_deviation"] =
@@ -145,19 +156,20 @@ Json study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases
   const Asked emmetrope = both(printed, [&](const StudyCase& c) {
     const Prescription& rx = spec.eyes[c.eye].prescription;
     const auto* fixed = std::get_if<FixedAccommodation>(&spec.accommodations[c.accommodation]);
-    return rx.sphere_D == 0.0 && rx.cylinder_D == 0.0 && fixed && fixed->focus_distance_m == spec.distances_m[c.distance] &&
-           std::isfinite(fixed->focus_distance_m);
+    return rx.sphere_D == 0.0 && rx.cylinder_D == 0.0 && fixed &&
+           fixed->focus_distance_m == spec.distances_m[c.distance] && std::isfinite(fixed->focus_distance_m);
   });
   checks["emmetrope_focused_at_infinity_max_deviation"] = worst(
       emmetrope,
       [&](const StudyCase& c) {
-        return c[Quantity::error_D] ? Value(std::abs(*c[Quantity::error_D] * spec.distances_m[c.distance] - 1.0)) : std::nullopt;
+        return c[Quantity::error_D] ? Value(std::abs(*c[Quantity::error_D] * spec.distances_m[c.distance] - 1.0))
+                                    : std::nullopt;
       },
       false);
   add_samplings(checks, worst, spec);
   const auto has_number = [](Quantity q) { return [q](const StudyCase& c) { return has(c, q); }; };
-  for (const Quantity q : {Quantity::mutant_repaired_as_sin2, Quantity::mutant_wrong_coefficient, Quantity::mutant_mirrored_axis,
-                           Quantity::mutant_sin2_as_matrix})
+  for (const Quantity q : {Quantity::mutant_repaired_as_sin2, Quantity::mutant_wrong_coefficient,
+                           Quantity::mutant_mirrored_axis, Quantity::mutant_sin2_as_matrix})
     checks[name_of(q)] = worst(has_number(q), quantity(q), false);
   return checks;
 }

@@ -12,11 +12,12 @@ bool has_pole(const Eigen::Matrix2d& f, double focus_distance_m) {
   return (1.0 + focus_distance_m * p.high) * (1.0 + focus_distance_m * p.low) <= 0.0;
 }
 
-std::optional<Eigen::Matrix2d> metalstigmatism_covariance(const Eigen::Matrix2d& f, double target_vergence_D, double focus_distance_m,
-                                                          double a) {
+std::optional<Eigen::Matrix2d> metalstigmatism_covariance(const Eigen::Matrix2d& f, double target_vergence_D,
+                                                          double focus_distance_m, double a) {
   const double quarter = 0.25 * a * a;
   // Focused at infinity every ray leaves parallel to the line of sight, whatever the prescription.
-  if (std::isinf(focus_distance_m)) return quarter * target_vergence_D * target_vergence_D * Eigen::Matrix2d::Identity();
+  if (std::isinf(focus_distance_m))
+    return quarter * target_vergence_D * target_vergence_D * Eigen::Matrix2d::Identity();
   if (has_pole(f, focus_distance_m)) return std::nullopt;
   const PrincipalValues p = principal_values(f(0, 0), f(0, 1), f(1, 1));
   const double d = focus_distance_m, A = 1.0 + d * 0.5 * (p.high + p.low), B = d * 0.5 * (p.high - p.low);

@@ -118,26 +118,29 @@ std::string label_of(const Accommodation& accommodation) {
   if (const auto* fixed = std::get_if<FixedAccommodation>(&accommodation))
     return fixed->focus_distance_m > 0.0 ? "focus " + length_text(fixed->focus_distance_m)
                                          : "accommodation " + plain_number(fixed->power_D) + " D";
-  if (const auto* best = std::get_if<BestAccommodation>(&accommodation)) return "best, up to " + plain_number(best->amplitude_D) + " D";
+  if (const auto* best = std::get_if<BestAccommodation>(&accommodation))
+    return "best, up to " + plain_number(best->amplitude_D) + " D";
   return "relaxed";
 }
 
 std::string label_of(const StudyCase& c, const Sin2StudySpec& spec) {
   return spec.eyes.at(c.eye).id + "|" + length_text(spec.distances_m.at(c.distance)) + "|" +
-         plain_number(1e3 * spec.pupil_diameters_m.at(c.pupil)) + " mm|" + label_of(spec.accommodations.at(c.accommodation)) + "|" +
-         name_of(c.model);
+         plain_number(1e3 * spec.pupil_diameters_m.at(c.pupil)) + " mm|" +
+         label_of(spec.accommodations.at(c.accommodation)) + "|" + name_of(c.model);
 }
 
 std::string sin2_study_csv(const std::vector<StudyCase>& cases, const Sin2StudySpec& spec) {
-  std::string csv = "eye,sphere_D,cylinder_D,axis_deg,vertex_distance_mm,distance_m,pupil_mm,accommodation,ray_model,status";
+  std::string csv =
+      "eye,sphere_D,cylinder_D,axis_deg,vertex_distance_mm,distance_m,pupil_mm,accommodation,ray_model,status";
   for (std::size_t i = 0; i < quantities_in_csv; ++i) csv.append(",").append(quantity_names[i]);
   csv += "\r\n";
   for (const StudyCase& c : cases) {
     const StudyEye& eye = spec.eyes.at(c.eye);
     csv += eye.id;
     const double distance = spec.distances_m.at(c.distance);
-    for (const double value : {eye.prescription.sphere_D, eye.prescription.cylinder_D, eye.prescription.axis_deg,
-                               1e3 * eye.prescription.vertex_distance_m, distance, 1e3 * spec.pupil_diameters_m.at(c.pupil)}) {
+    for (const double value :
+         {eye.prescription.sphere_D, eye.prescription.cylinder_D, eye.prescription.axis_deg,
+          1e3 * eye.prescription.vertex_distance_m, distance, 1e3 * spec.pupil_diameters_m.at(c.pupil)}) {
       csv += ',';
       append_number(csv, value);
     }

@@ -13,7 +13,8 @@ namespace sturm {
 
 /// The ray models of the study.
 enum class StudyModel { metalstigmatism, sin2_radial, power_matrix };
-inline constexpr std::array study_models{StudyModel::metalstigmatism, StudyModel::sin2_radial, StudyModel::power_matrix};
+inline constexpr std::array study_models{StudyModel::metalstigmatism, StudyModel::sin2_radial,
+                                         StudyModel::power_matrix};
 std::string name_of(StudyModel model);
 const char* title_of(StudyModel model);
 
@@ -25,15 +26,16 @@ enum class Quantity {
   true_minor_arcmin,
   major_arcmin,  ///< measured, uniform pupil; semi-axes of second moments
   minor_arcmin,
-  error_D,                   ///< largest difference of the half-width in any direction from wavefront theory, over the pupil's radius
-  error_arcmin,              ///< the same as an angle
-  error_percent,             ///< the same of the true major semi-axis; none in perfect focus
-  theory_deviation,          ///< relative_deviation() from wavefront theory
-  closed_form_deviation,     ///< … from the model's own closed form
-  radial_deviation_D,        ///< sin2_radial: largest difference from wavefront theory of a ray's slope within its own meridian, over r
-  difference_ratio,          ///< measured difference of the principal variances over the true one; none for a circle
-  lost_variance_ratio,       ///< lost total variance over a²C²/16; none without a cylinder
-  polar_rms,                 ///< root of the total variance with uniform_polar over that of the uniform pupil; none in perfect focus
+  error_D,  ///< largest difference of the half-width in any direction from wavefront theory, over the pupil's radius
+  error_arcmin,           ///< the same as an angle
+  error_percent,          ///< the same of the true major semi-axis; none in perfect focus
+  theory_deviation,       ///< relative_deviation() from wavefront theory
+  closed_form_deviation,  ///< … from the model's own closed form
+  radial_deviation_D,     ///< sin2_radial: largest difference from wavefront theory of a ray's slope within its own
+                          ///< meridian, over r
+  difference_ratio,       ///< measured difference of the principal variances over the true one; none for a circle
+  lost_variance_ratio,    ///< lost total variance over a²C²/16; none without a cylinder
+  polar_rms,  ///< root of the total variance with uniform_polar over that of the uniform pupil; none in perfect focus
   weighted_rms,              ///< … with uniform_polar_weighted
   rings_rms,                 ///< … with rings
   rays,                      ///< of the uniform pupil
@@ -54,7 +56,8 @@ const char* name_of(Quantity quantity);
 enum class StudyStatus {
   ok,
   undefined,  ///< metalstigmatism without a stated focus distance
-  pole        ///< metalstigmatism with a meridian at or so near its pole that the second moments do not exist or are not resolved
+  pole  ///< metalstigmatism with a meridian at or so near its pole that the second moments do not exist or are not
+        ///< resolved
 };
 const char* name_of(StudyStatus status);
 
@@ -69,8 +72,8 @@ struct StudyCase {
   const std::optional<double>& operator[](Quantity q) const { return values[static_cast<std::size_t>(q)]; }
 };
 
-/// ‖is − should‖_F/(‖should‖_F + a²/4·(1 D)²): relative, except where there is less than a dioptre of blur, so that an image in focus has
-/// a deviation, too. Covariances in rad², `a` in metres.
+/// ‖is − should‖_F/(‖should‖_F + a²/4·(1 D)²): relative, except where there is less than a dioptre of blur, so that an
+/// image in focus has a deviation, too. Covariances in rad², `a` in metres.
 double relative_deviation(const Eigen::Matrix2d& is, const Eigen::Matrix2d& should, double a);
 
 /// A case as an array of numbers, and back.

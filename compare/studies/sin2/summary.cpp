@@ -34,13 +34,16 @@ struct PopulationRow {
     const struct {
       Quantity q;
       std::vector<double>* list;
-    } columns[] = {{Quantity::error_D, &error_D}, {Quantity::error_arcmin, &error_arcmin}, {Quantity::error_percent, &error_percent}};
+    } columns[] = {{Quantity::error_D, &error_D},
+                   {Quantity::error_arcmin, &error_arcmin},
+                   {Quantity::error_percent, &error_percent}};
     for (const auto& column : columns)
       if (c[column.q]) column.list->push_back(*c[column.q]);
   }
 
   Json json() const {
-    const auto noticed = std::count_if(error_D.begin(), error_D.end(), [](double error) { return error > noticeable_defocus_D; });
+    const auto noticed =
+        std::count_if(error_D.begin(), error_D.end(), [](double error) { return error > noticeable_defocus_D; });
     return {{"eyes", eyes},
             {"pole", pole},
             {"noticeable", noticed},
@@ -51,7 +54,8 @@ struct PopulationRow {
 };
 
 bool at_reference(const StudyCase& c, const Sin2StudySpec& spec) {
-  return c.pupil == spec.reference_pupil && c.distance == spec.reference_distance && c.accommodation == spec.reference_accommodation;
+  return c.pupil == spec.reference_pupil && c.distance == spec.reference_distance &&
+         c.accommodation == spec.reference_accommodation;
 }
 
 /// Error [D] over the grid, a row per cylinder; null where the model has none.
@@ -108,8 +112,9 @@ Json population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& c
     views[{c.model, c.accommodation, c.distance}].add(c);
     // A pole is worse than any error; among errors the larger one.
     const StudyCase*& worst = worst_of_eye[{c.model, c.eye}];
-    const bool worse = !worst || (worst->status == StudyStatus::ok &&
-                                  (c.status == StudyStatus::pole || *c[Quantity::error_D] > *(*worst)[Quantity::error_D]));
+    const bool worse =
+        !worst || (worst->status == StudyStatus::ok &&
+                   (c.status == StudyStatus::pole || *c[Quantity::error_D] > *(*worst)[Quantity::error_D]));
     if (worse) worst = &c;
   }
   Json table = Json::array();
@@ -147,7 +152,8 @@ Json reference_views(const Sin2StudySpec& spec, const std::vector<StudyCase>& ca
       const Prescription& rx = spec.eyes[c.eye].prescription;
       grid.insert({{rx.sphere_D, rx.cylinder_D}, &c});  // the first axis stays
       if (rx.cylinder_D == 0.0)
-        points.push_back({rx.sphere_D, number_or_null(c[Quantity::true_major_arcmin]), number_or_null(c[Quantity::major_arcmin])});
+        points.push_back(
+            {rx.sphere_D, number_or_null(c[Quantity::true_major_arcmin]), number_or_null(c[Quantity::major_arcmin])});
     }
     std::sort(errors.begin(), errors.end());
     maps.push_back({{"ray_model", name_of(model)}, {"error_D", map_of(spec, grid)}});

@@ -42,7 +42,8 @@ OIIO::ImageSpec values_as_stored() {
 }
 
 /// All pixels of an opened file, in memory from malloc; `input` is null where it could not be opened.
-void read_opened(std::unique_ptr<OIIO::ImageInput> input, std::size_t max_pixels, int* width, int* height, int* channels, float** pixels) {
+void read_opened(std::unique_ptr<OIIO::ImageInput> input, std::size_t max_pixels, int* width, int* height,
+                 int* channels, float** pixels) {
   if (!input) throw std::runtime_error(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 16)
@@ -61,16 +62,16 @@ void read_opened(std::unique_ptr<OIIO::ImageInput> input, std::size_t max_pixels
 
 }  // namespace
 
-int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels, float** pixels, char* error,
-                            std::size_t error_size) {
+int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels,
+                            float** pixels, char* error, std::size_t error_size) {
   return guarded(error, error_size, [&] {
     const OIIO::ImageSpec wishes = values_as_stored();
     read_opened(OIIO::ImageInput::open(path, &wishes), max_pixels, width, height, channels, pixels);
   });
 }
 
-int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size, std::size_t max_pixels, int* width, int* height,
-                                   int* channels, float** pixels, char* error, std::size_t error_size) {
+int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size, std::size_t max_pixels, int* width,
+                                   int* height, int* channels, float** pixels, char* error, std::size_t error_size) {
   return guarded(error, error_size, [&] {
     constexpr unsigned char png_signature[] = {0x89, 'P', 'N', 'G'}, jpeg_signature[] = {0xFF, 0xD8, 0xFF};
     const auto begins_with = [&](const auto& signature) {
@@ -88,8 +89,8 @@ int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size,
   });
 }
 
-int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int height, int channels, unsigned char** bytes,
-                                  std::size_t* size, char* error, std::size_t error_size) {
+int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int height, int channels,
+                                  unsigned char** bytes, std::size_t* size, char* error, std::size_t error_size) {
   return guarded(error, error_size, [&] {
     const auto output = OIIO::ImageOutput::create("png");
     if (!output) throw std::runtime_error(OIIO::geterror());
@@ -97,8 +98,8 @@ int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int he
     OIIO::Filesystem::IOVecOutput memory_file(encoded);
     OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
     spec["oiio:ColorSpace"] = "sRGB";
-    if (!output->set_ioproxy(&memory_file) || !output->open("memory.png", spec) || !output->write_image(OIIO::TypeDesc::UINT8, pixels) ||
-        !output->close())
+    if (!output->set_ioproxy(&memory_file) || !output->open("memory.png", spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT8, pixels) || !output->close())
       throw std::runtime_error(output->geterror());
     *bytes = allocate<unsigned char>(encoded.size());
     std::memcpy(*bytes, encoded.data(), encoded.size());

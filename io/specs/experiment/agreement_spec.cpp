@@ -22,7 +22,8 @@ AgreementCase read_case(const Json& value, const Source& where) {
   c.camera = read_camera(value["camera"], where / "camera");
   if (c.camera.projection != Projection::Perspective)
     (where / "camera" / "projection").fail(value["camera"]["projection"], "\"perspective\" for an experiment");
-  if (c.camera.interpupillary_distance_m) (where / "camera" / "stereo").fail(value["camera"]["stereo"], "no stereo pair for an experiment");
+  if (c.camera.interpupillary_distance_m)
+    (where / "camera" / "stereo").fail(value["camera"]["stereo"], "no stereo pair for an experiment");
   const WornEyeSpec worn = read_worn_eye(value, where);
   append(c.input_files, worn.input_files);
   c.worn = worn.worn;

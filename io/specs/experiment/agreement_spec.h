@@ -10,7 +10,8 @@
 
 namespace sturm {
 
-/// One view that is path traced (power_matrix) and predicted in several ways: any gaze, naked or through spectacles; perspective, one eye.
+/// One view that is path traced (power_matrix) and predicted in several ways: any gaze, naked or through spectacles;
+/// perspective, one eye.
 struct AgreementCase {
   std::string id, note;
   std::string scene_name;  ///< as given
@@ -25,7 +26,8 @@ struct AgreementCase {
   std::vector<std::string> input_files;  ///< absolute paths of the files that it names
 };
 
-/// Reads an experiment's list "agreement". Throws InputError, also where a prediction does not know the gaze or the spectacles.
+/// Reads an experiment's list "agreement". Throws InputError, also where a prediction does not know the gaze or the
+/// spectacles.
 std::vector<AgreementCase> read_agreement(const Json& list, const Source& where);
 
 }  // namespace sturm

@@ -16,11 +16,12 @@ namespace sturm {
 
 namespace {
 
-constexpr std::array<std::pair<BenchStatistic, const char*>, 5> statistic_names = {{{BenchStatistic::Slope, "slope"},
-                                                                                    {BenchStatistic::Error, "error"},
-                                                                                    {BenchStatistic::ErrorRatio, "error_ratio"},
-                                                                                    {BenchStatistic::TimeRatio, "time_ratio"},
-                                                                                    {BenchStatistic::CostRatio, "cost_ratio"}}};
+constexpr std::array<std::pair<BenchStatistic, const char*>, 5> statistic_names = {
+    {{BenchStatistic::Slope, "slope"},
+     {BenchStatistic::Error, "error"},
+     {BenchStatistic::ErrorRatio, "error_ratio"},
+     {BenchStatistic::TimeRatio, "time_ratio"},
+     {BenchStatistic::CostRatio, "cost_ratio"}}};
 constexpr int smallest_side = 11;  // the window of SSIM
 
 std::vector<std::string> ids_of(const Json& list, const Source& where) {
@@ -77,11 +78,13 @@ void add_files(std::vector<std::string>& files, const std::vector<std::string>& 
 /// The patches of a method's sweep, in order; one that changes nothing where it has none.
 std::vector<Json> sweep_of(const Json& method, const Source& where) {
   if (method.contains("sweep") && method.contains("samples_per_pixel"))
-    (where / "sweep").fail(method["sweep"], "no \"sweep\" beside \"samples_per_pixel\": put the samples into the sweep's patches");
+    (where / "sweep")
+        .fail(method["sweep"], "no \"sweep\" beside \"samples_per_pixel\": put the samples into the sweep's patches");
   std::vector<Json> sweep;
   if (method.contains("sweep")) sweep = method["sweep"].get<std::vector<Json>>();
   if (method.contains("samples_per_pixel"))
-    for (const Json& samples : method["samples_per_pixel"]) sweep.push_back({{"method", {{"samples_per_pixel", samples}}}});
+    for (const Json& samples : method["samples_per_pixel"])
+      sweep.push_back({{"method", {{"samples_per_pixel", samples}}}});
   if (sweep.empty()) sweep.push_back(Json::object());
   return sweep;
 }
@@ -102,22 +105,26 @@ std::string label_of(const Json& patch) {
   return label;
 }
 
-void add_settings(BenchView& view, const ViewDocument& document, const Json& view_patch, const Json& method, const Source& where) {
+void add_settings(BenchView& view, const ViewDocument& document, const Json& view_patch, const Json& method,
+                  const Source& where) {
   const Json patch = method.value("patch", Json::object());
   const std::vector<Json> sweep = sweep_of(method, where);
   for (const Json& step : sweep) {
     RenderSpec spec = read_patched(document, {&view_patch, &patch, &step}, where);
     if (spec.camera.width != view.reference.camera.width || spec.camera.height != view.reference.camera.height)
-      throw InputError(where.file, where.pointer, "a picture of another size than the reference of view \"" + view.id + "\"",
+      throw InputError(where.file, where.pointer,
+                       "a picture of another size than the reference of view \"" + view.id + "\"",
                        "the same resolution");
     if (is_denoised(method) && !spec.denoise)
-      (where / "picture").fail(method["picture"], "a patch with method.denoise, in every setting of view \"" + view.id + "\"");
+      (where / "picture")
+          .fail(method["picture"], "a patch with method.denoise, in every setting of view \"" + view.id + "\"");
     view.settings.push_back({method["id"].get<std::string>(), label_of(step), std::move(spec)});
   }
 }
 
 /// What is measured against: the view with the changes of the benchmark's "reference" and then its own.
-RenderSpec read_reference(const ViewDocument& document, const Json& view_patch, const Json& common, const Json& own, const Source& where) {
+RenderSpec read_reference(const ViewDocument& document, const Json& view_patch, const Json& common, const Json& own,
+                          const Source& where) {
   Json reference = common;
   reference.merge_patch(own);
   if (!reference.contains("samples_per_pixel"))
@@ -127,12 +134,14 @@ RenderSpec read_reference(const ViewDocument& document, const Json& view_patch, 
              samples = {{"method", {{"samples_per_pixel", reference["samples_per_pixel"]}}}};
   RenderSpec spec = read_patched(document, {&view_patch, &patch, &samples}, where);
   if (spec.samples_per_pixel % 2 != 0)
-    (where / "samples_per_pixel").fail(reference["samples_per_pixel"], "an even number: the reference is made of two halves");
+    (where / "samples_per_pixel")
+        .fail(reference["samples_per_pixel"], "an even number: the reference is made of two halves");
   return spec;
 }
 
 void require_unbiased(const BenchMethod& method, const std::string& id, const Source& where) {
-  if (method.id == id && method.denoised) where.fail(id, "a method whose picture is raw: a filtered one is biased and proves nothing");
+  if (method.id == id && method.denoised)
+    where.fail(id, "a method whose picture is raw: a filtered one is biased and proves nothing");
 }
 
 BenchRequirement read_requirement(const Json& value, const Source& where, const std::vector<std::string>& views,
@@ -149,7 +158,8 @@ BenchRequirement read_requirement(const Json& value, const Source& where, const 
   const bool needs_baseline = r.statistic != BenchStatistic::Slope && r.statistic != BenchStatistic::Error;
   if (needs_baseline != value.contains("baseline"))
     throw InputError(where.file, where.pointer, needs_baseline ? "no \"baseline\"" : "a \"baseline\"",
-                     needs_baseline ? "the method that this ratio is relative to" : "none for statistic " + compact(value["statistic"]));
+                     needs_baseline ? "the method that this ratio is relative to"
+                                    : "none for statistic " + compact(value["statistic"]));
   if (needs_baseline) {
     require_known(value["baseline"], methods, where / "baseline");
     r.baseline = value["baseline"].get<std::string>();
@@ -157,11 +167,13 @@ BenchRequirement read_requirement(const Json& value, const Source& where, const 
   r.views = views_of(value, views, where);
   if (value.contains("at_least")) r.at_least = value["at_least"].get<double>();
   if (value.contains("at_most")) r.at_most = value["at_most"].get<double>();
-  if (!r.at_least && !r.at_most) throw InputError(where.file, where.pointer, "no bound", "\"at_least\" or \"at_most\" or both");
+  if (!r.at_least && !r.at_most)
+    throw InputError(where.file, where.pointer, "no bound", "\"at_least\" or \"at_most\" or both");
   return r;
 }
 
-/// A requirement on a method in a view that it is not rendered with could never pass; one on a filtered picture would prove nothing.
+/// A requirement on a method in a view that it is not rendered with could never pass; one on a filtered picture would
+/// prove nothing.
 void require_measured(const BenchSpec& spec, const BenchRequirement& requirement, const Source& where) {
   for (const BenchMethod& method : spec.methods) {
     require_unbiased(method, requirement.method, where / "method");
@@ -170,8 +182,10 @@ void require_measured(const BenchSpec& spec, const BenchRequirement& requirement
   for (const BenchView& view : spec.views) {
     if (std::find(requirement.views.begin(), requirement.views.end(), view.id) == requirement.views.end()) continue;
     for (const std::string& id : {requirement.method, requirement.baseline})
-      if (!id.empty() && std::none_of(view.settings.begin(), view.settings.end(), [&](const BenchSetting& s) { return s.method == id; }))
-        throw InputError(where.file, where.pointer, "method \"" + id + "\" in view \"" + view.id + "\", which it is not rendered in",
+      if (!id.empty() && std::none_of(view.settings.begin(), view.settings.end(),
+                                      [&](const BenchSetting& s) { return s.method == id; }))
+        throw InputError(where.file, where.pointer,
+                         "method \"" + id + "\" in view \"" + view.id + "\", which it is not rendered in",
                          "\"views\" that the method has");
   }
 }
@@ -200,7 +214,8 @@ BenchSpec read_bench(const Json& document, const Source& root) {
   spec.seed = document.value("seed", spec.seed);
   spec.rounds = document.value("rounds", spec.rounds);
   const Json &views = document["views"], &methods = document["methods"];
-  const std::vector<std::string> view_ids = ids_of(views, root / "views"), method_ids = ids_of(methods, root / "methods");
+  const std::vector<std::string> view_ids = ids_of(views, root / "views"),
+                                 method_ids = ids_of(methods, root / "methods");
   for (const Json& method : methods)
     spec.methods.push_back({method["id"].get<std::string>(), method.value("title", ""), is_denoised(method)});
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -210,11 +225,12 @@ BenchSpec read_bench(const Json& document, const Source& root) {
     view.id = view_ids[i];
     view.title = value.value("title", "");
     view.exposure = value.value("exposure", view.exposure);
-    if (value.contains("max_neighbourhood_radiance")) view.max_neighbourhood_radiance = value["max_neighbourhood_radiance"].get<double>();
+    if (value.contains("max_neighbourhood_radiance"))
+      view.max_neighbourhood_radiance = value["max_neighbourhood_radiance"].get<double>();
     const ViewDocument picture = view_document(value["view"], where / "view");
     const Json patch = value.value("patch", Json::object());
-    view.reference = read_reference(picture, patch, document.value("reference", Json::object()), value.value("reference", Json::object()),
-                                    where / "reference");
+    view.reference = read_reference(picture, patch, document.value("reference", Json::object()),
+                                    value.value("reference", Json::object()), where / "reference");
     if (value["view"].is_string()) add_files(spec.input_files, {picture.file});
     add_files(spec.input_files, view.reference.input_files);
     for (std::size_t j = 0; j < methods.size(); ++j) {

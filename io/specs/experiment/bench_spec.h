@@ -19,10 +19,11 @@ struct BenchSetting {
 /// A view, what its pictures are measured against, and all settings that it is rendered with.
 struct BenchView {
   std::string id, title;
-  std::optional<double> max_neighbourhood_radiance;  ///< brighter surroundings do not count in the trimmed error; none: all count
-  double exposure = 1.0;                             ///< before SSIM
-  RenderSpec reference;                              ///< its samples are those of both halves together
-  std::vector<BenchSetting> settings;                ///< by method in the order of the file, then by sweep
+  std::optional<double>
+      max_neighbourhood_radiance;      ///< brighter surroundings do not count in the trimmed error; none: all count
+  double exposure = 1.0;               ///< before SSIM
+  RenderSpec reference;                ///< its samples are those of both halves together
+  std::vector<BenchSetting> settings;  ///< by method in the order of the file, then by sweep
 };
 
 struct BenchMethod {
@@ -43,7 +44,8 @@ enum class BenchStatistic {
   Slope,       ///< of log error against log samples
   Error,       ///< at the method's last setting
   ErrorRatio,  ///< of method over baseline, at the largest number of samples that both were set to
-  TimeRatio,   ///< time in which the method reaches the baseline's error at its last setting, over the baseline's time for it
+  TimeRatio,   ///< time in which the method reaches the baseline's error at its last setting, over the baseline's time
+               ///< for it
   CostRatio    ///< of squared error × seconds, each at its last setting
 };
 
@@ -70,8 +72,8 @@ struct BenchSpec {
   std::shared_ptr<const Json> resolved;  ///< the document with every default spelt out
 };
 
-/// Validates and reads a benchmark; `file` names it in errors and is where relative paths start (paths inside a view's file: at that file,
-/// also where a patch brings them). Throws InputError.
+/// Validates and reads a benchmark; `file` names it in errors and is where relative paths start (paths inside a view's
+/// file: at that file, also where a patch brings them). Throws InputError.
 BenchSpec read_bench(const Json& document, const std::string& file);
 
 /// The same for a benchmark that stands inside of another document, at `root`.

@@ -15,7 +15,8 @@ namespace sturm {
 namespace {
 
 Accommodation accommodation_of(const Json& value, const Source& where) {
-  return value.contains("accommodation") ? read_accommodation(value["accommodation"], where / "accommodation") : Accommodation{};
+  return value.contains("accommodation") ? read_accommodation(value["accommodation"], where / "accommodation")
+                                         : Accommodation{};
 }
 
 EllipseExperiment read_ellipses(const Json& value, const Source& where) {
@@ -23,8 +24,8 @@ EllipseExperiment read_ellipses(const Json& value, const Source& where) {
   const Json& list = value["prescriptions"];
   require_unique_ids(list, where / "prescriptions");
   for (std::size_t i = 0; i < list.size(); ++i)
-    ellipses.prescriptions.push_back(
-        {list[i]["id"].get<std::string>(), list[i].value("note", ""), read_prescription(list[i], where / "prescriptions" / i)});
+    ellipses.prescriptions.push_back({list[i]["id"].get<std::string>(), list[i].value("note", ""),
+                                      read_prescription(list[i], where / "prescriptions" / i)});
   for (std::size_t i = 0; i < value["distances_m"].size(); ++i)
     ellipses.distances_m.push_back(read_distance(value["distances_m"][i], where / "distances_m" / i));
   for (const Json& diameter_mm : value["pupil_diameters_mm"])
@@ -35,7 +36,8 @@ EllipseExperiment read_ellipses(const Json& value, const Source& where) {
   return ellipses;
 }
 
-const Prescription& prescription_named(const Json& id, const Source& where, const std::optional<EllipseExperiment>& ellipses) {
+const Prescription& prescription_named(const Json& id, const Source& where,
+                                       const std::optional<EllipseExperiment>& ellipses) {
   std::vector<std::string> ids;
   if (ellipses)
     for (const NamedPrescription& candidate : ellipses->prescriptions) {
@@ -50,8 +52,9 @@ PsfExperiment read_psf(const Json& value, const Source& where, const std::option
   PsfExperiment psf;
   psf.id = value["id"].get<std::string>();
   psf.prescription = value["prescription"].get<std::string>();
-  psf.eye = make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
-                     metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
+  psf.eye =
+      make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
+               metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
   psf.distance_m = read_distance(value["distance_m"], where / "distance_m");
   psf.ray_models = value["ray_models"].get<std::vector<std::string>>();
   psf.resolution = value["resolution"].get<int>();
@@ -59,7 +62,8 @@ PsfExperiment read_psf(const Json& value, const Source& where, const std::option
   return psf;
 }
 
-ImageExperiment read_image_experiment(const Json& value, const Source& where, const std::optional<EllipseExperiment>& ellipses) {
+ImageExperiment read_image_experiment(const Json& value, const Source& where,
+                                      const std::optional<EllipseExperiment>& ellipses) {
   ImageExperiment image;
   image.id = value["id"].get<std::string>();
   image.scene_name = value["scene"].get<std::string>();
@@ -67,8 +71,9 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where, co
   image.camera = read_camera(value["camera"], where / "camera");
   require_plain_camera(value["camera"], where / "camera", "an experiment");
   image.prescription = value["prescription"].get<std::string>();
-  image.eye = make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
-                       metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
+  image.eye =
+      make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
+               metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
   image.ray_models = value["ray_models"].get<std::vector<std::string>>();
   for (const std::string& ray_model : image.ray_models)
     require_camera_accommodation(image.eye.accommodation, ray_model, where / "accommodation");
@@ -88,10 +93,12 @@ Json resolved_experiment(const Json& document) {
       if (!image.contains("sharp_samples_per_pixel")) image["sharp_samples_per_pixel"] = image["samples_per_pixel"];
   // Lenses stay as given: the schema's defaults of one kind of surface are refused for another.
   if (const auto study = resolved.find("lens_study"); study != resolved.end())
-    for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i) (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
+    for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i)
+      (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
   if (const auto agreement = resolved.find("agreement"); agreement != resolved.end())
     for (std::size_t i = 0; i < agreement->size(); ++i)
-      if (document["agreement"][i].contains("spectacles")) (*agreement)[i]["spectacles"] = document["agreement"][i]["spectacles"];
+      if (document["agreement"][i].contains("spectacles"))
+        (*agreement)[i]["spectacles"] = document["agreement"][i]["spectacles"];
   if (const auto figures = resolved.find("figures"); figures != resolved.end())
     for (std::size_t i = 0; i < figures->size(); ++i)
       for (const auto& [key, given] : document["figures"][i].items()) (*figures)[i][key] = given;
@@ -105,8 +112,10 @@ void add_files(std::vector<std::string>& files, const std::vector<std::string>& 
 }
 
 /// A benchmark that stands in the experiment or in a file of its own, with the experiment's seed.
-BenchSpec read_bench_section(const Json& value, const Source& where, std::uint64_t seed, std::vector<std::string>& input_files) {
-  const std::string file = value.is_string() ? existing_file(value, where, "the path of a benchmark (sturm.bench/1)").string() : "";
+BenchSpec read_bench_section(const Json& value, const Source& where, std::uint64_t seed,
+                             std::vector<std::string>& input_files) {
+  const std::string file =
+      value.is_string() ? existing_file(value, where, "the path of a benchmark (sturm.bench/1)").string() : "";
   if (!file.empty()) add_files(input_files, {file});
   Json document = file.empty() ? value : load_json(file);
   if (document.is_object()) document["seed"] = seed;
@@ -165,7 +174,8 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   const Json psfs = document.value("psfs", Json::array()), images = document.value("images", Json::array());
   require_unique_ids(psfs, root / "psfs");
   require_unique_ids(images, root / "images");
-  for (std::size_t i = 0; i < psfs.size(); ++i) spec.psfs.push_back(read_psf(psfs[i], root / "psfs" / i, spec.ellipses));
+  for (std::size_t i = 0; i < psfs.size(); ++i)
+    spec.psfs.push_back(read_psf(psfs[i], root / "psfs" / i, spec.ellipses));
   for (std::size_t i = 0; i < images.size(); ++i) {
     spec.images.push_back(read_image_experiment(images[i], root / "images" / i, spec.ellipses));
     add_files(spec.input_files, spec.images.back().scene.input_files);

@@ -23,7 +23,8 @@ class FigureReader {
     for (const char* kind : kinds)
       if (value_.contains(kind)) given.emplace_back(kind);
     if (given.size() != 1)
-      where_.fail(value_, "exactly one of \"file\", \"ellipse_layers\", \"sturm_conoid\", \"lens_maps\" and \"defocus_maps\"");
+      where_.fail(value_,
+                  "exactly one of \"file\", \"ellipse_layers\", \"sturm_conoid\", \"lens_maps\" and \"defocus_maps\"");
     const Json& drawing = value_[given[0]];
     const Source place = where_ / given[0];
     if (given[0] == "file")
@@ -39,9 +40,13 @@ class FigureReader {
   }
 
  private:
-  static double rotation_center(const Json& drawing) { return metres_per_millimetre * drawing.value("rotation_center_mm", 13.5); }
+  static double rotation_center(const Json& drawing) {
+    return metres_per_millimetre * drawing.value("rotation_center_mm", 13.5);
+  }
 
-  void add_inputs(const std::vector<std::string>& files) { spec_.input_files.insert(spec_.input_files.end(), files.begin(), files.end()); }
+  void add_inputs(const std::vector<std::string>& files) {
+    spec_.input_files.insert(spec_.input_files.end(), files.begin(), files.end());
+  }
 
   void read_file(const Json& drawing, const Source& place) {
     FigureFile figure{existing_file(drawing, place, "the path of an SVG file")};
@@ -82,8 +87,8 @@ class FigureReader {
     for (std::size_t i = 0; i < drawing["lenses"].size(); ++i) {
       const Json& lens = drawing["lenses"][i];
       figure.lenses.push_back(read_lens(lens, place / "lenses" / i));
-      std::string name =
-          lens.is_string() ? std::filesystem::path(lens.get<std::string>()).stem().string() : "lens " + std::to_string(i + 1);
+      std::string name = lens.is_string() ? std::filesystem::path(lens.get<std::string>()).stem().string()
+                                          : "lens " + std::to_string(i + 1);
       std::replace(name.begin(), name.end(), '_', ' ');
       figure.names.push_back(std::move(name));
     }
@@ -105,7 +110,8 @@ FigureSpec read_figure(const Json& value, const Source& where) {
   spec.id = value["id"].get<std::string>();
   for (const char* own : {"bench_", "lens_study_", "sampling_study_", "sin2_study_"})
     if (spec.id.starts_with(own))
-      (where / "id").fail(value["id"], std::string("an id that does not start with \"") + own + "\": those are the run's own");
+      (where / "id")
+          .fail(value["id"], std::string("an id that does not start with \"") + own + "\": those are the run's own");
   spec.title = value["title"].get<std::string>();
   spec.caption = value.value("caption", "");
   spec.command = value.value("command", "");

@@ -13,21 +13,25 @@ namespace {
 
 std::vector<double> ascending(const Json& list, const Source& where) {
   for (std::size_t i = 1; i < list.size(); ++i)
-    if (!(list[i].get<double>() > list[i - 1].get<double>())) (where / i).fail(list[i], "a number above the one before it");
+    if (!(list[i].get<double>() > list[i - 1].get<double>()))
+      (where / i).fail(list[i], "a number above the one before it");
   return list.get<std::vector<double>>();
 }
 
-StudyLens read_lens(const Json& value, const Source& where, const LensStudySpec& study, std::vector<std::string>& input_files) {
+StudyLens read_lens(const Json& value, const Source& where, const LensStudySpec& study,
+                    std::vector<std::string>& input_files) {
   StudyLens lens;
   lens.id = value["id"].get<std::string>();
   lens.note = value.value("note", "");
   lens.prescription = read_prescription(value["prescription"], where / "prescription");
-  const Eye eye = make_eye(lens.prescription, study.pupil_diameters_m.front(), study.accommodation, where / "prescription");
+  const Eye eye =
+      make_eye(lens.prescription, study.pupil_diameters_m.front(), study.accommodation, where / "prescription");
   SpectaclesSpec worn = read_spectacles(value["lens"], where / "lens", eye);
   if (!worn.lens) (where / "lens").fail(value["lens"], "a lens, or the path of a lens file");
   lens.lens = *worn.lens;
   for (std::string& file : worn.input_files)
-    if (std::find(input_files.begin(), input_files.end(), file) == input_files.end()) input_files.push_back(std::move(file));
+    if (std::find(input_files.begin(), input_files.end(), file) == input_files.end())
+      input_files.push_back(std::move(file));
   return lens;
 }
 
@@ -37,7 +41,8 @@ std::size_t lens_named(const Json& id, const Source& where, const std::vector<St
     if (lens.id == id) return ids.size();
     ids.push_back(lens.id);
   }
-  throw InputError(where.file, where.pointer, compact(id) + did_you_mean(id.get<std::string>(), ids), one_of(ids) + " (ids of the lenses)");
+  throw InputError(where.file, where.pointer, compact(id) + did_you_mean(id.get<std::string>(), ids),
+                   one_of(ids) + " (ids of the lenses)");
 }
 
 FieldStudy read_field(const Json& value, const Source& where, const std::vector<StudyLens>& lenses) {
@@ -74,11 +79,13 @@ LensStudySpec read_lens_study(const Json& value, const Source& where) {
   for (const double mm : ascending(value["pupil_diameters_mm"], where / "pupil_diameters_mm"))
     study.pupil_diameters_m.push_back(metres_per_millimetre * mm);
   read_order_pupils(value, where, study);
-  if (value.contains("accommodation")) study.accommodation = read_accommodation(value["accommodation"], where / "accommodation");
+  if (value.contains("accommodation"))
+    study.accommodation = read_accommodation(value["accommodation"], where / "accommodation");
   if (std::holds_alternative<BestAccommodation>(study.accommodation))
     (where / "accommodation")
         .fail(value["accommodation"],
-              "\"relaxed\" or \"fixed\": methods that accommodate differently cannot be told from methods that trace differently");
+              "\"relaxed\" or \"fixed\": methods that accommodate differently cannot be told from methods that trace "
+              "differently");
   const Json rule = value.value("quadrature", Json::object());
   study.quadrature = {rule.value("radial", 10), rule.value("azimuthal", 40)};
   const Json& lenses = value["lenses"];

@@ -29,9 +29,10 @@ struct LensStudySpec {
   std::vector<StudyLens> lenses;           ///< ids are unique
   double rotation_center_m = 13.5e-3;      ///< behind the pupil
   std::vector<double> eccentricities_deg;  ///< of the gaze from the lens's axis, ascending
-  std::vector<double> directions_deg;      ///< of the gaze about the axis as the wearer sees it: 0 right, 90 up. Eccentricity 0 has none
-  std::vector<double> distances_m;         ///< > 0, ∞ allowed
-  std::vector<double> pupil_diameters_m;   ///< > 0, ascending
+  std::vector<double>
+      directions_deg;  ///< of the gaze about the axis as the wearer sees it: 0 right, 90 up. Eccentricity 0 has none
+  std::vector<double> distances_m;                  ///< > 0, ∞ allowed
+  std::vector<double> pupil_diameters_m;            ///< > 0, ascending
   double order_small_m = 0.0, order_large_m = 0.0;  ///< the two of them between which orders are fitted
   Accommodation accommodation;                      ///< relaxed or fixed: the same for all methods
   QuadratureSpec quadrature;                        ///< of the pupil, for the real rays

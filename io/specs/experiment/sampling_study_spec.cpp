@@ -15,7 +15,8 @@ SamplingConfiguration read_configuration(const Json& value, double pupil_diamete
   configuration.id = value["id"].get<std::string>();
   configuration.note = value.value("note", "");
   configuration.ray_model = value["ray_model"].get<std::string>();
-  configuration.eye = make_eye(read_prescription(value["prescription"], where / "prescription"), pupil_diameter_m, accommodation, where);
+  configuration.eye = make_eye(read_prescription(value["prescription"], where / "prescription"), pupil_diameter_m,
+                               accommodation, where);
   require_camera_accommodation(accommodation, configuration.ray_model, where / "ray_model");
   return configuration;
 }
@@ -36,8 +37,9 @@ SamplingStudySpec read_sampling_study(const Json& value, const Source& where) {
   study.camera = read_camera(value["camera"], where / "camera");
   require_plain_camera(value["camera"], where / "camera", "a sampling study");
   const double pupil_diameter_m = metres_per_millimetre * value["pupil_diameter_mm"].get<double>();
-  const Accommodation accommodation =
-      value.contains("accommodation") ? read_accommodation(value["accommodation"], where / "accommodation") : Accommodation{};
+  const Accommodation accommodation = value.contains("accommodation")
+                                          ? read_accommodation(value["accommodation"], where / "accommodation")
+                                          : Accommodation{};
   const Json& configurations = value["configurations"];
   std::set<std::string> ids;
   for (std::size_t i = 0; i < configurations.size(); ++i) {

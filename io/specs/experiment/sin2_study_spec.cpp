@@ -49,29 +49,34 @@ void add_real_eyes(Sin2StudySpec& study, const Json& population, const Source& w
   const auto file = existing_file(population["file"], where / "file", "the path of a table of prescriptions");
   study.input_files.push_back(file.string());
   const std::size_t begin = study.eyes.size();
-  for (TabledPrescription& eye : read_prescription_table(file, metres_per_millimetre * population.value("vertex_distance_mm", 12.0)))
+  for (TabledPrescription& eye :
+       read_prescription_table(file, metres_per_millimetre * population.value("vertex_distance_mm", 12.0)))
     study.eyes.push_back({std::move(eye.id), eye.prescription});
   study.groups.push_back({"real_eyes", begin, study.eyes.size()});
 }
 
-std::size_t index_of(double value, const std::vector<double>& list, const Json& given, const Source& where, const char* expected) {
+std::size_t index_of(double value, const std::vector<double>& list, const Json& given, const Source& where,
+                     const char* expected) {
   const auto at = std::find(list.begin(), list.end(), value);
   if (at == list.end()) where.fail(given, expected);
   return static_cast<std::size_t>(at - list.begin());
 }
 
 void read_reference(Sin2StudySpec& study, const Json& value, const Source& where) {
-  study.reference_pupil = index_of(metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), study.pupil_diameters_m,
-                                   value["pupil_diameter_mm"], where / "pupil_diameter_mm", "one of \"pupil_diameters_mm\"");
+  study.reference_pupil =
+      index_of(metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), study.pupil_diameters_m,
+               value["pupil_diameter_mm"], where / "pupil_diameter_mm", "one of \"pupil_diameters_mm\"");
   const double distance = read_distance(value["distance_m"], where / "distance_m");
-  study.reference_distance = index_of(distance, study.distances_m, value["distance_m"], where / "distance_m", "one of \"distances_m\"");
+  study.reference_distance =
+      index_of(distance, study.distances_m, value["distance_m"], where / "distance_m", "one of \"distances_m\"");
   const auto focused = [&](const Accommodation& a) {
     const auto* fixed = std::get_if<FixedAccommodation>(&a);
     return fixed && fixed->focus_distance_m == distance;
   };
   const auto at = std::find_if(study.accommodations.begin(), study.accommodations.end(), focused);
   if (at == study.accommodations.end())
-    (where / "distance_m").fail(value["distance_m"], "a distance that one of \"accommodations\" states as its focus_distance_m");
+    (where / "distance_m")
+        .fail(value["distance_m"], "a distance that one of \"accommodations\" states as its focus_distance_m");
   study.reference_accommodation = static_cast<std::size_t>(at - study.accommodations.begin());
 }
 
@@ -92,7 +97,8 @@ Sin2StudySpec read_sin2_study(const Json& value, const Source& where) {
   Sin2StudySpec study;
   for (std::size_t i = 0; i < value["distances_m"].size(); ++i)
     study.distances_m.push_back(read_distance(value["distances_m"][i], where / "distances_m" / i));
-  for (const Json& mm : value["pupil_diameters_mm"]) study.pupil_diameters_m.push_back(metres_per_millimetre * mm.get<double>());
+  for (const Json& mm : value["pupil_diameters_mm"])
+    study.pupil_diameters_m.push_back(metres_per_millimetre * mm.get<double>());
   for (std::size_t i = 0; i < value["accommodations"].size(); ++i)
     study.accommodations.push_back(read_accommodation(value["accommodations"][i], where / "accommodations" / i));
   const Json rule = value.value("quadrature", Json::object());
@@ -104,7 +110,8 @@ Sin2StudySpec read_sin2_study(const Json& value, const Source& where) {
   read_reference(study, value["reference"], where / "reference");
   study.gallery_rays = value.value("gallery_rays", std::uint64_t{262144});
   const Json gallery = value.value("gallery", Json::array());
-  for (std::size_t i = 0; i < gallery.size(); ++i) study.gallery.push_back(read_gallery_view(gallery[i], where / "gallery" / i));
+  for (std::size_t i = 0; i < gallery.size(); ++i)
+    study.gallery.push_back(read_gallery_view(gallery[i], where / "gallery" / i));
   return study;
 }
 

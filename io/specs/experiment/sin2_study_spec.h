@@ -26,19 +26,22 @@ struct Sin2GalleryView {
   double distance_m = 0.0;  ///< > 0, ∞ allowed
 };
 
-/// What sin² interpolation and added focal distances do to the blur: every eye × distance × pupil × accommodation × ray model.
+/// What sin² interpolation and added focal distances do to the blur: every eye × distance × pupil × accommodation × ray
+/// model.
 struct Sin2StudySpec {
   std::vector<StudyEye> eyes;  ///< first the grid, then the real ones
   std::size_t grid_eyes = 0;   ///< stated at the cornea
   std::vector<StudyEyeGroup> groups;
-  std::vector<double> spheres_D, cylinders_D, axes_deg;  ///< of the grid, as given; no cylinder needs no axis and is there once
-  std::vector<double> distances_m;                       ///< > 0, ∞ allowed
-  std::vector<double> pupil_diameters_m;                 ///< > 0
-  std::vector<Accommodation> accommodations;             ///< metalstigmatism is undefined without a stated focus distance
-  QuadratureSpec quadrature;                             ///< of the pupil
-  PupilSamplingSpec rings;                               ///< kind Rings
-  std::size_t reference_pupil = 0, reference_distance = 0, reference_accommodation = 0;  ///< indices of the view that figures show
-  std::uint64_t gallery_rays = 0;                                                        ///< per picture
+  std::vector<double> spheres_D, cylinders_D,
+      axes_deg;                               ///< of the grid, as given; no cylinder needs no axis and is there once
+  std::vector<double> distances_m;            ///< > 0, ∞ allowed
+  std::vector<double> pupil_diameters_m;      ///< > 0
+  std::vector<Accommodation> accommodations;  ///< metalstigmatism is undefined without a stated focus distance
+  QuadratureSpec quadrature;                  ///< of the pupil
+  PupilSamplingSpec rings;                    ///< kind Rings
+  std::size_t reference_pupil = 0, reference_distance = 0,
+              reference_accommodation = 0;  ///< indices of the view that figures show
+  std::uint64_t gallery_rays = 0;           ///< per picture
   std::vector<Sin2GalleryView> gallery;
   std::vector<std::string> input_files;  ///< absolute paths
 };

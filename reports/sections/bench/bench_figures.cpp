@@ -15,7 +15,8 @@ namespace sturm {
 
 namespace {
 
-constexpr const char* colours[] = {"#2166ac", "#b2182b", "#238b45", "#d94801", "#54278f", "#b8860b", "#636363", "#0097a7"};
+constexpr const char* colours[] = {"#2166ac", "#b2182b", "#238b45", "#d94801",
+                                   "#54278f", "#b8860b", "#636363", "#0097a7"};
 
 constexpr const char* style = R"(
 set border 3 lc rgb '#666666'
@@ -26,7 +27,8 @@ set format "%g"
 set key outside right top Left reverse samplen 2 spacing 1.2 noenhanced
 )";
 
-/// Range of an axis a little wider than the values, with ticks at 1, 2, 5 × 10ⁿ (at the powers of ten alone over more than three decades).
+/// Range of an axis a little wider than the values, with ticks at 1, 2, 5 × 10ⁿ (at the powers of ten alone over more
+/// than three decades).
 std::string axis(char name, double smallest, double largest) {
   const double low = 0.8 * smallest, high = 1.25 * largest;
   std::string ticks;
@@ -36,8 +38,8 @@ std::string axis(char name, double smallest, double largest) {
       if (tick < low || tick > high || (digit > 1.0 && high > 1e3 * low)) continue;
       ticks += (ticks.empty() ? "" : ", ") + plain_number(tick);
     }
-  return std::string("set ") + name + "range [" + plain_number(low) + ":" + plain_number(high) + "]\nset " + name + "tics (" + ticks +
-         ")\n";
+  return std::string("set ") + name + "range [" + plain_number(low) + ":" + plain_number(high) + "]\nset " + name +
+         "tics (" + ticks + ")\n";
 }
 
 struct Series {
@@ -54,16 +56,17 @@ struct Span {
   }
 };
 
-/// One line of a data block: x, value, and the ends of its error bar (at the lower end not below a hundredth of the value: the axis is
-/// logarithmic).
+/// One line of a data block: x, value, and the ends of its error bar (at the lower end not below a hundredth of the
+/// value: the axis is logarithmic).
 std::string row(double x, const Json& error) {
   const double value = *number_at(error, "value"), sigma = number_at(error, "standard_error").value_or(0.0);
-  return plain_number(x, 9) + " " + plain_number(value, 9) + " " + plain_number(std::max(value - sigma, 0.01 * value), 9) + " " +
-         plain_number(value + sigma, 9) + "\n";
+  return plain_number(x, 9) + " " + plain_number(value, 9) + " " +
+         plain_number(std::max(value - sigma, 0.01 * value), 9) + " " + plain_number(value + sigma, 9) + "\n";
 }
 
 /// A curve for each method of the view, by what stands at `x_path` of its points.
-std::vector<Series> series_of(const Json& view, std::string_view x_path, double x_scale, const std::string& error, Span& span) {
+std::vector<Series> series_of(const Json& view, std::string_view x_path, double x_scale, const std::string& error,
+                              Span& span) {
   std::vector<Series> result;
   for (const Json& method : array_at(view, "methods")) {
     const std::size_t k = result.size();
@@ -89,7 +92,8 @@ std::string plot_of(const std::vector<Series>& all) {
   for (const Series& s : all) {
     if (s.rows.empty()) continue;
     blocks += s.name + " << END\n" + s.rows + "END\n";
-    plots += (plots.empty() ? "plot " : ", ") + s.name + " with yerrorlines pt 7 ps 0.6 lw 1.5 " + s.look + " title \"" + s.title + "\"";
+    plots += (plots.empty() ? "plot " : ", ") + s.name + " with yerrorlines pt 7 ps 0.6 lw 1.5 " + s.look +
+             " title \"" + s.title + "\"";
   }
   return plots.empty() ? "" : blocks + plots;
 }
@@ -119,10 +123,12 @@ std::optional<Figure> convergence_figure(const Json& view) {
   figure.id = "convergence_" + text_at(view, "id");
   figure.title = heading(view) + ": RMSE against samples";
   figure.caption =
-      "RMSE against the reference, whose own noise is taken off, with standard errors from the scatter of the rounds. Samples are "
+      "RMSE against the reference, whose own noise is taken off, with standard errors from the scatter of the rounds. "
+      "Samples are "
       "camera rays per pixel, guided ones among them.";
-  const std::string script = std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
-                             "set xlabel \"samples per pixel\"\nset ylabel \"RMSE [radiance]\"\n" + plot + guide_line(view, pixels);
+  const std::string script =
+      std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
+      "set xlabel \"samples per pixel\"\nset ylabel \"RMSE [radiance]\"\n" + plot + guide_line(view, pixels);
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
   return figure;
 }
@@ -144,7 +150,8 @@ std::string level_lines(const Json& view, const std::string& error, const Span& 
     const auto level = number_at(time, "level");
     if (text_at(time, "error") != error || !level || *level < 0.8 * span.low_y || *level > 1.25 * span.high_y) continue;
     const std::string y = plain_number(*level, 9);
-    lines += "set arrow from graph 0, first " + y + " to graph 1, first " + y + " nohead dt 3 lw 1.5 lc rgb '#666666'\n";
+    lines +=
+        "set arrow from graph 0, first " + y + " to graph 1, first " + y + " nohead dt 3 lw 1.5 lc rgb '#666666'\n";
   }
   return lines;
 }
@@ -162,17 +169,20 @@ std::vector<const ErrorKind*> errors_against_time(const Json& view) {
 
 std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
   Span span;
-  const std::string error(kind.name), plot = plot_of(series_of(view, "seconds/median", 1.0, error, span)), steps = front_steps(view, error);
+  const std::string error(kind.name), plot = plot_of(series_of(view, "seconds/median", 1.0, error, span)),
+                                      steps = front_steps(view, error);
   if (plot.empty() || steps.empty()) return std::nullopt;
   Figure figure;
   figure.id = "pareto_" + text_at(view, "id") + "_" + error;
   figure.title = heading(view) + ": " + std::string(kind.title) + " against time";
   figure.caption =
-      "Medians of the seconds over all rounds, without loading the scene; grey steps: the best that any setting reaches in that time "
+      "Medians of the seconds over all rounds, without loading the scene; grey steps: the best that any setting "
+      "reaches in that time "
       "(Pareto front); dotted: errors whose time is asked for.";
-  const std::string script = std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
-                             "set xlabel \"time [s]\"\nset ylabel \"" + std::string(kind.title) + "\"\n" + level_lines(view, error, span) +
-                             steps + plot + ", $front using 1:2 with steps lw 4 lc rgb '#66999999' title 'best in that time'";
+  const std::string script = std::string(style) + axis('x', span.low_x, span.high_x) +
+                             axis('y', span.low_y, span.high_y) + "set xlabel \"time [s]\"\nset ylabel \"" +
+                             std::string(kind.title) + "\"\n" + level_lines(view, error, span) + steps + plot +
+                             ", $front using 1:2 with steps lw 4 lc rgb '#66999999' title 'best in that time'";
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
   return figure;
 }

@@ -70,13 +70,14 @@ std::string view_text(const Json& section) {
 std::optional<Figure> sin2_sphere_curves(const Json& section) {
   const std::string truth = curve_rows(section, "power_matrix", "1");
   if (truth.empty()) return std::nullopt;
-  std::string blocks = block("truth", truth), plots = "plot $truth with lines lw 2 lc rgb '#333333' title 'wavefront theory'";
+  std::string blocks = block("truth", truth),
+              plots = "plot $truth with lines lw 2 lc rgb '#333333' title 'wavefront theory'";
   for (const Series& s : series) {
     const std::string rows = curve_rows(section, s.model, "2");
     if (rows.empty()) continue;
     blocks += block(s.model, rows);
-    plots +=
-        std::string(", $") + s.model + " with points " + s.points + " lw 1.5 lc rgb '" + s.colour + "' title '" + s.title + ", traced'";
+    plots += std::string(", $") + s.model + " with points " + s.points + " lw 1.5 lc rgb '" + s.colour + "' title '" +
+             s.title + ", traced'";
   }
   Figure figure;
   figure.id = "sin2_study_sphere";
@@ -84,13 +85,15 @@ std::optional<Figure> sin2_sphere_curves(const Json& section) {
   figure.title = "Blur against the sphere, without a cylinder";
   figure.caption = "Target and focus at " + view_text(section) + ", pupil " +
                    plain_number(number_at(section, "conditions/reference_pupil_mm").value_or(0.0)) +
-                   " mm. With focal distances added blur shrinks as the prescription grows; without a prescription the eye is focused at "
+                   " mm. With focal distances added blur shrinks as the prescription grows; without a prescription the "
+                   "eye is focused at "
                    "infinity; at P = −1/d_f there is a pole (no point).";
-  figure.svg = gnuplot_file(std::string(style) +
-                                "set xlabel 'sphere [D]'\nset ylabel 'semi-axis of the blur [arcmin]'\nset yrange [0:*]\n"
-                                "set key top center Left reverse samplen 2 spacing 1.3\n" +
-                                blocks + plots,
-                            {.id = figure.id, .label = figure.title, .width = 1120, .height = 430});
+  figure.svg =
+      gnuplot_file(std::string(style) +
+                       "set xlabel 'sphere [D]'\nset ylabel 'semi-axis of the blur [arcmin]'\nset yrange [0:*]\n"
+                       "set key top center Left reverse samplen 2 spacing 1.3\n" +
+                       blocks + plots,
+                   {.id = figure.id, .label = figure.title, .width = 1120, .height = 430});
   return figure;
 }
 
@@ -99,10 +102,12 @@ std::optional<Figure> sin2_population_curves(const Json& section) {
   if (!(eyes > 0.0)) return std::nullopt;
   std::string blocks, plots;
   for (const Series& s : series) {
-    const std::string rows = exceedance_rows(array_at(of_model(array_at(section, "reference_view/cumulative"), s.model), "error_D"), eyes);
+    const std::string rows =
+        exceedance_rows(array_at(of_model(array_at(section, "reference_view/cumulative"), s.model), "error_D"), eyes);
     if (rows.empty()) continue;
     blocks += block(s.model, rows);
-    plots += std::string(plots.empty() ? "plot $" : ", $") + s.model + " with lines lw 2 lc rgb '" + s.colour + "' title '" + s.title + "'";
+    plots += std::string(plots.empty() ? "plot $" : ", $") + s.model + " with lines lw 2 lc rgb '" + s.colour +
+             "' title '" + s.title + "'";
   }
   if (plots.empty()) return std::nullopt;
   Figure figure;
@@ -110,7 +115,8 @@ std::optional<Figure> sin2_population_curves(const Json& section) {
   figure.section = "sin2_study";
   figure.title = "Real eyes: how many see an error above …";
   figure.caption = plain_number(eyes) + " prescriptions, uncorrected, target and focus at " + view_text(section) +
-                   ". Dashed: 0.25 D, the step in which lenses come. Eyes with the pole within their pupil have no error that could be "
+                   ". Dashed: 0.25 D, the step in which lenses come. Eyes with the pole within their pupil have no "
+                   "error that could be "
                    "told, and are missing from the curve's height on the left.";
   figure.svg = gnuplot_file(std::string(style) + R"(
 set logscale x

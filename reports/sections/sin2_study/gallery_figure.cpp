@@ -35,17 +35,19 @@ const Json& of_model(const Json& view, const std::string& model) {
 
 Image one_channel(const Image& image) {
   Image result(image.width, image.height, 1);
-  for (std::size_t i = 0; i < result.pixels.size(); ++i) result.pixels[i] = image.pixels[i * static_cast<std::size_t>(image.channels)];
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    result.pixels[i] = image.pixels[i * static_cast<std::size_t>(image.channels)];
   return result;
 }
 
 std::string prescription_text(const Json& view) {
   const auto number = [&](const char* key) { return number_at(view, key).value_or(0.0); };
   std::string text = plain_number(number("sphere_D"));
-  if (number("cylinder_D") != 0.0) text += " / " + plain_number(number("cylinder_D")) + " × " + plain_number(number("axis_deg"));
+  if (number("cylinder_D") != 0.0)
+    text += " / " + plain_number(number("cylinder_D")) + " × " + plain_number(number("axis_deg"));
   const auto distance = number_at(view, "distance_m");
-  return text + ", target " + (distance ? plain_number(*distance) + " m" : "at infinity") + ", pupil " + plain_number(number("pupil_mm")) +
-         " mm";
+  return text + ", target " + (distance ? plain_number(*distance) + " m" : "at infinity") + ", pupil " +
+         plain_number(number("pupil_mm")) + " mm";
 }
 
 std::string labels(const Json& view, double y) {
@@ -76,11 +78,13 @@ std::string row_svg(const Json& view, double y, const std::filesystem::path& run
       svg += svg_text(x + 0.5 * side, y + 0.5 * side, "undefined");
       continue;
     }
-    svg += "<image x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" + coordinate(side) + "\" height=\"" +
-           coordinate(side) + "\" href=\"" + data_uri(sequential_false_colour(pictures[i], {peak, decades})) + "\"/>\n";
+    svg += "<image x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" + coordinate(side) +
+           "\" height=\"" + coordinate(side) + "\" href=\"" +
+           data_uri(sequential_false_colour(pictures[i], {peak, decades})) + "\"/>\n";
     const auto distance = number_at(of_model(view, columns[i].model), "total_variation");
     if (distance && i > 0) {
-      svg += "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y + side - 22.0) + "\" width=\"76\" height=\"22\" fill=\"#000000\"/>\n" +
+      svg += "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y + side - 22.0) +
+             "\" width=\"76\" height=\"22\" fill=\"#000000\"/>\n" +
              svg_text(x + 8.0, y + side - 7.0, "TV " + plain_number(*distance, 2), "start", 12, "#ffffff");
     }
   }
@@ -94,7 +98,8 @@ std::optional<Figure> sin2_gallery(const Json& section, const std::filesystem::p
   if (views.empty()) return std::nullopt;
   std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   for (std::size_t i = 0; i < columns.size(); ++i)
-    body += svg_text(left + (side + gap) * static_cast<double>(i) + 0.5 * side, top - 14.0, columns[i].title, "middle", 14);
+    body +=
+        svg_text(left + (side + gap) * static_cast<double>(i) + 0.5 * side, top - 14.0, columns[i].title, "middle", 14);
   double y = top;
   for (const Json& view : views) {
     body += row_svg(view, y, run_folder);
@@ -105,9 +110,11 @@ std::optional<Figure> sin2_gallery(const Json& section, const std::filesystem::p
   figure.section = "sin2_study";
   figure.title = "Point-spread functions, logarithmic";
   figure.caption =
-      "Density of traced rays, three decades below the densest pixel of each row (black: less). TV: total variation distance "
+      "Density of traced rays, three decades below the densest pixel of each row (black: less). TV: total variation "
+      "distance "
       "from wavefront theory, 0 = the same, 1 = apart.";
-  figure.svg = svg_document(static_cast<int>(std::lround(left + 4.0 * (side + gap))), static_cast<int>(std::lround(y)), figure.title, body);
+  figure.svg = svg_document(static_cast<int>(std::lround(left + 4.0 * (side + gap))), static_cast<int>(std::lround(y)),
+                            figure.title, body);
   return figure;
 }
 

@@ -9,8 +9,8 @@
 /// Point sets with known moments for the tests of this folder.
 namespace sturm::testing {
 
-/// Ring quadrature of the disc of radius 1: its second moments (1/4) and fourth moments (E[x⁴] = 1/8, E[x²y²] = 1/24) are those of the
-/// uniform disc to rounding. Radii from the two-point Gauss–Legendre rule in r², eight equal angles.
+/// Ring quadrature of the disc of radius 1: its second moments (1/4) and fourth moments (E[x⁴] = 1/8, E[x²y²] = 1/24)
+/// are those of the uniform disc to rounding. Radii from the two-point Gauss–Legendre rule in r², eight equal angles.
 inline std::vector<Eigen::Vector2d> exact_disc() {
   std::vector<Eigen::Vector2d> points;
   for (const double t : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)})
@@ -21,7 +21,8 @@ inline std::vector<Eigen::Vector2d> exact_disc() {
   return points;
 }
 
-/// Independent points, uniform over the disc of radius 1; the generator's bits are the same everywhere (its distributions are not used).
+/// Independent points, uniform over the disc of radius 1; the generator's bits are the same everywhere (its
+/// distributions are not used).
 inline std::vector<Eigen::Vector2d> random_disc(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1p-53; };

@@ -26,7 +26,8 @@ Eigen::Matrix2d skew_map() {
 TEST(BundleMoments, FourCornersByHand) {
   // (±3, ±1) turned into a slanted set: (3, 1), (−3, −1), (1, 3), (−1, −3) about (10, −20)
   BundleMoments m;
-  for (const Eigen::Vector2d& p : {Eigen::Vector2d(13, -19), Eigen::Vector2d(7, -21), Eigen::Vector2d(11, -17), Eigen::Vector2d(9, -23)})
+  for (const Eigen::Vector2d& p :
+       {Eigen::Vector2d(13, -19), Eigen::Vector2d(7, -21), Eigen::Vector2d(11, -17), Eigen::Vector2d(9, -23)})
     m.add(p);
   EXPECT_EQ(m.count(), 4u);
   EXPECT_NEAR((m.mean() - Eigen::Vector2d(10, -20)).norm(), 0.0, 1e-14);
@@ -42,7 +43,8 @@ TEST(BundleMoments, FourCornersByHand) {
 
 TEST(BundleMoments, DiscHasKurtosisTwoInEveryDirectionOfEveryLinearImage) {
   const BundleMoments m = moments_of(mapped(skew_map(), exact_disc()));
-  for (const double angle : {0.0, 0.4, 1.1, 2.9}) EXPECT_NEAR(*m.kurtosis({std::cos(angle), std::sin(angle)}), 2.0, 1e-12);
+  for (const double angle : {0.0, 0.4, 1.1, 2.9})
+    EXPECT_NEAR(*m.kurtosis({std::cos(angle), std::sin(angle)}), 2.0, 1e-12);
   EXPECT_NEAR((m.covariance(PointSet::LowDiscrepancy) - 0.25 * skew_map() * skew_map().transpose()).norm(), 0.0, 1e-14);
 }
 
@@ -51,7 +53,8 @@ TEST(BundleMoments, FarAwayPointsKeepTheirDigits) {
   std::vector<Eigen::Vector2d> points = exact_disc();
   for (Eigen::Vector2d& p : points) p = offset + p;
   // Coordinates of 3e6 are rounded to 2e-10 when the points are made; Σx² − N x̄² would be wrong by 1e-3.
-  EXPECT_NEAR((moments_of(points).covariance(PointSet::LowDiscrepancy) - 0.25 * Eigen::Matrix2d::Identity()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((moments_of(points).covariance(PointSet::LowDiscrepancy) - 0.25 * Eigen::Matrix2d::Identity()).norm(),
+              0.0, 1e-9);
 }
 
 TEST(BundleMoments, EqualPointsHaveNoWidthAtAll) {
@@ -76,7 +79,8 @@ RC_GTEST_PROP(BundleMoments, MergingIsTheSameAsAddingAll, ()) {
     RC_ASSERT(m.count() == whole.count());
     RC_ASSERT((m.mean() - whole.mean()).norm() < 1e-14);
     RC_ASSERT((m.covariance(PointSet::Independent) - whole.covariance(PointSet::Independent)).norm() < 1e-13);
-    RC_ASSERT((m.sampling_covariance() - whole.sampling_covariance()).norm() < 1e-13 * whole.sampling_covariance().norm());
+    RC_ASSERT((m.sampling_covariance() - whole.sampling_covariance()).norm() <
+              1e-13 * whole.sampling_covariance().norm());
     RC_ASSERT(std::abs(*m.kurtosis({0.6, -0.8}) - *whole.kurtosis({0.6, -0.8})) < 1e-12);
   }
 }
@@ -129,7 +133,8 @@ TEST(Summarise, OneReplicateFallsBackToTheKurtosisOrToNothing) {
   EXPECT_FALSE(summarise(one, PointSet::LowDiscrepancy).centroid_standard_error);
   EXPECT_FALSE(summarise(one, PointSet::LowDiscrepancy).semi_axis_standard_errors());
   const BundleEllipse e = summarise(one, PointSet::Independent);
-  // A uniform disc has κ = 2: relative error 0.5/√N (physics.md §8); κ itself is known to 1 % here, and the formula to O(1/√N)
+  // A uniform disc has κ = 2: relative error 0.5/√N (physics.md §8); κ itself is known to 1 % here, and the formula to
+  // O(1/√N)
   EXPECT_NEAR((*e.semi_axis_standard_errors())[0] / e.ellipse.semi_major * std::sqrt(n), 0.5, 0.01);
   EXPECT_NEAR((*e.semi_axis_standard_errors())[1] / e.ellipse.semi_minor * std::sqrt(n), 0.5, 0.01);
   EXPECT_NEAR(e.centroid_standard_error->x(), 1.5 / std::sqrt(n), 0.02 * 1.5 / std::sqrt(n));
@@ -137,7 +142,8 @@ TEST(Summarise, OneReplicateFallsBackToTheKurtosisOrToNothing) {
 
 TEST(Summarise, ReplicatesAndFourthMomentsTellTheSameStandardError) {
   std::vector<BundleMoments> replicates;
-  for (std::uint64_t r = 0; r < 64; ++r) replicates.push_back(moments_of(mapped(skew_map(), random_disc(2000, 100 + r))));
+  for (std::uint64_t r = 0; r < 64; ++r)
+    replicates.push_back(moments_of(mapped(skew_map(), random_disc(2000, 100 + r))));
   const Eigen::Vector3d from_scatter = *summarise(replicates, PointSet::Independent).covariance_standard_error();
   BundleMoments all;
   for (const BundleMoments& m : replicates) all.merge(m);
@@ -152,14 +158,15 @@ TEST(Summarise, UnbiasedForIndependentPoints) {
   for (std::uint64_t r = 0; r < 4000; ++r) replicates.push_back(moments_of(random_disc(4, 900 + r)));
   const BundleEllipse e = summarise(replicates, PointSet::Independent);
   EXPECT_NEAR(e.covariance(0, 0), 0.25, 4.0 * (*e.covariance_standard_error())[0]);  // 4σ
-  EXPECT_LT((*e.covariance_standard_error())[0], 0.25 / 4.0 / 10.0);                 // …which is far smaller than the bias
+  EXPECT_LT((*e.covariance_standard_error())[0], 0.25 / 4.0 / 10.0);  // …which is far smaller than the bias
 }
 
 TEST(Summarise, AnExactlyFlatBundleHasFiniteErrors) {
   Eigen::Matrix2d flat;
   flat << 1.0, 0.0, 0.0, 0.0;
   const BundleEllipse e = summarise(
-      std::vector{moments_of(mapped(flat, random_disc(500, 1))), moments_of(mapped(flat, random_disc(500, 2)))}, PointSet::Independent);
+      std::vector{moments_of(mapped(flat, random_disc(500, 1))), moments_of(mapped(flat, random_disc(500, 2)))},
+      PointSet::Independent);
   EXPECT_EQ(e.ellipse.semi_minor, 0.0);
   EXPECT_EQ((*e.semi_axis_standard_errors())[1], 0.0);
   EXPECT_GT((*e.semi_axis_standard_errors())[0], 0.0);
@@ -168,14 +175,16 @@ TEST(Summarise, AnExactlyFlatBundleHasFiniteErrors) {
 TEST(Summarise, RefusesNothingAndReplicatesWithoutWidth) {
   EXPECT_THROW(summarise({}, PointSet::Independent), std::invalid_argument);
   EXPECT_THROW(summarise(std::vector{moments_of(random_disc(1, 1))}, PointSet::Independent), std::invalid_argument);
-  EXPECT_THROW(summarise(std::vector{moments_of(random_disc(5, 1)), BundleMoments()}, PointSet::Independent), std::invalid_argument);
+  EXPECT_THROW(summarise(std::vector{moments_of(random_disc(5, 1)), BundleMoments()}, PointSet::Independent),
+               std::invalid_argument);
 }
 
 TEST(Summarise, ReplicatesOfDifferentSizeCountAlike) {  // a model may drop a ray here and there
   std::vector<Eigen::Vector2d> doubled = exact_disc();
   doubled.insert(doubled.end(), doubled.begin(), doubled.end());
-  const BundleEllipse e = summarise(std::vector{moments_of(exact_disc()), moments_of(mapped(3.0 * Eigen::Matrix2d::Identity(), doubled))},
-                                    PointSet::LowDiscrepancy);
+  const BundleEllipse e =
+      summarise(std::vector{moments_of(exact_disc()), moments_of(mapped(3.0 * Eigen::Matrix2d::Identity(), doubled))},
+                PointSet::LowDiscrepancy);
   EXPECT_EQ(e.points, 48u);
   EXPECT_NEAR(e.covariance(0, 0), 0.5 * (0.25 + 2.25), 1e-14);
 }

@@ -23,7 +23,8 @@ Eigen::Matrix2d rotation(double degrees) {
 }
 
 Eigen::Matrix2d covariance_of(double major, double minor, double degrees) {
-  return rotation(degrees) * Eigen::Vector2d(0.25 * major * major, 0.25 * minor * minor).asDiagonal() * rotation(degrees).transpose();
+  return rotation(degrees) * Eigen::Vector2d(0.25 * major * major, 0.25 * minor * minor).asDiagonal() *
+         rotation(degrees).transpose();
 }
 
 /// A "measurement" with chosen covariance and independent standard errors of its entries.
@@ -36,7 +37,8 @@ BundleEllipse measured_as(const Eigen::Matrix2d& covariance, const Eigen::Vector
 }
 
 TEST(EllipseComparison, ZScoresAreSignedAndAlongThePredictedAxes) {
-  const Eigen::Matrix2d predicted = covariance_of(4.0, 2.0, 90.0);  // major axis upright: var major = yy = 4, var minor = xx = 1
+  const Eigen::Matrix2d predicted =
+      covariance_of(4.0, 2.0, 90.0);  // major axis upright: var major = yy = 4, var minor = xx = 1
   Eigen::Matrix2d measured;
   measured << 0.7, 0.05, 0.05, 4.2;
   const EllipseComparison c = compare_to_prediction(measured_as(measured, {0.1, 0.02, 0.4}), predicted);
@@ -49,7 +51,8 @@ TEST(EllipseComparison, ZScoresAreSignedAndAlongThePredictedAxes) {
 TEST(EllipseComparison, StandardErrorsTurnWithTheAxes) {
   const Eigen::Matrix2d predicted = covariance_of(4.0, 2.0, 45.0);
   const Eigen::Vector2d u(std::sqrt(0.5), std::sqrt(0.5));
-  const EllipseComparison c = compare_to_prediction(measured_as(predicted + 0.3 * u * u.transpose(), {0.2, 0.1, 0.2}), predicted);
+  const EllipseComparison c =
+      compare_to_prediction(measured_as(predicted + 0.3 * u * u.transpose(), {0.2, 0.1, 0.2}), predicted);
   // var(uᵀΣu) = (0.2² + (2·0.1)² + 0.2²)/4
   EXPECT_NEAR((*c.z)[0], 0.3 / std::sqrt(0.03), 1e-12);
   EXPECT_NEAR((*c.z)[1], 0.0, 1e-12);
@@ -57,7 +60,8 @@ TEST(EllipseComparison, StandardErrorsTurnWithTheAxes) {
 }
 
 TEST(EllipseComparison, ErrorsOfAxesAndAngleAreSigned) {
-  const EllipseComparison c = compare_to_prediction(measured_as(covariance_of(4.4, 1.8, 25.0), {1, 1, 1}), covariance_of(4.0, 2.0, 30.0));
+  const EllipseComparison c =
+      compare_to_prediction(measured_as(covariance_of(4.4, 1.8, 25.0), {1, 1, 1}), covariance_of(4.0, 2.0, 30.0));
   EXPECT_NEAR(*c.semi_major_relative_error, 0.1, 1e-12);
   EXPECT_NEAR(*c.semi_minor_relative_error, -0.1, 1e-12);
   EXPECT_NEAR(c.semi_minor_error, -0.2, 1e-12);
@@ -82,7 +86,8 @@ TEST(EllipseComparison, CirclesHaveNoOrientationError) {
 }
 
 TEST(EllipseComparison, FocalLineHasALengthAndNoRelativeErrorAcross) {
-  const EllipseComparison c = compare_to_prediction(measured_as(covariance_of(2.0, 0.03, 0.0), {1, 1, 1}), covariance_of(2.0, 0.0, 0.0));
+  const EllipseComparison c =
+      compare_to_prediction(measured_as(covariance_of(2.0, 0.03, 0.0), {1, 1, 1}), covariance_of(2.0, 0.0, 0.0));
   EXPECT_FALSE(c.semi_minor_relative_error);
   EXPECT_NEAR(c.semi_minor_error, 0.03, 1e-12);
   EXPECT_NEAR(*c.semi_major_relative_error, 0.0, 1e-12);
@@ -95,7 +100,8 @@ TEST(EllipseComparison, PredictedPointHasNoRelativeErrors) {
   EXPECT_FALSE(same.semi_major_relative_error);
   EXPECT_EQ(*same.z_max, 0.0);
   EXPECT_EQ(same.bures_wasserstein, 0.0);
-  const EllipseComparison wide = compare_to_prediction(measured_as(covariance_of(1, 1, 0), {0, 0, 0}), Eigen::Matrix2d::Zero());
+  const EllipseComparison wide =
+      compare_to_prediction(measured_as(covariance_of(1, 1, 0), {0, 0, 0}), Eigen::Matrix2d::Zero());
   EXPECT_GT(*wide.z_max, 1e100);  // certainly different, and finite
   EXPECT_TRUE(std::isfinite(*wide.z_max));
 }
@@ -122,18 +128,22 @@ TEST(EllipseComparison, NoStandardErrorMeansNoZ) {
 TEST(BuresWasserstein, OfCommutingMatricesIsTheDistanceOfTheStandardDeviations) {
   // same axes, standard deviations (3, 1) and (1, 2): √(2² + 1²)
   for (const double angle : {0.0, 30.0, 150.0})
-    EXPECT_NEAR(bures_wasserstein_distance(covariance_of(6, 2, angle), covariance_of(2, 4, angle)), std::sqrt(5.0), 1e-13);
+    EXPECT_NEAR(bures_wasserstein_distance(covariance_of(6, 2, angle), covariance_of(2, 4, angle)), std::sqrt(5.0),
+                1e-13);
 }
 
 TEST(BuresWasserstein, OfCrossedLinesHasNoSharedMass) {
-  EXPECT_NEAR(bures_wasserstein_distance(covariance_of(2, 0, 20), covariance_of(2, 0, 110)), std::sqrt(2.0), 1e-13);  // tr A + tr B
+  EXPECT_NEAR(bures_wasserstein_distance(covariance_of(2, 0, 20), covariance_of(2, 0, 110)), std::sqrt(2.0),
+              1e-13);  // tr A + tr B
   EXPECT_NEAR(bures_wasserstein_distance(covariance_of(2, 0, 20), Eigen::Matrix2d::Zero()), 1.0, 1e-13);
 }
 
 RC_GTEST_PROP(BuresWasserstein, IsTheTraceFormula, ()) {
   const auto number = [] { return *rc::gen::inRange(1, 1000) * 1e-3; };
-  const Eigen::Matrix2d a = covariance_of(number(), number(), 180.0 * number()), b = covariance_of(number(), number(), 180.0 * number());
-  const double squared = a.trace() + b.trace() - 2.0 * std::sqrt((a * b).trace() + 2.0 * std::sqrt(a.determinant() * b.determinant()));
+  const Eigen::Matrix2d a = covariance_of(number(), number(), 180.0 * number()),
+                        b = covariance_of(number(), number(), 180.0 * number());
+  const double squared =
+      a.trace() + b.trace() - 2.0 * std::sqrt((a * b).trace() + 2.0 * std::sqrt(a.determinant() * b.determinant()));
   const double d = bures_wasserstein_distance(a, b);
   RC_ASSERT(std::abs(d * d - squared) < 1e-14);  // the trace formula's own cancellation, entries ≤ 0.5
   RC_ASSERT(std::abs(d - bures_wasserstein_distance(b, a)) < 1e-14);
@@ -156,7 +166,8 @@ TEST(Sin2ClosedForm, PrincipalVariancesOfPhysics41) {
 }
 
 TEST(Sin2ClosedForm, IsTheQuadratureOfTheRayModel) {
-  // s = (v₁ cos²(φ − θ) + v₂ sin²(φ − θ))·p over the disc, by a rule that is exact for it: E[r²] = a²/2 and equal angles
+  // s = (v₁ cos²(φ − θ) + v₂ sin²(φ − θ))·p over the disc, by a rule that is exact for it: E[r²] = a²/2 and equal
+  // angles
   const double a = 0.003, v1 = -0.4, v2 = 2.6, theta = 150.0 * radians_per_degree;
   Eigen::Matrix2d v = rotation(150.0) * Eigen::Vector2d(v1, v2).asDiagonal() * rotation(150.0).transpose();
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-FilledEllipse ellipse(double p, double q, double degrees = 0.0, const Eigen::Vector2d& centre = Eigen::Vector2d::Zero()) {
+FilledEllipse ellipse(double p, double q, double degrees = 0.0,
+                      const Eigen::Vector2d& centre = Eigen::Vector2d::Zero()) {
   const double a = degrees * pi / 180.0;
   FilledEllipse e{centre, {}};
   e.map << p * std::cos(a), -q * std::sin(a), p * std::sin(a), q * std::cos(a);
@@ -22,7 +23,8 @@ FilledEllipse ellipse(double p, double q, double degrees = 0.0, const Eigen::Vec
 }
 
 TEST(EllipseOverlap, ConcentricInClosedForm) {
-  // Unit circle and semi-axes p > 1 > q: the sector up to θ₀ is the circle's, the rest the ellipse's, ∫ r²/2 = pq/2·atan((p/q) tan θ).
+  // Unit circle and semi-axes p > 1 > q: the sector up to θ₀ is the circle's, the rest the ellipse's, ∫ r²/2 =
+  // pq/2·atan((p/q) tan θ).
   for (const auto& [p, q] : {std::pair{2.0, 0.5}, {1.1, 0.9}, {30.0, 0.01}}) {
     const double angle = std::asin(std::sqrt(q * q * (p * p - 1.0) / (p * p - q * q)));
     const double expected = 2.0 * angle + 2.0 * p * q * (0.5 * pi - std::atan(p / q * std::tan(angle)));
@@ -46,7 +48,7 @@ TEST(EllipseOverlap, InsideApartAndDegenerate) {
   EXPECT_FALSE(intersection_over_union(ellipse(1, 0), ellipse(2, 0)));
   EXPECT_NEAR(*intersection_over_union(ellipse(2, 1, 15.0), ellipse(2, 1, 15.0)), 1.0, 1e-12);
   EXPECT_NEAR(*intersection_over_union(ellipse(1, 1), ellipse(1, 1, 0.0, {2.0, 0.0})), 0.0,
-              1e-8);                                                                  // touching from outside: ε^(3/2) and the like
+              1e-8);  // touching from outside: ε^(3/2) and the like
   EXPECT_NEAR(common_area(ellipse(2, 2), ellipse(1, 1, 0.0, {1.0, 0.0})), pi, 1e-8);  // touching from inside
 }
 
@@ -60,7 +62,8 @@ RC_GTEST_PROP(EllipseOverlap, RatioIsInvariantUnderAffineMapsAndExchange, ()) {
   const FilledEllipse c{m * a.centre, m * a.map}, d{m * b.centre, m * b.map};
   const double ratio = *intersection_over_union(a, b);
   RC_ASSERT(ratio >= 0.0 && ratio <= 1.0 + 1e-12);
-  RC_ASSERT(std::abs(ratio - *intersection_over_union(c, d)) < 1e-7);  // ε^(3/2) where they touch, times the condition of the map
+  RC_ASSERT(std::abs(ratio - *intersection_over_union(c, d)) <
+            1e-7);  // ε^(3/2) where they touch, times the condition of the map
   RC_ASSERT(std::abs(ratio - *intersection_over_union(b, a)) < 1e-7);
   FilledEllipse mirrored = b;  // the same ellipse, run through the other way round
   mirrored.map.col(1) *= -1.0;
@@ -87,21 +90,27 @@ TEST(EllipseMeasures, StandardErrorsAreTheScatter) {
   constexpr int sets = 200;
   struct Sum {
     double mean = 0.0, squares = 0.0, stated = 0.0;
-    void add(const EllipseMeasure& m) { mean += m.value / sets, squares += m.value * m.value / sets, stated += *m.standard_error / sets; }
+    void add(const EllipseMeasure& m) {
+      mean += m.value / sets, squares += m.value * m.value / sets, stated += *m.standard_error / sets;
+    }
     double scatter() const { return std::sqrt(squares - mean * mean); }
   } major, minor, angle, area;
   double frobenius_z = 0.0, overlap_z = 0.0;
   for (int s = 0; s < sets; ++s) {
-    const EllipseMeasures m = measure_ellipses(random_bundle(1000, 1000 + s), true_moments(), Eigen::Vector2d::Zero(), 7, 64);
+    const EllipseMeasures m =
+        measure_ellipses(random_bundle(1000, 1000 + s), true_moments(), Eigen::Vector2d::Zero(), 7, 64);
     major.add(m.semi_major), minor.add(m.semi_minor), angle.add(*m.orientation), area.add(*m.log_area_ratio);
     frobenius_z += *m.frobenius.z / sets, overlap_z += *m.missing_overlap->z / sets;
   }
   // 4σ of a standard deviation from 200 sets, plus 2 % of second order in 1/√1000.
-  for (const Sum& s : {major, minor, angle, area}) EXPECT_NEAR(s.scatter() / s.stated, 1.0, 4.0 / std::sqrt(2.0 * sets) + 0.02);
-  // κ = 2: relative 0.5/√N of a semi-axis, 1/√(2N)… of the log area: ½·√(Var x² + Var y² + 2 Cov) = ½·√((1 + 1 − 2/3)/N).
+  for (const Sum& s : {major, minor, angle, area})
+    EXPECT_NEAR(s.scatter() / s.stated, 1.0, 4.0 / std::sqrt(2.0 * sets) + 0.02);
+  // κ = 2: relative 0.5/√N of a semi-axis, 1/√(2N)… of the log area: ½·√(Var x² + Var y² + 2 Cov) = ½·√((1 + 1 −
+  // 2/3)/N).
   EXPECT_NEAR(major.stated, 3.0 * 0.5 / std::sqrt(1000.0), 0.02 * major.stated);
   EXPECT_NEAR(area.stated, 0.5 * std::sqrt(4.0 / 3.0 / 1000.0), 0.02 * area.stated);
-  EXPECT_NEAR(frobenius_z, 0.0, 4.0 * 1.1 / std::sqrt(1.0 * sets));  // noise alone has a z about 0; 64 draws add to its scatter
+  EXPECT_NEAR(frobenius_z, 0.0,
+              4.0 * 1.1 / std::sqrt(1.0 * sets));  // noise alone has a z about 0; 64 draws add to its scatter
   EXPECT_NEAR(overlap_z, 0.0, 4.0 * 1.1 / std::sqrt(1.0 * sets));
 }
 
@@ -138,8 +147,8 @@ TEST(EllipseMeasures, RoundingOfAFocalLineIsNoDifference) {
   line << c * c, c * s, c * s, s * s;
   BundleMoments moments;
   moments.add(testing::mapped(line, testing::random_disc(4000, 11)));
-  const EllipseMeasures m =
-      measure_ellipses(summarise(std::vector<BundleMoments>{moments}, PointSet::Independent), 0.25 * line * line.transpose());
+  const EllipseMeasures m = measure_ellipses(summarise(std::vector<BundleMoments>{moments}, PointSet::Independent),
+                                             0.25 * line * line.transpose());
   EXPECT_LT(std::abs(*m.semi_minor.z), 1.0);
   EXPECT_LT(std::abs(*m.semi_major.z), 4.0);
   EXPECT_FALSE(m.log_area_ratio);  // no area to compare

@@ -11,10 +11,11 @@
 namespace sturm {
 namespace {
 
-/// Image of a Gaussian spot of covariance `cov_px` (pixel axes, y down) about `centre`: the exact integral over each pixel is replaced by
-/// 16 × 16 midpoints, whose own error (h²/24 of the curvature) is far below the tolerances here and accounted for by its variance 1/12·(1 −
-/// 1/16²).
-Image gaussian_spot(int width, int height, const Eigen::Vector2d& centre, const Eigen::Matrix2d& cov_px, int channels = 1) {
+/// Image of a Gaussian spot of covariance `cov_px` (pixel axes, y down) about `centre`: the exact integral over each
+/// pixel is replaced by 16 × 16 midpoints, whose own error (h²/24 of the curvature) is far below the tolerances here
+/// and accounted for by its variance 1/12·(1 − 1/16²).
+Image gaussian_spot(int width, int height, const Eigen::Vector2d& centre, const Eigen::Matrix2d& cov_px,
+                    int channels = 1) {
   Image image(width, height, channels);
   const Eigen::Matrix2d inverse = cov_px.inverse();
   constexpr int sub = 16;
@@ -66,7 +67,8 @@ TEST(ImageEllipse, TakesOffTheEmitter) {
   imaging.emitter_covariance << 0.25, 0.1, 0.1, 0.5;  // wearer frame: in pixels 4·[[.25, −.1], [−.1, .5]]
   Eigen::Matrix2d emitter_px;
   emitter_px << 1.0, -0.4, -0.4, 2.0;
-  const ImageEllipse e = measure_image_ellipse(gaussian_spot(64, 64, {32, 32}, slanted() + emitter_px), nullptr, imaging);
+  const ImageEllipse e =
+      measure_image_ellipse(gaussian_spot(64, 64, {32, 32}, slanted() + emitter_px), nullptr, imaging);
   EXPECT_NEAR((e.covariance_px - slanted()).norm(), 0.0, 2.0 * midpoint_rule + 1e-4);
 }
 
@@ -75,7 +77,8 @@ TEST(ImageEllipse, OneFullPixelIsAPoint) {
   *image.at(3, 1) = 2.0f;
   const ImageEllipse e = measure_image_ellipse(image, nullptr, {});
   EXPECT_EQ(e.centroid_px, Eigen::Vector2d(3.5, 1.5));
-  EXPECT_NEAR(e.covariance_px(0, 0), -1.0 / 12.0, 1e-15);  // a spot that the pixels cannot resolve: reported, not hidden
+  EXPECT_NEAR(e.covariance_px(0, 0), -1.0 / 12.0,
+              1e-15);  // a spot that the pixels cannot resolve: reported, not hidden
   EXPECT_EQ(e.ellipse.semi_major, 0.0);
 }
 

@@ -59,18 +59,21 @@ Place spot(const Place& place) {
 
 Place in_gallery(const char* model) {
   return [model](Json& report, double value) {
-    report["sin2_study"] = {{"checks", Json::object()},
-                            {"gallery", {{{"cylinder_D", -1}, {"models", {{{"model", model}, {"total_variation_over_noise", value}}}}}}}};
+    report["sin2_study"] = {
+        {"checks", Json::object()},
+        {"gallery", {{{"cylinder_D", -1}, {"models", {{{"model", model}, {"total_variation_over_noise", value}}}}}}}};
   };
 }
 
 Place of_sampling(const char* sampling, double sign) {
   return [=](Json& report, double value) {
-    report["sampling_study"]["entries"] = {{{"ray_model", "power_matrix"}, {"sampling", sampling}, {"z", sign * value}}};
+    report["sampling_study"]["entries"] = {
+        {{"ray_model", "power_matrix"}, {"sampling", sampling}, {"z", sign * value}}};
   };
 }
 
-// Of V = diag(2, 1) D: √((4 − 25/8)² + (1 − 13/8)²)/√(4² + 1²), what sin² differs by in the healthy report's cases with a cylinder.
+// Of V = diag(2, 1) D: √((4 − 25/8)² + (1 − 13/8)²)/√(4² + 1²), what sin² differs by in the healthy report's cases with
+// a cylinder.
 const double predicted_sin2_difference = std::hypot(0.875, 0.625) / std::sqrt(17.0);
 
 /// The numbers in a report that statistics with a name of their own are made of.
@@ -92,9 +95,10 @@ const std::map<std::string, Place>& places() {
       {"psf_matrix_axis_max_relative", spot(at("/psfs/0/measured/semi_axes_arcmin/0", 12.0, 12.0))},
       {"psf_matrix_centroid_max_z", at("/psfs/0/measured/centroid_arcmin/1", 0.0, -0.02)},
       {"image_light_max_deviation", at("/images/0/metrics/light_ratio/value", 1.0, -1.0)},
-      {"image_shift_max_px",
-       all_of({at("/images/2/metrics/shift_x_px/value", 0.0, -0.6), at("/images/2/metrics/shift_y_px/value", 0.0, 0.8)})},
-      {"image_ssim_display_min", image([](Json& entry, double value) { entry["metrics"]["ssim_display"]["value"] = value; })},
+      {"image_shift_max_px", all_of({at("/images/2/metrics/shift_x_px/value", 0.0, -0.6),
+                                     at("/images/2/metrics/shift_y_px/value", 0.0, 0.8)})},
+      {"image_ssim_display_min",
+       image([](Json& entry, double value) { entry["metrics"]["ssim_display"]["value"] = value; })},
       {"image_ssim_below_noise_floor_max", image([](Json& entry, double value) {
          entry["noise_floor"]["ssim_display"] = entry["metrics"]["ssim_display"]["value"].get<double>() + value;
        })},
@@ -106,7 +110,8 @@ const std::map<std::string, Place>& places() {
       {"must_fail_min_value_over_bound", at("/must_fail/0/value", 0.0, 0.005)},
       {"mutation_min_gates",
        [](Json& report, double value) {
-         report["gate_power"]["mutations"][0]["caught_by"] = Json(static_cast<std::size_t>(value), Json{{"gate", "by hand"}});
+         report["gate_power"]["mutations"][0]["caught_by"] =
+             Json(static_cast<std::size_t>(value), Json{{"gate", "by hand"}});
        }},
       {"lens_order_max_deviation", in_lens_study(at("/lens_study/views/1/order", 4.0, -1.0))},
       {"lens_relative_order_max_deviation", in_lens_study(at("/lens_study/views/3/relative_order", 2.0, -1.0))},
@@ -115,8 +120,9 @@ const std::map<std::string, Place>& places() {
       {"lens_published_min_of_largest_D", in_lens_study(at("/lens_study/views/1/first_order/published/defocus_D"))},
       {"lens_published_revolution_max_D", in_lens_study(at("/lens_study/views/3/first_order/published/defocus_D"))},
       {"lens_previous_unscaled_max", in_lens_study(at("/lens_study/views/2/previous_unscaled_error"))},
-      {"lens_previous_min_of_largest_D", in_lens_study(all_of({at("/lens_study/views/2/first_order/previous/defocus_D"),
-                                                               at("/lens_study/views/3/first_order/previous/defocus_D")}))},
+      {"lens_previous_min_of_largest_D",
+       in_lens_study(all_of({at("/lens_study/views/2/first_order/previous/defocus_D"),
+                             at("/lens_study/views/3/first_order/previous/defocus_D")}))},
       {"sampling_unbiased_max_z", of_sampling("uniform_disk", -1.0)},
       {"sampling_raw_polar_min_z", of_sampling("uniform_polar", 1.0)},
       {"sin2_study/gallery_sin2_over_noise_min", in_gallery("sin2_radial")},
@@ -159,8 +165,8 @@ bool place_of_family(Json& report, const std::string& statistic, double value) {
   const auto agreement = [&](const Json& numbers) {
     Json prediction = {{"kind", statistic.substr(last + 1)}};
     prediction.update(numbers);
-    report["agreement"] = {
-        {{"id", first == last ? "by hand" : statistic.substr(first + 1, last - first - 1)}, {"predictions", Json::array({prediction})}}};
+    report["agreement"] = {{{"id", first == last ? "by hand" : statistic.substr(first + 1, last - first - 1)},
+                            {"predictions", Json::array({prediction})}}};
   };
   if (family == "sin2_study")
     report["sin2_study"]["checks"][name] = {{"value", value}, {"cases", 1}, {"worst_case", "by hand"}};

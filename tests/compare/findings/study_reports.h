@@ -47,24 +47,27 @@ inline nlohmann::json sampling_report(double square, double z, double noise) {
 
 /// One check that is a deviation, one model, one row of the population and one view of the gallery.
 inline nlohmann::json sin2_report(double deviation, double total_variation) {
-  return {
-      {"sin2_study",
-       {{"checks", {{"matrix_vs_theory_max", {{"value", deviation}, {"cases", 12}, {"worst_case", "A|1 m|4 mm|relaxed|power_matrix"}}}}},
-        {"models", {{{"ray_model", "sin2_radial"}, {"cases", 12}, {"largest_error_D", 1.25}}}},
-        {"population",
-         {{{"ray_model", "sin2_radial"},
-           {"accommodation", "relaxed"},
-           {"distance_m", 1.0},
-           {"eyes", 400},
-           {"pole", 0},
-           {"noticeable", 120},
-           {"error_D", {{"median", 0.2}, {"p90", 0.5}, {"max", 1.25}}}}}},
-        {"gallery",
-         {{{"id", "circle"},
-           {"noise_total_variation", 0.004},
-           {"models",
-            {{{"model", "wavefront"}, {"total_variation", 0.0}, {"total_variation_over_noise", 0.0}},
-             {{"model", "repaired"}, {"total_variation", total_variation}, {"total_variation_over_noise", total_variation / 0.004}}}}}}}}}};
+  return {{"sin2_study",
+           {{"checks",
+             {{"matrix_vs_theory_max",
+               {{"value", deviation}, {"cases", 12}, {"worst_case", "A|1 m|4 mm|relaxed|power_matrix"}}}}},
+            {"models", {{{"ray_model", "sin2_radial"}, {"cases", 12}, {"largest_error_D", 1.25}}}},
+            {"population",
+             {{{"ray_model", "sin2_radial"},
+               {"accommodation", "relaxed"},
+               {"distance_m", 1.0},
+               {"eyes", 400},
+               {"pole", 0},
+               {"noticeable", 120},
+               {"error_D", {{"median", 0.2}, {"p90", 0.5}, {"max", 1.25}}}}}},
+            {"gallery",
+             {{{"id", "circle"},
+               {"noise_total_variation", 0.004},
+               {"models",
+                {{{"model", "wavefront"}, {"total_variation", 0.0}, {"total_variation_over_noise", 0.0}},
+                 {{"model", "repaired"},
+                  {"total_variation", total_variation},
+                  {"total_variation_over_noise", total_variation / 0.004}}}}}}}}}};
 }
 
 }  // namespace sturm::testing

@@ -50,7 +50,8 @@ TEST(GateStatistics, OfTheHealthyReportByHand) {
   EXPECT_EQ(s.at("sin2_vs_closed_form_max_z").value, 2.0);
   EXPECT_EQ(s.at("sin2_vs_conoid_min_z").value, 90000.0);  // the cases with a cylinder alone
   EXPECT_EQ(s.at("sin2_vs_conoid_min_z").cases, 2u);
-  EXPECT_NEAR(*s.at("sin2_vs_conoid_min_relative_difference_ratio").value, 0.26079 / (std::hypot(0.875, 0.625) / std::sqrt(17.0)), 1e-12);
+  EXPECT_NEAR(*s.at("sin2_vs_conoid_min_relative_difference_ratio").value,
+              0.26079 / (std::hypot(0.875, 0.625) / std::sqrt(17.0)), 1e-12);
   EXPECT_EQ(s.at("image_ssim_display/chart").value, 0.98);
   EXPECT_EQ(s.at("image_ssim_display_min").value, 0.97);
   EXPECT_EQ(s.at("image_ssim_display_min").worst_case, "cornell");
@@ -79,7 +80,8 @@ TEST(GateStatistics, RelativeDifferenceCountsXyTwice) {
   Json& c = report["ellipses"]["cases"][0];
   c["conoid"]["covariance_rad2"] = {2.0, 1.0, 2.0};            // norm² 4 + 2 + 4
   c["sin2_closed_form"]["covariance_rad2"] = {2.0, 0.5, 2.0};  // difference² 2·0.25
-  EXPECT_NEAR(*statistics_of(report).at("sin2_vs_conoid_max_relative_difference_ratio").value, 0.26079 / std::sqrt(0.05), 1e-12);
+  EXPECT_NEAR(*statistics_of(report).at("sin2_vs_conoid_max_relative_difference_ratio").value,
+              0.26079 / std::sqrt(0.05), 1e-12);
 }
 
 TEST(GateStatistics, PsfIsMeasuredAlongThePredictedAxes) {
@@ -89,7 +91,8 @@ TEST(GateStatistics, PsfIsMeasuredAlongThePredictedAxes) {
   // a circle may have any angle
   Json round = healthy_report();
   round["psfs"][0]["predicted"] = {{"semi_axes_arcmin", {8.0, 8.0}}, {"orientation_deg", nullptr}};
-  round["psfs"][0]["measured"] = {{"semi_axes_arcmin", {8.02, 7.98}}, {"orientation_deg", 77.0}, {"standard_error_arcmin", {0.02, 0.02}}};
+  round["psfs"][0]["measured"] = {
+      {"semi_axes_arcmin", {8.02, 7.98}}, {"orientation_deg", 77.0}, {"standard_error_arcmin", {0.02, 0.02}}};
   EXPECT_LT(*statistics_of(round).at("psf_matrix_axis_max_z").value, 1.01);
 }
 
@@ -119,7 +122,8 @@ TEST(GateStatistics, WhatAllSpotsHaveInCommonCountsToo) {
   // Spots with larger pixels are displaced by fewer of them: 1.5 arcmin are 1.5 px ± 1 px there, four times the weight.
   report["psfs"][1] = report["psfs"][0];
   report["psfs"][1]["pixel_arcmin"] = 1.0;
-  EXPECT_NEAR(*statistics_of(report).at("psf_matrix_centroid_max_z").value, (3.0 / 4.0 + 1.5) / std::sqrt(1.0 / 4.0 + 1.0), 1e-12);
+  EXPECT_NEAR(*statistics_of(report).at("psf_matrix_centroid_max_z").value,
+              (3.0 / 4.0 + 1.5) / std::sqrt(1.0 / 4.0 + 1.0), 1e-12);
   // A spot without a number leaves none.
   report["psfs"][1]["measured"]["centroid_arcmin"] = nullptr;
   EXPECT_FALSE(statistics_of(report).at("psf_matrix_centroid_max_z").value);
@@ -132,7 +136,8 @@ TEST(GateStatistics, ShortAxisOfAPsfHasAZButNoRelativeError) {
   line["psfs"][0]["measured"]["orientation_deg"] = 30.0;
   EXPECT_NEAR(*statistics_of(line).at("psf_matrix_axis_max_relative").value, 0.0, 1e-12);
   // the pixel grid alone makes up to √0.2 px = 0.22 arcmin of a line
-  EXPECT_NEAR(*statistics_of(line).at("psf_matrix_axis_max_z").value, 0.1 / std::hypot(0.01, std::sqrt(0.2) * 0.5), 1e-9);
+  EXPECT_NEAR(*statistics_of(line).at("psf_matrix_axis_max_z").value, 0.1 / std::hypot(0.01, std::sqrt(0.2) * 0.5),
+              1e-9);
   line["psfs"][0]["measured"]["semi_axes_arcmin"] = {12.0, 2.0};
   EXPECT_GT(*statistics_of(line).at("psf_matrix_axis_max_z").value, 5.0);
   line["psfs"][0]["pixel_arcmin"] = 20.0;  // nothing is resolved: no evidence
@@ -140,15 +145,16 @@ TEST(GateStatistics, ShortAxisOfAPsfHasAZButNoRelativeError) {
 }
 
 TEST(GateStatistics, OneMissingNumberSpoilsTheStatisticAndIsNamed) {
-  const auto s = statistics_of(spoilt("/ellipses/cases/1/rays/0/against_conoid/z_max", nullptr)).at("matrix_vs_conoid_max_z");
+  const auto s =
+      statistics_of(spoilt("/ellipses/cases/1/rays/0/against_conoid/z_max", nullptr)).at("matrix_vs_conoid_max_z");
   EXPECT_FALSE(s.value);
   EXPECT_EQ(s.cases, 3u);
   EXPECT_EQ(s.worst_case, "A|inf|4 mm");
 }
 
 TEST(GateStatistics, OfAnEmptyReportAreAllWithoutValue) {
-  for (const Json& report :
-       {Json::object(), Json(nullptr), Json::array(), Json{{"ellipses", 3}, {"images", "none"}}, Json{{"psfs", {1, nullptr}}}})
+  for (const Json& report : {Json::object(), Json(nullptr), Json::array(), Json{{"ellipses", 3}, {"images", "none"}},
+                             Json{{"psfs", {1, nullptr}}}})
     for (const auto& [name, statistic] : statistics_of(report)) EXPECT_FALSE(statistic.value) << name;
 }
 
@@ -174,10 +180,13 @@ const std::vector<Spoilt> spoilt_reports = {
     Spoilt{"/ellipses/cases/2/rays/0/against_conoid/relative_frobenius", "matrix_equals_conoid_relative", 1.1e-4},
     Spoilt{"/ellipses/cases/2/rays/2/against_conoid/z_max", "thin_lens_equals_conoid_without_cylinder", 7.0},
     Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/z_max", "sin2_equals_its_closed_form", 8.0},
-    Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/relative_frobenius", "sin2_equals_its_closed_form_relative", 1e-3},
+    Spoilt{"/ellipses/cases/0/rays/1/against_closed_form/relative_frobenius", "sin2_equals_its_closed_form_relative",
+           1e-3},
     Spoilt{"/ellipses/cases/1/rays/1/against_conoid/z_max", "sin2_differs_from_conoid", 3.9},
-    Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_less_than_predicted", 0.25},
-    Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_more_than_predicted", 0.27},
+    Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_less_than_predicted",
+           0.25},
+    Spoilt{"/ellipses/cases/1/rays/1/against_conoid/relative_frobenius", "sin2_difference_is_not_more_than_predicted",
+           0.27},
     Spoilt{"/psfs/0/measured/semi_axes_arcmin/1", "psf_equals_conoid", 5.89},
     Spoilt{"/psfs/0/measured/centroid_arcmin/0", "psf_is_in_its_place", -0.101},
     Spoilt{"/images/2/metrics/light_ratio/value", "image_keeps_its_light", 1.0041},
@@ -193,11 +202,13 @@ const std::vector<Spoilt> spoilt_reports = {
     Spoilt{"/images/2/metrics/ssim_display/value", "image_as_in_baseline", 0.956},
     Spoilt{"/must_fail/1/value", "mutants_are_caught", 0.004}};
 
-INSTANTIATE_TEST_SUITE_P(Validation, EachGate, ::testing::ValuesIn(spoilt_reports),
-                         [](const auto& tested) { return std::string(tested.param.gate) + "_" + std::to_string(tested.index); });
+INSTANTIATE_TEST_SUITE_P(Validation, EachGate, ::testing::ValuesIn(spoilt_reports), [](const auto& tested) {
+  return std::string(tested.param.gate) + "_" + std::to_string(tested.index);
+});
 
 TEST(Gates, EveryValidationGateHasAReportThatItRejects) {
-  std::set<std::string> rejecting = {"psf_equals_conoid_relative", "mirrored_axis_is_caught"};  // together with others: the next test
+  std::set<std::string> rejecting = {"psf_equals_conoid_relative",
+                                     "mirrored_axis_is_caught"};  // together with others: the next test
   for (const Spoilt& s : spoilt_reports) rejecting.insert(s.gate);
   for (const GateSpec& gate : validation_gates()) EXPECT_EQ(rejecting.count(gate.id), 1u) << gate.id;
 }
@@ -205,7 +216,8 @@ TEST(Gates, EveryValidationGateHasAReportThatItRejects) {
 TEST(Gates, RejectGrosslyWrongPsfsAndMirroredAxes) {
   EXPECT_THAT(failures_of(spoilt("/psfs/0/measured/orientation_deg", -30.0)),
               ::testing::ElementsAre("psf_equals_conoid", "psf_equals_conoid_relative"));
-  EXPECT_THAT(failures_of(spoilt("/must_fail/0/value", 1e-5)), ::testing::ElementsAre("mutants_are_caught", "mirrored_axis_is_caught"));
+  EXPECT_THAT(failures_of(spoilt("/must_fail/0/value", 1e-5)),
+              ::testing::ElementsAre("mutants_are_caught", "mirrored_axis_is_caught"));
   EXPECT_THAT(failures_of(spoilt("/must_fail/0/failed_as_it_must", false)),
               ::testing::ElementsAre("mutants_are_caught", "mirrored_axis_is_caught"));
 }
@@ -280,7 +292,8 @@ TEST(Gates, PatternTakesTheWorst) {
   EXPECT_EQ(lowest["worst_case"], "cornell");
   EXPECT_EQ(lowest["cases"], 2);
   EXPECT_EQ(lowest["kind"], "lower_bound");
-  EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::AtMost, 0.975), healthy_report())["worst_case"], "chart");
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::AtMost, 0.975), healthy_report())["worst_case"],
+            "chart");
 }
 
 TEST(Gates, BaselineInStandardErrors) {
@@ -292,7 +305,8 @@ TEST(Gates, BaselineInStandardErrors) {
   EXPECT_EQ(result["worst_case"], "cornell: 0.95, baseline 0.97");
   EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::Baseline, 4.0, "σ"), now, &baseline)["passed"], true);
   // a better image is no failure: the value is negative then
-  EXPECT_LT(evaluated(gate("image_ssim_display/cornell", Comparison::Baseline, 1.0, "σ"), baseline, &now)["value"], -3.0);
+  EXPECT_LT(evaluated(gate("image_ssim_display/cornell", Comparison::Baseline, 1.0, "σ"), baseline, &now)["value"],
+            -3.0);
   EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::Baseline, 1.0, "σ"), baseline, &now)["passed"], true);
   // without an uncertainty there is no σ
   EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", Comparison::Baseline, 1e9, "σ"), now, &baseline)["passed"], false);
@@ -301,15 +315,18 @@ TEST(Gates, BaselineInStandardErrors) {
 /// The healthy report by an experiment whose images have `replicates`, with cornell's SSIM and its error.
 Json measured_by(int replicates, double ssim, double error) {
   Json report = spoilt("/images/0/metrics/ssim_display", {{"value", ssim}, {"uncertainty", error}});
-  report["spec"]["images"] = {{{"id", "cornell"}, {"replicates", replicates}}, {{"id", "chart"}, {"replicates", replicates}}};
+  report["spec"]["images"] = {{{"id", "cornell"}, {"replicates", replicates}},
+                              {{"id", "chart"}, {"replicates", replicates}}};
   return report;
 }
 
 TEST(Gates, BaselineTellsARegressionFromNoise) {
   const GateSpec spec = gate("image_ssim_display/cornell", Comparison::Baseline, 4.0, "σ");
-  const auto passes = [&](const Json& now, const Json& before) { return evaluated(spec, now, &before)["passed"] == true; };
-  // 5 standard errors of the difference: t with 6 degrees of freedom exceeds that by chance once in 800 runs (two-sided 0.00245), no more
-  // than a normal deviate exceeds 3.03. What is noise with 4 replicates is a regression with 64.
+  const auto passes = [&](const Json& now, const Json& before) {
+    return evaluated(spec, now, &before)["passed"] == true;
+  };
+  // 5 standard errors of the difference: t with 6 degrees of freedom exceeds that by chance once in 800 runs (two-sided
+  // 0.00245), no more than a normal deviate exceeds 3.03. What is noise with 4 replicates is a regression with 64.
   const Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
   EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.03, 0.005);
   EXPECT_TRUE(passes(fallen, before));
@@ -322,8 +339,8 @@ TEST(Gates, BaselineTellsARegressionFromNoise) {
 }
 
 TEST(Gates, BaselineTakesTheDegreesThatAnImageStates) {
-  // Four replicates whose error is known from many parts of the picture: 5 standard errors of the difference with 90 degrees of freedom are
-  // a normal deviate of 4.68, a regression.
+  // Four replicates whose error is known from many parts of the picture: 5 standard errors of the difference with 90
+  // degrees of freedom are a normal deviate of 4.68, a regression.
   const GateSpec spec = gate("image_ssim_display/cornell", Comparison::Baseline, 4.0, "σ");
   Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
   before["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;

@@ -23,7 +23,8 @@ Json report_with(double value, double uncertainty, int replicates) {
 }
 
 TEST(RunComparison, HoldsADifferenceAgainstBothErrors) {
-  // 0.05 apart, errors 0.006 and 0.008: 5 standard errors of the difference. So many replicates are as good as a known error.
+  // 0.05 apart, errors 0.006 and 0.008: 5 standard errors of the difference. So many replicates are as good as a known
+  // error.
   const RunComparison c = compare_runs(report_with(0.95, 0.006, 1000000), report_with(0.90, 0.008, 1000000), 0.01);
   ASSERT_EQ(c.changes.size(), 1u);
   EXPECT_NEAR(*c.changes[0].z, -5.0, 1e-3);  // t of 1e6 degrees is a normal deviate up to t³/(4·1e6) = 3e-5
@@ -34,11 +35,14 @@ TEST(RunComparison, HoldsADifferenceAgainstBothErrors) {
 }
 
 TEST(RunComparison, FewReplicatesHaveStudentsTails) {
-  // Equal errors of two replicates each: Welch's test has 2 degrees of freedom, where |t| = 5 has p = 1 − 5/√(2 + 25) = 0.0377.
-  const RunComparison c = compare_runs(report_with(0.95, 0.01, 2), report_with(0.95 - 5 * 0.01 * std::sqrt(2.0), 0.01, 2), 0.04);
+  // Equal errors of two replicates each: Welch's test has 2 degrees of freedom, where |t| = 5 has p = 1 − 5/√(2 + 25) =
+  // 0.0377.
+  const RunComparison c =
+      compare_runs(report_with(0.95, 0.01, 2), report_with(0.95 - 5 * 0.01 * std::sqrt(2.0), 0.01, 2), 0.04);
   ASSERT_EQ(c.changes.size(), 1u);
   EXPECT_NEAR(*c.changes[0].z, -2.0777, 2e-3);  // two-sided 0.0377 of the normal distribution
-  EXPECT_TRUE(compare_runs(report_with(0.95, 0.01, 2), report_with(0.95 - 5 * 0.01 * std::sqrt(2.0), 0.01, 2), 0.03).changes.empty());
+  EXPECT_TRUE(compare_runs(report_with(0.95, 0.01, 2), report_with(0.95 - 5 * 0.01 * std::sqrt(2.0), 0.01, 2), 0.03)
+                  .changes.empty());
 }
 
 TEST(RunComparison, ANumberWithoutErrorsIsNoRegression) {
@@ -83,8 +87,10 @@ TEST(RunComparison, APredictionsErrorIsHeldAgainstItsUncertainty) {
   EXPECT_EQ(c.changes[0].name, "prediction box, layered, whole: mean square error");
   EXPECT_NEAR(*c.changes[0].z, 2e-4 / 4.2426e-5, 1e-3);
   EXPECT_EQ(c.changes[0].direction, Direction::Worse);
-  EXPECT_EQ(compare_runs(agreement_report(0.97, 6e-4), agreement_report(0.97, 4e-4), 0.01).changes.at(0).direction, Direction::Better);
-  EXPECT_EQ(compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.95, 4e-4), 0.01).changes.at(0).direction, Direction::Worse);
+  EXPECT_EQ(compare_runs(agreement_report(0.97, 6e-4), agreement_report(0.97, 4e-4), 0.01).changes.at(0).direction,
+            Direction::Better);
+  EXPECT_EQ(compare_runs(agreement_report(0.97, 4e-4), agreement_report(0.95, 4e-4), 0.01).changes.at(0).direction,
+            Direction::Worse);
   // The same difference of three pictures each proves nothing: t = 4.7 with 4 degrees of freedom has p = 0.9 %.
   EXPECT_TRUE(compare_runs(agreement_report(0.97, 4e-4, 3), agreement_report(0.97, 6e-4, 3), 0.01).changes.empty());
 }
@@ -128,8 +134,10 @@ TEST(RunComparison, NoiseFloorsAreHeldAgainstTheirUncertainty) {
   EXPECT_EQ(c.changes[0].name, "prediction box: noise floor of rmse_display");
   EXPECT_NEAR(*c.changes[0].z, 5.0, 1e-3);
   EXPECT_EQ(c.changes[0].direction, Direction::Worse);
-  EXPECT_EQ(compare_runs(report(0.0105, 8e-5, 1000000), report(0.01, 6e-5, 1000000), 0.01).changes.at(0).direction, Direction::Better);
-  // Four pictures are two degrees of freedom in each run, four together: t = 5 has p = 0.7 %, of three numbers too much.
+  EXPECT_EQ(compare_runs(report(0.0105, 8e-5, 1000000), report(0.01, 6e-5, 1000000), 0.01).changes.at(0).direction,
+            Direction::Better);
+  // Four pictures are two degrees of freedom in each run, four together: t = 5 has p = 0.7 %, of three numbers too
+  // much.
   EXPECT_TRUE(compare_runs(report(0.01, 7e-5, 4), report(0.010495, 7e-5, 4), 0.01).changes.empty());
   // Without a known uncertainty the floor says nothing, however far it moved.
   Json before = report(0.01, 0.0, 4), after = report(0.05, 0.0, 4);
@@ -213,7 +221,8 @@ TEST(RunComparison, FollowsItsSchema) {
 }
 
 TEST(RunComparison, ForeignReportsAreEmpty) {
-  for (const Json& foreign : {Json(nullptr), Json(3), Json{{"images", "text"}}, Json{{"ellipses", {{"cases", {1, nullptr}}}}}}) {
+  for (const Json& foreign :
+       {Json(nullptr), Json(3), Json{{"images", "text"}}, Json{{"ellipses", {{"cases", {1, nullptr}}}}}}) {
     const RunComparison c = compare_runs(foreign, foreign, 0.01);
     EXPECT_EQ(c.numbers, 0u);
     EXPECT_TRUE(c.changes.empty());

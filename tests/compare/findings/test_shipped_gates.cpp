@@ -9,8 +9,9 @@
 #include "compare/findings/judged_report.h"
 #include "compare/findings/placed_statistics.h"
 
-/// Every gate of every file in configs/gates passes a report whose number is just inside of its bound, and rejects one whose number is just
-/// outside. The files are read when the test runs: a new one is tested without anyone naming it here.
+/// Every gate of every file in configs/gates passes a report whose number is just inside of its bound, and rejects one
+/// whose number is just outside. The files are read when the test runs: a new one is tested without anyone naming it
+/// here.
 namespace sturm {
 namespace {
 
@@ -41,7 +42,8 @@ TEST(ShippedGates, PassWithinTheirBoundsAndRejectBeyond) {
       const double step = gate.bound != 0.0 ? 0.01 * std::abs(gate.bound) : 1e-3;
       const bool upper = gate.comparison == Comparison::AtMost || gate.comparison == Comparison::Baseline;
       const double outwards = upper ? step : -step;
-      const std::optional<Json> inside = report_for(gate, gate.bound - outwards), outside = report_for(gate, gate.bound + outwards);
+      const std::optional<Json> inside = report_for(gate, gate.bound - outwards),
+                                outside = report_for(gate, gate.bound + outwards);
       ASSERT_TRUE(inside && outside) << "nobody knows where this statistic's number stands in a report";
       EXPECT_TRUE(passes(gate, *inside));
       EXPECT_FALSE(passes(gate, *outside));

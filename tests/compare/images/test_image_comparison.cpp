@@ -140,8 +140,8 @@ TEST(NoiseFloor, ASmallDifferenceEverywhereIsDistinguished) {
 }
 
 TEST(Regions, BlurOfAMyopeByHand) {
-  // −2 D at the cornea, relaxed: |1/d − 2| D on a pupil of 2 mm radius: 1 m → 2 mrad, 0.5 m → 0, ∞ → 4 mrad. With −1 D × 180 more the
-  // worse meridian is −3 D.
+  // −2 D at the cornea, relaxed: |1/d − 2| D on a pupil of 2 mm radius: 1 m → 2 mrad, 0.5 m → 0, ∞ → 4 mrad. With −1 D
+  // × 180 more the worse meridian is −3 D.
   Image depth(3, 1, 1);
   depth.pixels = {1.0f, 0.5f, static_cast<float>(infinity)};
   const Image blur = blur_semi_axis_px(depth, Eye::with({-2.0, 0.0, 180.0, 0.0}, 4e-3), 0.0, 1e-3);
@@ -155,7 +155,8 @@ TEST(Regions, BlurOfAMyopeByHand) {
 TEST(Regions, ASteepPlaneHasNoEdgesAndAStepHas) {
   Image depth(60, 40, 1);
   for (int y = 0; y < 40; ++y)
-    for (int x = 0; x < 60; ++x) *depth.at(x, y) = static_cast<float>(1.0 / (0.02 + 0.05 * (y + 1) + 0.01 * x));  // a floor up to 30 m
+    for (int x = 0; x < 60; ++x)
+      *depth.at(x, y) = static_cast<float>(1.0 / (0.02 + 0.05 * (y + 1) + 0.01 * x));  // a floor up to 30 m
   EXPECT_EQ((Region{"", occlusion_edges(depth, nullptr)}.pixels()), 0u);
   for (int y = 0; y < 40; ++y)
     for (int x = 30; x < 60; ++x) *depth.at(x, y) *= 0.7f;

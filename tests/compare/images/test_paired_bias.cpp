@@ -22,7 +22,8 @@ std::vector<Image> noisy(int count, double value, double noise, unsigned seed, d
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x)
         for (int c = 0; c < 3; ++c)
-          image.at(x, y)[c] = static_cast<float>(value + (x < side / 2 ? tilt : -tilt) + (noise > 0.0 ? normal(generator) : 0.0));
+          image.at(x, y)[c] =
+              static_cast<float>(value + (x < side / 2 ? tilt : -tilt) + (noise > 0.0 ? normal(generator) : 0.0));
     images.push_back(std::move(image));
   }
   return images;
@@ -46,7 +47,8 @@ TEST(PairedBias, NoiseAddsNothing) {
   }
   // Its error: 2·0.1·√(0.18/8/768) ⊕ 0.18·√(2/(8·7))/√768 = 1.08e-3 ⊕ 1.23e-3; 4 σ of the mean of 100.
   EXPECT_NEAR(sum / trials, 0.01, 4.0 * 1.64e-3 / std::sqrt(trials));
-  // Student's t with 7 degrees of freedom has the variance 1.4; the jackknife's variance is up to twice too large [Efron & Stein 1981].
+  // Student's t with 7 degrees of freedom has the variance 1.4; the jackknife's variance is up to twice too large
+  // [Efron & Stein 1981].
   EXPECT_GT(squares / trials, 0.5);
   EXPECT_LT(squares / trials, 2.0);
 }
@@ -59,8 +61,9 @@ TEST(PairedBias, WithoutABiasZIsOfUnitSize) {
     sum += z;
     squares += z * z;
   }
-  EXPECT_NEAR(sum / trials, 0.0, 4.0 / std::sqrt(trials));             // 4 σ
-  EXPECT_NEAR(squares / trials, 1.17, 4.0 * std::sqrt(3.6 / trials));  // t² with 14 degrees of freedom: mean 1.17, variance 3.6; 4 σ
+  EXPECT_NEAR(sum / trials, 0.0, 4.0 / std::sqrt(trials));  // 4 σ
+  EXPECT_NEAR(squares / trials, 1.17,
+              4.0 * std::sqrt(3.6 / trials));  // t² with 14 degrees of freedom: mean 1.17, variance 3.6; 4 σ
 }
 
 TEST(PairedBias, NeedsThreeOfEachAndOneSize) {

@@ -24,7 +24,8 @@ Image map_of(int width, int height, std::initializer_list<float> values) {
 TEST(SharesOfMean, AddUpToIt) {
   const Image map = map_of(4, 2, {1, 2, 3, 4, 5, 6, 7, 8});
   EXPECT_THAT(shares_of_mean(map, 2), ElementsAre(14.0 / 8.0, 22.0 / 8.0));  // left: 1 + 2 + 5 + 6
-  EXPECT_THAT(shares_of_mean(map, 1), ElementsAre(1 / 8.0, 2 / 8.0, 3 / 8.0, 4 / 8.0, 5 / 8.0, 6 / 8.0, 7 / 8.0, 8 / 8.0));
+  EXPECT_THAT(shares_of_mean(map, 1),
+              ElementsAre(1 / 8.0, 2 / 8.0, 3 / 8.0, 4 / 8.0, 5 / 8.0, 6 / 8.0, 7 / 8.0, 8 / 8.0));
   EXPECT_THAT(shares_of_mean(map, 3), ElementsAre(36.0 / 8.0));  // too low and not wide enough for two
   EXPECT_THAT(shares_of_mean(map, 100), ElementsAre(36.0 / 8.0));
 }
@@ -51,18 +52,19 @@ TEST(PartJackknife, OfOnePartIsTheJackknife) {
 }
 
 TEST(PartJackknife, ByHand) {
-  // Two replicates: left out in turn 1 and 3, mean 2, variance (2 − 1)/2·(1 + 1) = 1; the other part 0 and 4: 4. Satterthwaite: 25/(1 +
-  // 16).
+  // Two replicates: left out in turn 1 and 3, mean 2, variance (2 − 1)/2·(1 + 1) = 1; the other part 0 and 4: 4.
+  // Satterthwaite: 25/(1 + 16).
   const PartError error = jackknife_by_parts(std::vector<std::vector<double>>{{1.0, 4.0}, {3.0, 0.0}});
   EXPECT_NEAR(error.standard_error, std::sqrt(5.0), rounding);
   EXPECT_NEAR(error.degrees, 25.0 / 17.0, rounding);
-  // Opposite noise in the two parts would cancel in the mean: that is not counted on. Without any noise there is no degree of freedom.
+  // Opposite noise in the two parts would cancel in the mean: that is not counted on. Without any noise there is no
+  // degree of freedom.
   EXPECT_EQ(jackknife_by_parts(std::vector<std::vector<double>>{{1.0, 4.0}, {1.0, 4.0}}).standard_error, 0.0);
   EXPECT_EQ(jackknife_by_parts(std::vector<std::vector<double>>{{1.0, 4.0}, {1.0, 4.0}}).degrees, 0.0);
 }
 
-/// How often the mean of four replicates of 16 parts is more than `limit` normal deviates from the truth, by its own error; the noise of
-/// part k is `growth` to the power of k.
+/// How often the mean of four replicates of 16 parts is more than `limit` normal deviates from the truth, by its own
+/// error; the noise of part k is `growth` to the power of k.
 double share_beyond(double limit, double growth, int trials) {
   constexpr int parts = 16, replicates = 4;
   std::mt19937_64 random(7);
@@ -86,7 +88,8 @@ double share_beyond(double limit, double growth, int trials) {
 }
 
 TEST(PartJackknife, KeepsItsLevelWhateverTheNoiseOfTheParts) {
-  // P(|z| > 3) = 0.0027: 4σ of 1e4 trials are 0.00208. Satterthwaite's degrees are too few, so that the share is less, not more.
+  // P(|z| > 3) = 0.0027: 4σ of 1e4 trials are 0.00208. Satterthwaite's degrees are too few, so that the share is less,
+  // not more.
   constexpr int trials = 10000;
   for (const double growth : {1.0, 1.2, 2.0}) {
     const double share = share_beyond(3.0, growth, trials);

@@ -13,7 +13,8 @@ inline Image stored_image(const std::string& name) {
 
 inline Image uniform_image(int width, int height, float red, float green, float blue) {
   Image image(width, height, 3);
-  for (std::size_t i = 0; i < image.pixels.size(); i += 3) image.pixels[i] = red, image.pixels[i + 1] = green, image.pixels[i + 2] = blue;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3)
+    image.pixels[i] = red, image.pixels[i + 1] = green, image.pixels[i + 2] = blue;
   return image;
 }
 
@@ -23,8 +24,8 @@ inline Image textured_image(int width, int height, double phase) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < 3; ++c)
-        image.at(x, y)[c] =
-            static_cast<float>(0.5 + 0.25 * std::sin(0.31 * x + 0.05 * y * c + phase) + 0.2 * std::cos(0.011 * x * y + phase));
+        image.at(x, y)[c] = static_cast<float>(0.5 + 0.25 * std::sin(0.31 * x + 0.05 * y * c + phase) +
+                                               0.2 * std::cos(0.011 * x * y + phase));
   return image;
 }
 

@@ -8,13 +8,15 @@
 namespace sturm {
 namespace {
 
-/// A smooth picture with structure in both directions, whose features stand `right` and `down` pixels further: 64 × 48 pixels.
+/// A smooth picture with structure in both directions, whose features stand `right` and `down` pixels further: 64 × 48
+/// pixels.
 Image picture(double right, double down, double gain = 1.0) {
   Image image(64, 48, 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const double u = x - right, v = y - down;
-      const double value = 0.5 + 0.2 * std::sin(0.31 * u + 0.5) + 0.15 * std::sin(0.27 * v - 0.2) + 0.1 * std::sin(0.2 * u + 0.23 * v);
+      const double value =
+          0.5 + 0.2 * std::sin(0.31 * u + 0.5) + 0.15 * std::sin(0.27 * v - 0.2) + 0.1 * std::sin(0.2 * u + 0.23 * v);
       for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>(gain * value);
     }
   return image;
@@ -32,7 +34,8 @@ Image noisy(Image image, unsigned seed, double deviation) {
 TEST(Displacement, HasTheSignOfTheTestPictureAgainstTheReference) {
   const auto d = displacement_px(picture(0.5, 0.0), picture(0.0, 0.0));
   ASSERT_TRUE(d);
-  // First order: the error is k²d²/24 of d, 0.004 at the highest k of 0.31 rad/px; central differences lack k²/6 = 1.6 %, and weigh less.
+  // First order: the error is k²d²/24 of d, 0.004 at the highest k of 0.31 rad/px; central differences lack k²/6 = 1.6
+  // %, and weigh less.
   EXPECT_NEAR(d->x(), 0.5, 0.012);
   EXPECT_NEAR(d->y(), 0.0, 0.005);
   const auto back = displacement_px(picture(0.0, 0.0), picture(0.3, -0.4));
@@ -53,7 +56,8 @@ TEST(Displacement, NoiseDoesNotPullItAway) {
   constexpr int pictures = 40;
   double sum = 0.0, squares = 0.0;
   for (unsigned seed = 0; seed < pictures; ++seed) {
-    const auto d = displacement_px(noisy(picture(0.2, 0.0), 2 * seed + 1, 0.05), noisy(picture(0.0, 0.0), 2 * seed + 2, 0.05));
+    const auto d =
+        displacement_px(noisy(picture(0.2, 0.0), 2 * seed + 1, 0.05), noisy(picture(0.0, 0.0), 2 * seed + 2, 0.05));
     sum += d->x();
     squares += d->x() * d->x();
   }

@@ -23,8 +23,8 @@ Image pattern(int width, int height, int channels, double phase) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < channels; ++c)
-        image.at(x, y)[c] =
-            static_cast<float>(0.5 + 0.25 * std::sin(0.31 * x + 0.05 * y * c + phase) + 0.2 * std::cos(0.011 * x * y + phase));
+        image.at(x, y)[c] = static_cast<float>(0.5 + 0.25 * std::sin(0.31 * x + 0.05 * y * c + phase) +
+                                               0.2 * std::cos(0.011 * x * y + phase));
   return image;
 }
 
@@ -164,8 +164,8 @@ TEST(Metrics, NameTheNonFinitePixel) {
       rmse(image, broken);
       FAIL();
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(),
-                  ::testing::AllOf(::testing::HasSubstr("reference image"), ::testing::HasSubstr("x = 4, y = 17, channel 2")));
+      EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("reference image"),
+                                                 ::testing::HasSubstr("x = 4, y = 17, channel 2")));
     }
     EXPECT_THROW(ssim(broken, image), InputError);
     EXPECT_THROW(relative_mse(broken, image), InputError);

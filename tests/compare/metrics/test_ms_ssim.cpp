@@ -34,7 +34,8 @@ double by_definition(const Image& a, const Image& b) {
         double mx = 0, my = 0, xx = 0, yy = 0, xy = 0;
         for (int i = -5; i <= 5; ++i)
           for (int j = -5; j <= 5; ++j) {
-            const double w = window[i + 5][j + 5] / total, p = x[(row + i) * width + column + j], q = y[(row + i) * width + column + j];
+            const double w = window[i + 5][j + 5] / total, p = x[(row + i) * width + column + j],
+                         q = y[(row + i) * width + column + j];
             mx += w * p, my += w * q, xx += w * p * p, yy += w * q * q, xy += w * p * q;
           }
         const double cs = (2 * (xy - mx * my) + 9e-4) / (xx - mx * mx + yy - my * my + 9e-4);
@@ -58,7 +59,8 @@ double by_definition(const Image& a, const Image& b) {
 TEST(MsSsim, EqualsItsDefinitionSlow) {
   const Image a = textured_image(183, 178, 0.0);
   Image b = textured_image(183, 178, 0.0);
-  for (std::size_t i = 0; i < b.pixels.size(); ++i) b.pixels[i] = 0.9f * b.pixels[i] + 0.05f * static_cast<float>((i / 7) % 3);
+  for (std::size_t i = 0; i < b.pixels.size(); ++i)
+    b.pixels[i] = 0.9f * b.pixels[i] + 0.05f * static_cast<float>((i / 7) % 3);
   EXPECT_NEAR(ms_ssim(b, a)->value, by_definition(b, a), 1e-9);  // rounding of differences of squares
 }
 

@@ -25,15 +25,17 @@ TEST_P(FlipOfStoredImages, EqualsThatOfAnotherProgram) {
   std::ifstream file(STURM_SOURCE_DIR "/tests/reference/images/values.json");
   const double expected = nlohmann::json::parse(file)["values"][GetParam()]["flip_mean_ppd67.02"];
   const Image test = to_display(stored_image(GetParam()), 1.0), reference = to_display(stored_image("reference"), 1.0);
-  // Both compute in single precision; the other program filters in two dimensions: sums of ~500 terms, 1e-5 relative each way.
+  // Both compute in single precision; the other program filters in two dimensions: sums of ~500 terms, 1e-5 relative
+  // each way.
   EXPECT_NEAR(flip(test, reference, flip_default_pixels_per_degree).mean, expected, 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Reference, FlipOfStoredImages, ::testing::Values("noise", "blur"));
 
 TEST(Flip, BlackAgainstWhiteIsTheEndOfItsScale) {
-  // Worked by hand from the published constants: HyAB of black and white is 100, of green and blue (Hunt-adjusted) 203.3; with the
-  // exponent 0.7 they are 25.119 and 41.276, the bend lies at 0.4 · 41.276: 0.95 + 0.05 (25.119 − 16.510)/(41.276 − 16.510).
+  // Worked by hand from the published constants: HyAB of black and white is 100, of green and blue (Hunt-adjusted)
+  // 203.3; with the exponent 0.7 they are 25.119 and 41.276, the bend lies at 0.4 · 41.276: 0.95 + 0.05 (25.119
+  // − 16.510)/(41.276 − 16.510).
   const Flip f = flip(uniform_image(40, 30, 1, 1, 1), uniform_image(40, 30, 0, 0, 0), 30.0);
   EXPECT_NEAR(f.mean, 0.96738, 2e-5);  // the hand-worked digits
   EXPECT_NEAR(*f.map.at(0, 0), *f.map.at(20, 15), 1e-6f);
@@ -51,7 +53,8 @@ TEST(Flip, OfOneImageIsZeroAndItIsSymmetric) {
 }
 
 TEST(Flip, FromFarAwayDetailIsNotSeen) {
-  // A checkerboard of single pixels against its mean in light: 60 px/deg put it at 30 cycles/deg and more, 4 px/deg at 2.
+  // A checkerboard of single pixels against its mean in light: 60 px/deg put it at 30 cycles/deg and more, 4 px/deg
+  // at 2.
   Image board(64, 64, 3);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) std::fill_n(board.at(x, y), 3, linear_to_srgb((x + y) % 2 ? 0.45f : 0.55f));
@@ -129,7 +132,8 @@ TEST(HdrFlip, TakesTheWorstExposureOfEachPixel) {
       std::fill_n(test.at(x + 32, y), 3, 800.0f);
     }
   const Flip all = hdr_flip(test, reference, 20.0, {-9.0, 9.0, 2});
-  const Flip shortest = hdr_flip(test, reference, 20.0, {-9.0, -9.0, 1}), longest = hdr_flip(test, reference, 20.0, {9.0, 9.0, 1});
+  const Flip shortest = hdr_flip(test, reference, 20.0, {-9.0, -9.0, 1}),
+             longest = hdr_flip(test, reference, 20.0, {9.0, 9.0, 1});
   EXPECT_EQ(*all.map.at(16, 16), *longest.map.at(16, 16));
   EXPECT_EQ(*all.map.at(48, 16), *shortest.map.at(48, 16));
   EXPECT_GT(*all.map.at(16, 16), 2.0f * *shortest.map.at(16, 16));
@@ -138,7 +142,8 @@ TEST(HdrFlip, TakesTheWorstExposureOfEachPixel) {
 
 TEST(HdrFlip, ExposuresPutBrightestAndMedianAtTheTargetBrightness) {
   Image reference = uniform_image(11, 10, 0.0f, 0.0f, 0.0f);
-  for (int i = 0; i < 99; ++i) std::fill_n(reference.pixels.begin() + 3 * i, 3, 0.25f);  // 99 of 110; the black ones do not count
+  for (int i = 0; i < 99; ++i)
+    std::fill_n(reference.pixels.begin() + 3 * i, 3, 0.25f);  // 99 of 110; the black ones do not count
   std::fill_n(reference.at(10, 9), 3, 64.0f);
   const ExposureRange range = hdr_flip_exposures(reference);
   EXPECT_NEAR(aces_tone_curve(std::exp2(range.start_stops) * 64.0), 0.85, 1e-9);
@@ -169,8 +174,8 @@ TEST(Ciede2000, EqualsThePublishedPairs) {
 }
 
 TEST(Ciede2000, OfDisplayColours) {
-  // Pure sRGB red, green and blue in L*a*b* (D65) as every table of them prints: (53.24, 80.09, 67.20), (87.73, −86.18, 83.18),
-  // (32.30, 79.19, −107.86).
+  // Pure sRGB red, green and blue in L*a*b* (D65) as every table of them prints: (53.24, 80.09, 67.20), (87.73,
+  // −86.18, 83.18), (32.30, 79.19, −107.86).
   const double expected = ciede2000_difference({53.24, 80.09, 67.20}, {32.30, 79.19, -107.86});
   const Ciede2000 d = ciede2000(uniform_image(5, 4, 1, 0, 0), uniform_image(5, 4, 0, 0, 1));
   EXPECT_NEAR(d.mean, expected, 0.01);  // two decimals of the tables

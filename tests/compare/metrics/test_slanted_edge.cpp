@@ -11,7 +11,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Edge along the direction `tilt` from the vertical, blurred by a Gaussian; each pixel is the mean of 16 × 16 points of it.
+/// Edge along the direction `tilt` from the vertical, blurred by a Gaussian; each pixel is the mean of 16 × 16 points
+/// of it.
 Image edge_image(int width, int height, double tilt_deg, double sigma, bool steep = true) {
   Image image(width, height, 1);
   const double a = tilt_deg * pi / 180.0;
@@ -45,9 +46,11 @@ TEST(SlantedEdge, MtfOfAKnownBlur) {
       EXPECT_NEAR(m.tilt_deg, tilt, 0.05);
       EXPECT_TRUE(m.steep);
       EXPECT_NEAR(m.step, 0.8, 0.01);
-      // 0.01: the window flattens the line spread by 0.23 (2π σ/64)², 0.005 at most here; quarter-pixel bins are filled unevenly.
+      // 0.01: the window flattens the line spread by 0.23 (2π σ/64)², 0.005 at most here; quarter-pixel bins are filled
+      // unevenly.
       for (std::size_t i = 0; i < m.mtf.size(); ++i)
-        EXPECT_NEAR(m.mtf[i], expected_mtf(frequencies[i], sigma, tilt), 0.01) << sigma << ' ' << tilt << ' ' << frequencies[i];
+        EXPECT_NEAR(m.mtf[i], expected_mtf(frequencies[i], sigma, tilt), 0.01)
+            << sigma << ' ' << tilt << ' ' << frequencies[i];
     }
 }
 
@@ -57,7 +60,8 @@ TEST(SlantedEdge, RunsAcrossAndDarkensToo) {
   const EdgeMtf m = slanted_edge_mtf(image, {5, 2, 80, 60}, frequencies);
   EXPECT_FALSE(m.steep);
   EXPECT_NEAR(m.step, -0.8, 0.01);
-  for (std::size_t i = 0; i < m.mtf.size(); ++i) EXPECT_NEAR(m.mtf[i], expected_mtf(frequencies[i], 1.0, 6.0), 0.01) << frequencies[i];
+  for (std::size_t i = 0; i < m.mtf.size(); ++i)
+    EXPECT_NEAR(m.mtf[i], expected_mtf(frequencies[i], 1.0, 6.0), 0.01) << frequencies[i];
 }
 
 TEST(SlantedEdge, RefusesWhatHasNoEdge) {

@@ -42,7 +42,8 @@ double jinc(double x) {
 TEST(EncircledEnergy, OfADiscIsTheSquareOfTheRadius) {
   const double radii[] = {0.5, 1.0, 2.5, 4.0, 6.0};
   const auto curve = encircled_energy(disc(5.0), radii);
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(curve[i].value, radii[i] * radii[i] / 25.0, 1e-3);  // O(1/√count) of points near the rim
+  for (int i = 0; i < 4; ++i)
+    EXPECT_NEAR(curve[i].value, radii[i] * radii[i] / 25.0, 1e-3);  // O(1/√count) of points near the rim
   EXPECT_NEAR(curve[4].value, 1.0, 1e-12);
   EXPECT_FALSE(curve[0].standard_error);  // a sunflower is not random
   EXPECT_NEAR(encircled_energy_radius(disc(5.0), 0.5).value, 5.0 * std::sqrt(0.5), 2e-3);
@@ -51,14 +52,15 @@ TEST(EncircledEnergy, OfADiscIsTheSquareOfTheRadius) {
 
 TEST(EncircledEnergy, OfTheRoseOfSin2) {
   // Rays p ↦ r |cos 2φ|: the circle of least confusion. P(√u c ≤ ρ) = 1 − (2/π)(acos ρ − ρ√(1 − ρ²)).
-  const PointSpread rose =
-      random_rays(40000, 1.0, 5, [](const Eigen::Vector2d& p, double a) { return Eigen::Vector2d(std::cos(2.0 * a) * p); });
+  const PointSpread rose = random_rays(
+      40000, 1.0, 5, [](const Eigen::Vector2d& p, double a) { return Eigen::Vector2d(std::cos(2.0 * a) * p); });
   const double radii[] = {0.2, 0.5, 0.8};
   const auto curve = encircled_energy(rose, radii);
   for (int i = 0; i < 3; ++i) {
     const double expected = 1.0 - 2.0 / pi * (std::acos(radii[i]) - radii[i] * std::sqrt(1.0 - radii[i] * radii[i]));
     EXPECT_NEAR(curve[i].value, expected, 4.0 * *curve[i].standard_error);  // 4σ
-    EXPECT_NEAR(*curve[i].standard_error, std::sqrt(expected * (1.0 - expected) / 40000.0), 0.05 * *curve[i].standard_error);
+    EXPECT_NEAR(*curve[i].standard_error, std::sqrt(expected * (1.0 - expected) / 40000.0),
+                0.05 * *curve[i].standard_error);
   }
 }
 
@@ -72,14 +74,16 @@ TEST(EncircledEnergy, StandardErrorOfTheRadiusIsItsScatter) {
     mean += r.value / sets, squares += r.value * r.value / sets, stated += *r.standard_error / sets;
   }
   EXPECT_NEAR(stated, expected, 0.05 * expected);
-  EXPECT_NEAR(std::sqrt(squares - mean * mean), expected, 4.0 * expected / std::sqrt(2.0 * sets));  // 4σ of a standard deviation
+  EXPECT_NEAR(std::sqrt(squares - mean * mean), expected,
+              4.0 * expected / std::sqrt(2.0 * sets));  // 4σ of a standard deviation
 }
 
 TEST(Transfer, OfADiscIsABesselFunctionInEveryDirection) {
   const PointSpread spread = disc(3.0);
   for (const double f : report_frequencies_cpd)
     for (const double direction : report_directions_deg)
-      EXPECT_NEAR(modulation_transfer(spread, f, direction)->value, std::abs(jinc(2.0 * pi * 3.0 * f / 60.0)), 1e-3);  // O(1/√count)
+      EXPECT_NEAR(modulation_transfer(spread, f, direction)->value, std::abs(jinc(2.0 * pi * 3.0 * f / 60.0)),
+                  1e-3);  // O(1/√count)
 }
 
 TEST(Transfer, OfAFocalLineTellsTheDirections) {
@@ -92,7 +96,8 @@ TEST(Transfer, OfAFocalLineTellsTheDirections) {
 }
 
 TEST(Transfer, PhaseOfTheOtfIsAboutTheCentroidAndPixelsAreDividedOut) {
-  // Light 3 : 1 on two points 2' apart: about the centroid (0.5' from the strong one) OTF = ¾ e^(+iπ f) + ¼ e^(−3iπ f), f in cycles/arcmin.
+  // Light 3 : 1 on two points 2' apart: about the centroid (0.5' from the strong one) OTF = ¾ e^(+iπ f) + ¼ e^(−3iπ f),
+  // f in cycles/arcmin.
   PointSpread pair;
   pair.points = {{7.0, 1.0}, {9.0, 1.0}};
   pair.weights = {0.75, 0.25};
@@ -102,7 +107,8 @@ TEST(Transfer, PhaseOfTheOtfIsAboutTheCentroidAndPixelsAreDividedOut) {
   pair.cell_arcmin = 1.0;
   EXPECT_FALSE(modulation_transfer(pair, 30.0, 0.0));  // half a cycle per pixel
   EXPECT_TRUE(modulation_transfer(pair, 29.0, 90.0));
-  EXPECT_NEAR(std::abs(optical_transfer(pair, 60.0 * f, 0.0)), std::abs(expected) / (std::sin(pi * f) / (pi * f)), 1e-12);
+  EXPECT_NEAR(std::abs(optical_transfer(pair, 60.0 * f, 0.0)), std::abs(expected) / (std::sin(pi * f) / (pi * f)),
+              1e-12);
 }
 
 TEST(Transfer, StandardErrorIsTheScatter) {
@@ -147,8 +153,8 @@ TEST(TotalVariation, OfBoxesThatOverlap) {
 TEST(TotalVariation, OfNoiseIsWhatIsExpected) {
   double value = 0.0, expected = 0.0;
   for (int s = 0; s < 20; ++s) {
-    const TotalVariation t =
-        total_variation(random_rays(20000, 5.0, 2 * s + 1, as_it_is), random_rays(30000, 5.0, 2 * s + 2, as_it_is), 1.0);
+    const TotalVariation t = total_variation(random_rays(20000, 5.0, 2 * s + 1, as_it_is),
+                                             random_rays(30000, 5.0, 2 * s + 2, as_it_is), 1.0);
     value += t.value / 20, expected += *t.expected_of_noise / 20;
   }
   EXPECT_NEAR(value, expected, 0.05 * expected);  // 90 cells, 20 sets: 4 · 0.75/√1800 of half-normal deviates
@@ -169,7 +175,8 @@ TEST(PointSpread, OfAnEllipseHasItsSecondMoments) {
   Eigen::Matrix2d map;
   map << 1.0, 0.4, -0.2, 0.5;
   const Eigen::Matrix2d expected = 0.25 * 9.0 * map * map.transpose();
-  EXPECT_LT((spread_of_ellipse(arcmin_rad * map, 3.0, 20000).covariance() - expected).norm(), 2e-4 * expected.norm());  // O(1/count)
+  EXPECT_LT((spread_of_ellipse(arcmin_rad * map, 3.0, 20000).covariance() - expected).norm(),
+            2e-4 * expected.norm());  // O(1/count)
 }
 
 TEST(PsfComparison, TellsADiscFromASmallerOne) {

@@ -23,7 +23,8 @@ std::vector<Image> noisy(int width, int height, int count, std::uint64_t seed, d
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         for (int c = 0; c < 3; ++c)
-          image.at(x, y)[c] = static_cast<float>(gain * (1.0 + 0.01 * x) + noise * (1.0 + 2.0 * x / width) * normal_like());
+          image.at(x, y)[c] =
+              static_cast<float>(gain * (1.0 + 0.01 * x) + noise * (1.0 + 2.0 * x / width) * normal_like());
   return images;
 }
 
@@ -48,7 +49,8 @@ TEST_P(BlockTestOf, EqualImagesPass) {
 
 TEST_P(BlockTestOf, DeviatesHaveUnitVariance) {
   const BlockTest t = block_test(noisy(320, 256, 6, 11), noisy(320, 256, 6, 12), options());
-  for (const auto& chi : t.chi_squared) EXPECT_NEAR(chi.value / chi.degrees, 1.0, 4.0 * std::sqrt(2.0 / chi.degrees));  // 4σ of χ²₃₂₀
+  for (const auto& chi : t.chi_squared)
+    EXPECT_NEAR(chi.value / chi.degrees, 1.0, 4.0 * std::sqrt(2.0 / chi.degrees));  // 4σ of χ²₃₂₀
 }
 
 TEST_P(BlockTestOf, OneBrighterBlockIsFoundWithItsSign) {
@@ -65,7 +67,8 @@ TEST_P(BlockTestOf, OneBrighterBlockIsFoundWithItsSign) {
   EXPECT_LT(block_test(b, a, options()).z.at(3, 2)[1], 0.0f);
 }
 
-INSTANTIATE_TEST_SUITE_P(Variance, BlockTestOf, ::testing::Values(BlockVariance::Replicates, BlockVariance::IndependentPixels));
+INSTANTIATE_TEST_SUITE_P(Variance, BlockTestOf,
+                         ::testing::Values(BlockVariance::Replicates, BlockVariance::IndependentPixels));
 
 TEST(BlockTest, ChiSquaredSeesASmallDifferenceThatIsEverywhere) {
   BlockTestOptions options;

@@ -62,7 +62,8 @@ TEST(TwoSampleTests, HoldTheirLevel) {
 
 TEST(TwoSampleTests, SeeWhatTheyAreFor) {
   // Equal means and unequal spread: for Kolmogorov and Smirnov, not for Welch.
-  const std::vector<double> a = normal_sample(1, 400, 0.0, 1.0), b = normal_sample(2, 400, 0.0, 2.0), c = normal_sample(3, 400, 0.5, 1.0);
+  const std::vector<double> a = normal_sample(1, 400, 0.0, 1.0), b = normal_sample(2, 400, 0.0, 2.0),
+                            c = normal_sample(3, 400, 0.5, 1.0);
   EXPECT_GT(welch_test(a, b).p, 0.001);
   EXPECT_LT(kolmogorov_smirnov_test(a, b).p, 1e-4);
   EXPECT_LT(welch_test(a, c).z, -4.0);
@@ -87,7 +88,8 @@ TEST(SampleSize, OfAPerMilleAtFourSigma) {
   EXPECT_EQ(rays_for_semi_axis({}, 3.0), 8'000'000u);
   EXPECT_EQ(samples_for_mean({.relative_difference = 0.01, .sigmas = 3.0}, 2.0), 360'000u);
   // z of 90 % power: 1.2815515655446004; (4 + z)²/4 · 1e6
-  EXPECT_NEAR(static_cast<double>(rays_for_semi_axis({.power = 0.9}, 2.0)), 0.25e6 * 5.2815515655446004 * 5.2815515655446004, 2.0);
+  EXPECT_NEAR(static_cast<double>(rays_for_semi_axis({.power = 0.9}, 2.0)),
+              0.25e6 * 5.2815515655446004 * 5.2815515655446004, 2.0);
   EXPECT_THROW(rays_for_semi_axis({}, 1.0), std::domain_error);
   EXPECT_THROW(rays_for_semi_axis({.relative_difference = 0.0}, 2.0), std::domain_error);
   EXPECT_THROW(rays_for_semi_axis({.power = 1.0}, 2.0), std::domain_error);

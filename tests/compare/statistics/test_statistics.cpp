@@ -41,12 +41,14 @@ TEST(Statistics, StudentsTailsHaveTheirClosedForms) {
     expect_relative(student_t_two_sided(t, 2.0), 2.0 / (std::sqrt(2.0 + t * t) * (std::sqrt(2.0 + t * t) + t)));
   }
   expect_relative(student_t_two_sided(2.131449545559323, 15.0), 0.05, 1e-10);  // tables
-  EXPECT_NEAR(student_t_two_sided(4.0, 15.0), 1.2e-3, 0.05e-3);                // what a 4σ bound means with 16 replicates
+  EXPECT_NEAR(student_t_two_sided(4.0, 15.0), 1.2e-3, 0.05e-3);  // what a 4σ bound means with 16 replicates
   EXPECT_EQ(student_t_two_sided(-4.0, 15.0), student_t_two_sided(4.0, 15.0));
   // Abramowitz & Stegun 26.7.7: to first order in 1/ν the tail exceeds the normal one by φ(t)(t³ + t)/(4ν)
   const double t = 2.5, density = std::exp(-0.5 * t * t) / std::sqrt(2.0 * std::numbers::pi), degrees = 1e6;
-  expect_relative(student_t_two_sided(t, degrees), normal_two_sided(t) + 2.0 * density * (t * t * t + t) / (4.0 * degrees), 1e-9);
-  for (const double p : {1e-12, 0.001, 0.5}) expect_relative(student_t_two_sided(student_t_two_sided_quantile(p, 7.0), 7.0), p, 1e-11);
+  expect_relative(student_t_two_sided(t, degrees),
+                  normal_two_sided(t) + 2.0 * density * (t * t * t + t) / (4.0 * degrees), 1e-9);
+  for (const double p : {1e-12, 0.001, 0.5})
+    expect_relative(student_t_two_sided(student_t_two_sided_quantile(p, 7.0), 7.0), p, 1e-11);
 }
 
 TEST(Statistics, NormalEquivalentKeepsSignAndTail) {

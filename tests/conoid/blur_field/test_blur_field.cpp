@@ -24,8 +24,13 @@ Eye eye_with(const Accommodation& accommodation) {
   return Eye::with({-4.0, -2.0, 30.0, 12e-3}, 4e-3, accommodation);
 }
 
-const FieldGrid small{
-    .nx = 7, .ny = 5, .nz = 9, .tan_half_width = 0.6, .tan_half_height = 0.4, .near_vergence_D = 4.0, .far_vergence_D = 0.0};
+const FieldGrid small{.nx = 7,
+                      .ny = 5,
+                      .nz = 9,
+                      .tan_half_width = 0.6,
+                      .tan_half_height = 0.4,
+                      .near_vergence_D = 4.0,
+                      .far_vergence_D = 0.0};
 
 TEST(FieldGrid, NodesLieOnTheEdges) {
   EXPECT_EQ(small.ndc_x(0), -1.0);
@@ -41,9 +46,11 @@ TEST(FieldGrid, NodesLieOnTheEdges) {
 }
 
 TEST(BestAccommodation, IsTheLeastLargerSemiAxis) {
-  // Against a golden-section search of what it minimises, which knows nothing of complex planes. The minimum of a smooth function is found
-  // by its values to the root of the rounding, 1e-8.
-  const auto larger = [](const Eigen::Matrix2d& m, const Eigen::Matrix2d& n, double a) { return singular_values(m - a * n).large; };
+  // Against a golden-section search of what it minimises, which knows nothing of complex planes. The minimum of a
+  // smooth function is found by its values to the root of the rounding, 1e-8.
+  const auto larger = [](const Eigen::Matrix2d& m, const Eigen::Matrix2d& n, double a) {
+    return singular_values(m - a * n).large;
+  };
   rc::check([&] {
     const auto entry = [](int scale) { return *rc::gen::inRange(-1000, 1001) * 1e-3 * scale; };
     const Eigen::Matrix2d m{{entry(5), entry(2)}, {entry(2), entry(5)}},
@@ -53,7 +60,8 @@ TEST(BestAccommodation, IsTheLeastLargerSemiAxis) {
     double low = 0.0, high = amplitude;
     while (high - low > 1e-9) {
       const double left = low + 0.382 * (high - low), right = low + 0.618 * (high - low);
-      (larger(m, n, left) <= larger(m, n, right) ? high : low) = larger(m, n, left) <= larger(m, n, right) ? right : left;
+      (larger(m, n, left) <= larger(m, n, right) ? high : low) =
+          larger(m, n, left) <= larger(m, n, right) ? right : left;
     }
     RC_ASSERT(larger(m, n, found) <= larger(m, n, 0.5 * (low + high)) + 1e-14);
   });
@@ -65,7 +73,8 @@ TEST(BestAccommodation, StopsExactlyAtTheKinkOfASphericalEye) {
   EXPECT_NEAR(best_accommodation(2.5 * one, one, 10.0), 2.5, 1e-14);
   EXPECT_EQ(best_accommodation(-1.0 * one, one, 10.0), 0.0);
   EXPECT_EQ(best_accommodation(12.0 * one, one, 10.0), 10.0);
-  EXPECT_EQ(best_accommodation(one, Eigen::Matrix2d::Zero(), 10.0), 0.0);  // accommodation changes nothing: the least of equals
+  EXPECT_EQ(best_accommodation(one, Eigen::Matrix2d::Zero(), 10.0),
+            0.0);  // accommodation changes nothing: the least of equals
   // Naked eye: the circle of least confusion, A = M.
   EXPECT_NEAR(best_accommodation(Eigen::Matrix2d{{1.0, 0.4}, {0.4, 3.0}}, one, 10.0), 2.0, 1e-14);
 }
@@ -93,13 +102,15 @@ TEST(DepthAnalyticField, IsTheConoidAtEveryNodeDistanceAndAccommodation) {
       for (const int j : {0, 2, 4})
         for (const double vergence : {0.0, 0.37, 2.0, 9.0})  // also nearer than the grid's near plane
           for (const double accommodation : {0.0, 1.7}) {
-            const Eigen::Matrix2d exact =
-                directions.conoids[small.index(i, j)].angular_footprint(eye.slope_matrix(accommodation).matrix(), vergence);
-            const auto stored = field.angular_footprint(static_cast<float>(small.ndc_x(i)), static_cast<float>(small.ndc_y(j)),
-                                                        static_cast<float>(vergence), static_cast<float>(accommodation));
+            const Eigen::Matrix2d exact = directions.conoids[small.index(i, j)].angular_footprint(
+                eye.slope_matrix(accommodation).matrix(), vergence);
+            const auto stored =
+                field.angular_footprint(static_cast<float>(small.ndc_x(i)), static_cast<float>(small.ndc_y(j)),
+                                        static_cast<float>(vergence), static_cast<float>(accommodation));
             ASSERT_TRUE(stored) << c.name;
             // Four terms of at most 15 rad/m, each rounded a few times, and the node's place in single precision.
-            EXPECT_LT((stored->cast<double>() - exact).norm(), 100.0 * single * (1.0 + exact.norm() + vergence)) << c.name;
+            EXPECT_LT((stored->cast<double>() - exact).norm(), 100.0 * single * (1.0 + exact.norm() + vergence))
+                << c.name;
           }
   }
 }
@@ -138,7 +149,8 @@ TEST(VoxelField, HoldsTheConoidInEveryModeOfAccommodation) {
   for (const LensCase& c : lenses()) {
     const TracedDirections directions = trace_directions(&c.lens, center, small);
     for (const Accommodation& mode :
-         {Accommodation(RelaxedAccommodation{}), Accommodation(FixedAccommodation{1.5, 0.0}), Accommodation(BestAccommodation{3.0})}) {
+         {Accommodation(RelaxedAccommodation{}), Accommodation(FixedAccommodation{1.5, 0.0}),
+          Accommodation(BestAccommodation{3.0})}) {
       const Eye eye = eye_with(mode);
       const VoxelField field = fill_voxels(&c.lens, eye, small, directions);
       for (const int k : {0, 1, 4, 8}) {
@@ -147,7 +159,9 @@ TEST(VoxelField, HoldsTheConoidInEveryModeOfAccommodation) {
         const Eigen::Matrix2d exact = conoid.angular_footprint(eye.slope_matrix(a).matrix(), vergence);
         const auto stored = field.angular_footprint(small.ndc_x(2), small.ndc_y(1), vergence);
         ASSERT_TRUE(stored);
-        EXPECT_LT((stored->cast<double>() - exact).norm(), 20.0 * single * (1.0 + conoid.angular_p(vergence).norm() + 8.0)) << c.name;
+        EXPECT_LT((stored->cast<double>() - exact).norm(),
+                  20.0 * single * (1.0 + conoid.angular_p(vergence).norm() + 8.0))
+            << c.name;
       }
     }
   }
@@ -159,12 +173,13 @@ TEST(VoxelField, LinearInDepthBetweenTheSlices) {
   const TracedDirections directions = trace_directions(&lens, center, small);
   const VoxelField field = fill_voxels(&lens, eye, small, directions);
   const DepthAnalyticField analytic(small, directions, eye.correction);
-  // X/d is affine in 1/d, so uniform dioptres and linear interpolation lose nothing; both interpolate the direction alike.
+  // X/d is affine in 1/d, so uniform dioptres and linear interpolation lose nothing; both interpolate the direction
+  // alike.
   for (const double vergence : {0.1, 1.27, 3.99})
-    EXPECT_LT(
-        (*field.angular_footprint(0.13, -0.71, vergence) - *analytic.angular_footprint(0.13f, -0.71f, static_cast<float>(vergence), 0.0f))
-            .norm(),
-        50.0f * single * 10.0f);
+    EXPECT_LT((*field.angular_footprint(0.13, -0.71, vergence) -
+               *analytic.angular_footprint(0.13f, -0.71f, static_cast<float>(vergence), 0.0f))
+                  .norm(),
+              50.0f * single * 10.0f);
   EXPECT_FALSE(field.angular_footprint(0.0, 0.0, 4.01));
   EXPECT_FALSE(field.angular_footprint(0.0, 0.0, -0.01));
 }
@@ -204,7 +219,8 @@ TEST(VoxelField, OnlyVisibleVoxelsAreStoredAndTheyAreTheSame) {
       struct Place {
         double x, y, vergence;
       };
-      const Place places[] = {{0.1, 0.2, 1.1}, {-0.9, 0.99, 3.9}, {1.0, -1.0, 0.0}, {0.11, 0.2, 1.105}, {0.1, 0.2, 2.5}};
+      const Place places[] = {
+          {0.1, 0.2, 1.1}, {-0.9, 0.99, 3.9}, {1.0, -1.0, 0.0}, {0.11, 0.2, 1.105}, {0.1, 0.2, 2.5}};
       for (const Place& p : places) mask.add_look_up(p.x, p.y, p.vergence);
       mask.add_look_up(2.0, 0.0, 1.0);  // outside: nothing
       EXPECT_LE(mask.count(), 40u);
@@ -212,7 +228,8 @@ TEST(VoxelField, OnlyVisibleVoxelsAreStoredAndTheyAreTheSame) {
                        some = fill_voxels(&lens, eye, grid, directions, method, &mask);
       EXPECT_EQ(some.stored_voxels(), mask.count());
       EXPECT_LT(some.memory_bytes(), all.memory_bytes() / 10);
-      for (const Place& p : places) EXPECT_EQ(some.angular_footprint(p.x, p.y, p.vergence), all.angular_footprint(p.x, p.y, p.vergence));
+      for (const Place& p : places)
+        EXPECT_EQ(some.angular_footprint(p.x, p.y, p.vergence), all.angular_footprint(p.x, p.y, p.vergence));
       EXPECT_TRUE(some.angular_footprint(0.1, 0.2, 1.1));
       EXPECT_FALSE(some.angular_footprint(0.5, 0.5, 1.1));
     }
@@ -242,7 +259,8 @@ TEST(TracedDirections, OneQuadrantOfASymmetricLensIsEnough) {
         EXPECT_LT((a.chief_ray.origin - b.chief_ray.origin).norm(), 1e-16) << c.name;
         EXPECT_LT((a.chief_ray.direction - b.chief_ray.direction).norm(), 1e-15) << c.name;
         EXPECT_LT((a.exit.e1 - b.exit.e1).norm() + (a.exit.e2 - b.exit.e2).norm(), 1e-15) << c.name;
-        EXPECT_LT((a.angular_p(2.0) - b.angular_p(2.0)).norm() + (a.angular_q(2.0) - b.angular_q(2.0)).norm(), 1e-13) << c.name;
+        EXPECT_LT((a.angular_p(2.0) - b.angular_p(2.0)).norm() + (a.angular_q(2.0) - b.angular_q(2.0)).norm(), 1e-13)
+            << c.name;
       }
     }
 }

@@ -12,8 +12,8 @@
 
 namespace sturm {
 
-/// Cards across the z axis in front of an eye at the origin, each with a colour that is a function of the place on it; for tests of
-/// predicted pictures, whose oracle asks the same cards by arithmetic alone.
+/// Cards across the z axis in front of an eye at the origin, each with a colour that is a function of the place on it;
+/// for tests of predicted pictures, whose oracle asks the same cards by arithmetic alone.
 struct Card {
   double z, x0, x1, y0, y1;
   std::function<double(double x, double y)> radiance;
@@ -26,15 +26,16 @@ class FlatScene {
       : cards_(std::move(cards)), device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
     for (const Card& c : cards_) {
       RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_QUAD);
-      auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4));
+      auto* v = static_cast<float*>(
+          rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4));
       const double corners[4][2] = {{c.x0, c.y0}, {c.x1, c.y0}, {c.x1, c.y1}, {c.x0, c.y1}};
       for (int k = 0; k < 4; ++k) {
         v[3 * k] = static_cast<float>(corners[k][0]);
         v[3 * k + 1] = static_cast<float>(corners[k][1]);
         v[3 * k + 2] = static_cast<float>(c.z);
       }
-      auto* i =
-          static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), 1));
+      auto* i = static_cast<unsigned*>(
+          rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), 1));
       for (unsigned k = 0; k < 4; ++k) i[k] = k;
       rtcCommitGeometry(geometry);
       rtcAttachGeometry(scene_.get(), geometry);
@@ -86,7 +87,8 @@ class FlatScene {
           if (i == cards.size()) {
             cards.push_back(card);
             Fragment f{};
-            f.position = f.radiance = f.direct = f.albedo = f.direct_variance = f.indirect_variance = Eigen::Vector3f::Zero();
+            f.position = f.radiance = f.direct = f.albedo = f.direct_variance = f.indirect_variance =
+                Eigen::Vector3f::Zero();
             f.normal = card ? Eigen::Vector3f(Eigen::Vector3f::UnitZ()) : Eigen::Vector3f(Eigen::Vector3f::Zero());
             f.middle.setZero();
             f.spread.setZero();
@@ -108,7 +110,8 @@ class FlatScene {
           f.position /= 16.0f * f.share;
           f.middle /= 16.0f * f.share;
           // A sample stands for a sixteenth of the pixel, whose own variance is (1/4)²/12.
-          const Eigen::Vector3f square(f.middle.x() * f.middle.x(), f.middle.x() * f.middle.y(), f.middle.y() * f.middle.y());
+          const Eigen::Vector3f square(f.middle.x() * f.middle.x(), f.middle.x() * f.middle.y(),
+                                       f.middle.y() * f.middle.y());
           f.spread = f.spread / (16.0f * f.share) - square + Eigen::Vector3f(1.0f, 0.0f, 1.0f) / 192.0f;
           f.radiance /= 16.0f * f.share;
           if (f.surroundings) f.position.normalize();

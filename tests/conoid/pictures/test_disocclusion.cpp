@@ -43,13 +43,15 @@ TEST(Disocclusion, WallContinuesUnderTheCardsEdges) {
 TEST(Disocclusion, OneContinuousSurfaceHidesNothing) {
   CardBeforeWall scene;
   for (std::size_t i = 0; i < scene.vergence.size(); ++i) scene.vergence[i] = 1.0 + 0.4 * static_cast<double>(i % 30);
-  EXPECT_THAT(extrapolate_hidden(scene.radiance, scene.vergence, 0.5, [](double) { return 10.0; }), ::testing::IsEmpty());
+  EXPECT_THAT(extrapolate_hidden(scene.radiance, scene.vergence, 0.5, [](double) { return 10.0; }),
+              ::testing::IsEmpty());
 }
 
 TEST(Disocclusion, TheFarSideHidesNothing) {
   CardBeforeWall scene;
   for (double& v : scene.vergence) v = v == near_D ? far_D : near_D;  // now a window: the surround is near
-  for (const HiddenSample& h : extrapolate_hidden(scene.radiance, scene.vergence, 0.5, reach)) EXPECT_TRUE(h.x < 10 || h.x >= 20);
+  for (const HiddenSample& h : extrapolate_hidden(scene.radiance, scene.vergence, 0.5, reach))
+    EXPECT_TRUE(h.x < 10 || h.x >= 20);
 }
 
 }  // namespace

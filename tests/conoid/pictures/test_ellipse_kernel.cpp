@@ -45,7 +45,8 @@ Matrix2d matrix(double a, double b, double c, double d) {
   return m;
 }
 
-/// Area of (ellipse ∩ box) / area of the ellipse by the midpoint rule on `n` lines: an oracle that knows nothing of caps.
+/// Area of (ellipse ∩ box) / area of the ellipse by the midpoint rule on `n` lines: an oracle that knows nothing of
+/// caps.
 double weight_by_lines(const Matrix2d& map, const Vector2d& source, int px, int py, int n) {
   const Matrix2d q = (map * map.transpose()).inverse();  // the ellipse is rᵀ q r <= 1
   double area = 0.0;
@@ -66,13 +67,15 @@ TEST(EllipseKernel, SmallEllipseStaysInItsPixel) {
 }
 
 TEST(EllipseKernel, CircleOnPixelCentreHasTheClosedFormSegments) {
-  // Radius 1 about the centre of pixel 0: the pixel is inside (its corners are at 0.7071), the rest is shared by 4 edges and 4 corners.
+  // Radius 1 about the centre of pixel 0: the pixel is inside (its corners are at 0.7071), the rest is shared by 4
+  // edges and 4 corners.
   const EllipseKernel kernel(matrix(1, 0, 0, 1), {0.5, 0.5});
   const double segment = pi / 3.0 - std::sqrt(3.0) / 4.0;  // of a unit disc beyond a chord at distance 1/2
   // Beyond both x = 1/2 and y = 1/2: sector from 30° to 60° less two triangles with base (√3 − 1)/2 and height 1/2.
   const double corner = pi / 12.0 - 2.0 * 0.5 * 0.5 * (std::sqrt(3.0) - 1.0) / 2.0;
   EXPECT_NEAR(weight_at(kernel, 0, 0), 1.0 / pi, 1e-15);
-  for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) EXPECT_NEAR(weight_at(kernel, x, y), corner / pi, 1e-15);
+  for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}})
+    EXPECT_NEAR(weight_at(kernel, x, y), corner / pi, 1e-15);
   for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
     EXPECT_NEAR(weight_at(kernel, x, y), (segment - 2.0 * corner) / pi, 1e-15);
 }
@@ -111,7 +114,8 @@ RC_GTEST_PROP(EllipseKernel, WeightsSumToOneAndCarryTheMoments, ()) {
     mean += w * Vector2d(x + 0.5, y + 0.5);
     if (y + 1 < source.y() - map.row(1).norm() - 1e-9 || y > source.y() + map.row(1).norm() + 1e-9) ++rows_outside;
   });
-  RC_ASSERT(std::abs(total - 1.0) < 1e-11);  // some 200 edge weights of area error 1e-16 · 1/sin, near-degenerate ones the worst
+  RC_ASSERT(std::abs(total - 1.0) <
+            1e-11);  // some 200 edge weights of area error 1e-16 · 1/sin, near-degenerate ones the worst
   RC_ASSERT(smallest >= 0.0);
   RC_ASSERT(rows_outside == 0);
   // Pixel centres quantise the position by at most half a pixel.
@@ -135,13 +139,15 @@ TEST(EllipseKernel, FocalLineKeepsTheProjectedDensityOfTheDisc) {
 TEST(EllipseKernel, ObliqueFocalLineRunsThroughDiagonalPixels) {
   const EllipseKernel kernel(matrix(2.2, 0, 2.2, 0), {0.5, 0.5});
   EXPECT_NEAR(sum(kernel), 1.0, 1e-14);
-  for_each_weight(kernel, [](int x, int y, double w) { EXPECT_TRUE(x == y || w < 1e-15) << x << ' ' << y << ' ' << w; });
+  for_each_weight(kernel,
+                  [](int x, int y, double w) { EXPECT_TRUE(x == y || w < 1e-15) << x << ' ' << y << ' ' << w; });
   EXPECT_GT(weight_at(kernel, -2, -2), 0.05);
 }
 
 TEST(EllipseKernel, ThinEllipseApproachesTheLine) {
   const EllipseKernel line(matrix(6, 0, 2, 0), {0.5, 0.5}), thin(matrix(6, 1e-9, 2, -2e-9), {0.5, 0.5});
-  for_each_weight(line, [&](int x, int y, double w) { EXPECT_NEAR(w, weight_at(thin, x, y), 1e-7); });  // ∝ width, and 1e-16/sin
+  for_each_weight(
+      line, [&](int x, int y, double w) { EXPECT_NEAR(w, weight_at(thin, x, y), 1e-7); });  // ∝ width, and 1e-16/sin
 }
 
 TEST(EllipseKernel, PointSourceWithoutBlurIsCopied) {

@@ -24,7 +24,8 @@ class Noise {
   std::uint32_t state_ = 12345;
 };
 
-/// What a fragment receives directly and indirectly, the noise added to either (half the width of a uniform density), and its albedo.
+/// What a fragment receives directly and indirectly, the noise added to either (half the width of a uniform density),
+/// and its albedo.
 struct Received {
   float direct, indirect, direct_noise, indirect_noise, albedo = 0.5f;
 };
@@ -59,7 +60,8 @@ FragmentImage two_planes(int size, const ReceivedAt& received_at) {
 FragmentImage bright_and_dark(int size, float direct_noise, float indirect_noise) {
   return two_planes(size, [&](int x, int) {
     const bool left = x < size / 2;
-    return Received{left ? 0.6f : 1.8f, left ? 0.4f : 1.2f, direct_noise, indirect_noise, left ? (x % 2 ? 0.8f : 0.4f) : 0.5f};
+    return Received{left ? 0.6f : 1.8f, left ? 0.4f : 1.2f, direct_noise, indirect_noise,
+                    left ? (x % 2 ? 0.8f : 0.4f) : 0.5f};
   });
 }
 
@@ -126,7 +128,8 @@ TEST(FragmentFilter, SaysWhatIsLeftOfTheVariance) {
 
 /// (1 − x/4)⁴ for x = d²/tolerance², d in standard deviations.
 double left_at(double tolerance) {
-  return testing::left_by_falloff([tolerance](double d2) { return std::pow(std::max(0.0, 1.0 - d2 / (4.0 * tolerance * tolerance)), 4); });
+  return testing::left_by_falloff(
+      [tolerance](double d2) { return std::pow(std::max(0.0, 1.0 - d2 / (4.0 * tolerance * tolerance)), 4); });
 }
 
 TEST(FragmentFilter, TolerancesLeaveWhatTheirWidthSays) {
@@ -149,15 +152,18 @@ TEST(FragmentFilter, TakesNoiseAndKeepsTexturesAndCreases) {
       after += std::pow(static_cast<double>(f.radiance.x() / f.albedo.x()) - truth, 2);
       if (x < 24) left += static_cast<double>(f.radiance.x() / f.albedo.x()) / (16 * 32);
     }
-  // One level alone leaves that share of the direct light's (TolerancesLeaveWhatTheirWidthSays), and less of the rest; further ones take
-  // more, also beside the crease, where there are fewer taps.
+  // One level alone leaves that share of the direct light's (TolerancesLeaveWhatTheirWidthSays), and less of the rest;
+  // further ones take more, also beside the crease, where there are fewer taps.
   EXPECT_LT(after, left_at(FilterSettings{}.direct_tolerance) * before);
   EXPECT_NEAR(left, 1.0, 0.03);  // nothing of the bright plane: 0.28/√3/√512 = 0.007 of noise
 }
 
 TEST(FragmentFilter, AShadowsEdgeIsKeptWhateverTheNoiseOfIndirectLight) {
-  // Direct light of 1 and 0.4 with little noise; indirect light whose noise is as large as that step: were it one, it would hide it.
-  const FragmentImage view = two_planes(64, [](int x, int) { return Received{x < 16 ? 1.0f : 0.4f, 0.5f, 0.02f, 0.6f}; });
+  // Direct light of 1 and 0.4 with little noise; indirect light whose noise is as large as that step: were it one, it
+  // would hide it.
+  const FragmentImage view = two_planes(64, [](int x, int) {
+    return Received{x < 16 ? 1.0f : 0.4f, 0.5f, 0.02f, 0.6f};
+  });
   const FragmentImage smooth = smooth_of(view);
   double noise = 0.0;
   for (int y = 8; y < 56; ++y) {
@@ -170,9 +176,9 @@ TEST(FragmentFilter, AShadowsEdgeIsKeptWhateverTheNoiseOfIndirectLight) {
 }
 
 TEST(FragmentFilter, RareBrightSamplesKeepTheirLight) {
-  // One pixel in 49 has all the light, and a variance that says so; the others have seen nothing and do not know of any variance. The dark
-  // ones take much of what the bright ones lose: a half is left. If only a pixel's own variance counted, it would be an eighth; the bound
-  // lies between.
+  // One pixel in 49 has all the light, and a variance that says so; the others have seen nothing and do not know of any
+  // variance. The dark ones take much of what the bright ones lose: a half is left. If only a pixel's own variance
+  // counted, it would be an eighth; the bound lies between.
   FragmentImage view = two_planes(70, [](int, int) { return Received{0.0f, 0.0f, 0.0f, 0.0f}; });
   for (int y = 3; y < 70; y += 7)
     for (int x = 3; x < 70; x += 7) {
@@ -190,7 +196,8 @@ TEST(FragmentFilter, RareBrightSamplesKeepTheirLight) {
 }
 
 TEST(FragmentFilter, AFragmentCountsByItsShare) {
-  // In every other column a corner of each pixel, an eighth of it, is the surface: what it saw there counts for an eighth.
+  // In every other column a corner of each pixel, an eighth of it, is the surface: what it saw there counts for an
+  // eighth.
   FragmentImage view = two_planes(32, [](int x, int) { return Received{x % 2 ? 0.0f : 1.0f, 0.0f, 0.0f, 0.0f}; });
   for (Fragment& f : view.fragments) {
     f.direct_variance = Vector3f::Constant(1.0f);
@@ -201,7 +208,8 @@ TEST(FragmentFilter, AFragmentCountsByItsShare) {
 }
 
 TEST(FragmentFilter, NothingComesAcrossACrease) {
-  // Whatever the other plane receives: right at the crease it is nearer than the tolerance of a plane, so that normals have to tell.
+  // Whatever the other plane receives: right at the crease it is nearer than the tolerance of a plane, so that normals
+  // have to tell.
   FragmentImage view = bright_and_dark(48, 0.3f, 0.3f);
   const FragmentImage smooth = smooth_of(view, without_edge_stopping);
   for (Fragment& f : view.fragments)
@@ -216,21 +224,25 @@ TEST(FragmentFilter, DoesNotTouchLampsAndSurroundings) {
   for (std::size_t i = 0; i < view.fragments.size(); i += 2) view.fragments[i].emits = true;
   for (std::size_t i = 1; i < view.fragments.size(); i += 2) view.fragments[i].surroundings = true;
   const FragmentImage smooth = smooth_of(view);
-  for (std::size_t i = 0; i < view.fragments.size(); ++i) EXPECT_EQ(smooth.fragments[i].radiance, view.fragments[i].radiance);
+  for (std::size_t i = 0; i < view.fragments.size(); ++i)
+    EXPECT_EQ(smooth.fragments[i].radiance, view.fragments[i].radiance);
 }
 
 TEST(FragmentFilter, GlossyFragmentsAreFilteredAsTheyAre) {
-  // The same light on a chequered albedo, once divided by it and once not: of a glossy surface the light is the radiance itself.
+  // The same light on a chequered albedo, once divided by it and once not: of a glossy surface the light is the
+  // radiance itself.
   FragmentImage view = bright_and_dark(48, 0.2f, 0.2f), plain = view;
   for (Fragment& f : view.fragments) f.lambertian = false;
   for (Fragment& f : plain.fragments) f.albedo.setOnes();
   for (std::size_t i = 0; i < view.fragments.size(); ++i) view.fragments[i].albedo.setConstant(0.3f);
   const FragmentImage smooth = smooth_of(view), expected = smooth_of(plain);
-  for (std::size_t i = 0; i < view.fragments.size(); ++i) EXPECT_EQ(smooth.fragments[i].radiance, expected.fragments[i].radiance);
+  for (std::size_t i = 0; i < view.fragments.size(); ++i)
+    EXPECT_EQ(smooth.fragments[i].radiance, expected.fragments[i].radiance);
 }
 
 TEST(FragmentFilter, GlossyFragmentsOfAnotherAlbedoAndLambertianOnesStayOut) {
-  // Columns in turn: glossy of one albedo, glossy of another, Lambertian. What the other two have makes no difference to the first.
+  // Columns in turn: glossy of one albedo, glossy of another, Lambertian. What the other two have makes no difference
+  // to the first.
   const auto view_with = [](float others) {
     FragmentImage view = two_planes(36, [](int, int) { return Received{1.0f, 0.5f, 0.2f, 0.2f}; });
     for (std::size_t i = 0; i < view.fragments.size(); ++i) {
@@ -241,8 +253,10 @@ TEST(FragmentFilter, GlossyFragmentsOfAnotherAlbedoAndLambertianOnesStayOut) {
     }
     return view;
   };
-  const FragmentImage once = smooth_of(view_with(1.0f), without_edge_stopping), often = smooth_of(view_with(5.0f), without_edge_stopping);
-  for (std::size_t i = 0; i < once.fragments.size(); i += 3) EXPECT_EQ(once.fragments[i].radiance, often.fragments[i].radiance) << i;
+  const FragmentImage once = smooth_of(view_with(1.0f), without_edge_stopping),
+                      often = smooth_of(view_with(5.0f), without_edge_stopping);
+  for (std::size_t i = 0; i < once.fragments.size(); i += 3)
+    EXPECT_EQ(once.fragments[i].radiance, often.fragments[i].radiance) << i;
 }
 
 }  // namespace

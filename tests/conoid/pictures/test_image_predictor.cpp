@@ -56,7 +56,8 @@ Moments moments(const Image& image, int channel) {
 TEST(ImagePredictor, ZeroPupilIsAnExactCopy) {
   SharpView view = flat_view(9, 2, 1.0f, 0.0f);
   std::mt19937 random(7);
-  for (float& v : view.radiance.pixels) v = std::exp2(static_cast<float>(random() % 53) - 26.0f) * static_cast<float>(random() % 1000 + 1);
+  for (float& v : view.radiance.pixels)
+    v = std::exp2(static_cast<float>(random() % 53) - 26.0f) * static_cast<float>(random() % 1000 + 1);
   for (float& v : view.depth.pixels) v = 0.1f * static_cast<float>(random() % 100 + 1);
   const Prediction p = predict_image(view, emmetrope(0.0), 0.0);
   for (int y = 0; y < 9; ++y)
@@ -97,8 +98,9 @@ struct PsfCase {
 
 class PointSpread : public ::testing::TestWithParam<PsfCase> {};
 
-// Variance a²/4 V Vᵀ per pixel slope² and 1/12 px² for the output pixel, wearer frame (y up). Weights at pixel centres are samples of
-// the ellipse convolved with the pixel box, which has a bounded spectrum only approximately: 0.03 px² is left for radii of >= 4 px.
+// Variance a²/4 V Vᵀ per pixel slope² and 1/12 px² for the output pixel, wearer frame (y up). Weights at pixel centres
+// are samples of the ellipse convolved with the pixel box, which has a bounded spectrum only approximately: 0.03 px² is
+// left for radii of >= 4 px.
 TEST_P(PointSpread, HasTheCovarianceOfItsEllipse) {
   const PsfCase& t = GetParam();
   const double radius = 3e-3;
@@ -109,8 +111,8 @@ TEST_P(PointSpread, HasTheCovarianceOfItsEllipse) {
   const double u = (180.0 - t.axis + 90.0) * std::numbers::pi / 180.0;
   const double isotropic = (std::isinf(t.depth) ? 0.0 : 1.0 / t.depth) + t.sphere - t.accommodation;
   Eigen::Matrix2d v;
-  v << isotropic + t.cylinder * std::cos(u) * std::cos(u), t.cylinder * std::cos(u) * std::sin(u), t.cylinder * std::cos(u) * std::sin(u),
-      isotropic + t.cylinder * std::sin(u) * std::sin(u);
+  v << isotropic + t.cylinder * std::cos(u) * std::cos(u), t.cylinder * std::cos(u) * std::sin(u),
+      t.cylinder * std::cos(u) * std::sin(u), isotropic + t.cylinder * std::sin(u) * std::sin(u);
   const Eigen::Matrix2d expected = radius * radius / 4.0 * v * v.transpose() / (slope * slope);
   const Moments m = moments(p.radiance, 0);
   EXPECT_NEAR(m.mass, 1.0, 1e-6);
@@ -131,8 +133,11 @@ TEST(ImagePredictor, Axis30AndAxis150AreMirrorImages) {
   SharpView view = flat_view(41, 20, 1.0f, 0.0f);
   view.radiance.at(40, 40)[0] = 1.0f;
   // 1/d + F = 1 − 1 − 4 across the axis: a line along the axis has zero width; the light lies along u.
-  const auto xy = [&](double axis) { return moments(predict_image(view, astigmat(-1.0, -4.0, axis, 6e-3), 0.0).radiance, 0).xy; };
-  // The blur is 12 px long along u. AXIS 30: axis at 150° for the wearer, u at 60° or 240°: right-up, positive. cov = 36 · sin 60° cos 60°.
+  const auto xy = [&](double axis) {
+    return moments(predict_image(view, astigmat(-1.0, -4.0, axis, 6e-3), 0.0).radiance, 0).xy;
+  };
+  // The blur is 12 px long along u. AXIS 30: axis at 150° for the wearer, u at 60° or 240°: right-up, positive. cov =
+  // 36 · sin 60° cos 60°.
   EXPECT_NEAR(xy(30.0), 15.588, 0.05);
   EXPECT_NEAR(xy(150.0), -15.588, 0.05);
 }
@@ -144,7 +149,8 @@ TEST(ImagePredictor, NearSharpCardGetsNoLightFromTheFarBackground) {
       view.depth.at(x, y)[0] = 0.5f;
       view.radiance.at(x, y)[0] = view.radiance.at(x, y)[1] = view.radiance.at(x, y)[2] = 1.0f;
     }
-  const Prediction p = predict_image(view, emmetrope(4e-3), 2.0);  // focused on the card; the background has radius 4 px
+  const Prediction p =
+      predict_image(view, emmetrope(4e-3), 2.0);  // focused on the card; the background has radius 4 px
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 60; ++x) EXPECT_EQ(p.radiance.at(x, y)[0], x < 30 ? 1.0f : 100.0f) << x;
 }
@@ -161,7 +167,8 @@ std::vector<double> wall_share_across_the_edge(int oversampling) {
       view.depth.at(x, y)[0] = card ? 0.25f : 1.0f;
       view.radiance.at(x, y)[0] = card ? 0.0f : 1.0f;
     }
-  const Prediction p = predict_image(view, emmetrope(4e-3), 1.0);  // wall in focus; card blurred by 2e-3 · 3 / 1e-3 = 6 px
+  const Prediction p =
+      predict_image(view, emmetrope(4e-3), 1.0);  // wall in focus; card blurred by 2e-3 · 3 / 1e-3 = 6 px
   std::vector<double> share;
   for (int x = 0; x < 60; ++x) share.push_back(p.radiance.at(x, 30)[0]);
   return share;
@@ -187,11 +194,13 @@ TEST(ImagePredictor, BlurredNearCardHasATransparentEdgeOfItsEllipsesWidth) {
 TEST(ImagePredictor, ObliquePlaneStaysCovered) {
   SharpView view = flat_view(80, 30, 1.0f, 0.5f);
   for (int y = 0; y < 140; ++y)
-    for (int x = 0; x < 140; ++x) view.depth.at(x, y)[0] = static_cast<float>(1.0 / (0.5 + 0.02 * y));  // 0.06 px of blur per pixel
+    for (int x = 0; x < 140; ++x)
+      view.depth.at(x, y)[0] = static_cast<float>(1.0 / (0.5 + 0.02 * y));  // 0.06 px of blur per pixel
   const Prediction p = predict_image(view, emmetrope(6e-3), 1.0);
   EXPECT_GT(p.counters.layers, 10);
   EXPECT_EQ(p.counters.hidden_pixels, 0);
-  // Coverage is the inverse Jacobian of the spreading, averaged over the pupil: 1 + O(gradient²) and layers of finite number.
+  // Coverage is the inverse Jacobian of the spreading, averaged over the pupil: 1 + O(gradient²) and layers of finite
+  // number.
   for (const float covered : p.coverage.pixels) EXPECT_NEAR(covered, 1.0f, 0.01f);
 }
 
@@ -263,9 +272,10 @@ TEST(ImagePredictor, SameBitsForAnyNumberOfThreads) {
 }
 
 TEST(ImagePredictor, GuardBandIsTheLargestSemiAxisOfTheTwoEnds) {
-  const Eye eye = astigmat(-1.0, -2.0, 30.0, 4e-3);                                                // −1 and −3 D
-  EXPECT_EQ(required_margin_px(eye, 0.0, 1e-3, 0.5, std::numeric_limits<double>::infinity()), 6);  // 2 mm · 3 D at infinity
-  EXPECT_EQ(required_margin_px(eye, 0.0, 1e-3, 0.1, 1.0), 18);                                     // 2 mm · (10 − 1) D
+  const Eye eye = astigmat(-1.0, -2.0, 30.0, 4e-3);  // −1 and −3 D
+  EXPECT_EQ(required_margin_px(eye, 0.0, 1e-3, 0.5, std::numeric_limits<double>::infinity()),
+            6);                                                 // 2 mm · 3 D at infinity
+  EXPECT_EQ(required_margin_px(eye, 0.0, 1e-3, 0.1, 1.0), 18);  // 2 mm · (10 − 1) D
   EXPECT_EQ(required_margin_px(emmetrope(0.0), 0.0, 1e-3, 0.1, 1.0), 0);
   EXPECT_THROW(required_margin_px(eye, 0.0, 1e-3, 0.0, 1.0), std::invalid_argument);
 }
@@ -296,11 +306,12 @@ RC_GTEST_PROP(ImagePredictor, StaysWithinTheRangeOfTheSharpView, ()) {
   SharpView view = flat_view(size, 4, 1.0f, 0.0f);
   for (float& v : view.radiance.pixels) v = static_cast<float>(*rc::gen::inRange(0, 1000));
   for (float& v : view.depth.pixels) v = 0.05f * static_cast<float>(*rc::gen::inRange(2, 60));
-  const Eye eye = astigmat(*rc::gen::inRange(-30, 30) * 0.25, *rc::gen::inRange(-12, 13) * 0.25, *rc::gen::inRange(1, 181),
-                           *rc::gen::inRange(0, 9) * 1e-3);
+  const Eye eye = astigmat(*rc::gen::inRange(-30, 30) * 0.25, *rc::gen::inRange(-12, 13) * 0.25,
+                           *rc::gen::inRange(1, 181), *rc::gen::inRange(0, 9) * 1e-3);
   const Prediction p = predict_image(view, eye, *rc::gen::inRange(0, 12) * 0.25);
   const auto [low, high] = std::minmax_element(view.radiance.pixels.begin(), view.radiance.pixels.end());
-  for (const float value : p.radiance.pixels) RC_ASSERT(value >= *low * (1.0f - 1e-6f) && value <= *high * (1.0f + 1e-6f));
+  for (const float value : p.radiance.pixels)
+    RC_ASSERT(value >= *low * (1.0f - 1e-6f) && value <= *high * (1.0f + 1e-6f));
   for (const float covered : p.coverage.pixels) RC_ASSERT(covered > 0.0f && covered <= 1.0f + 1e-6f);
 }
 

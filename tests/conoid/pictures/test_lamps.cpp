@@ -1,4 +1,5 @@
-// Lamps are so much brighter than what is beside them that a hundredth of a pixel of them shows: their rims in blur, by both predictors.
+// Lamps are so much brighter than what is beside them that a hundredth of a pixel of them shows: their rims in blur, by
+// both predictors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +36,8 @@ FlatScene half_lamp(double edge_px, double radiance = lamp_radiance) {
 SightField field_with_blur(double radius_px, int width = 32) {
   // 10 mm of radius: radius_px · slope / 0.01 D of defocus.
   const double defocus_D = radius_px * slope / 1e-2;
-  return SightField(picture(width, 16), Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5 + defocus_D, 1.0 / (0.5 + defocus_D)}),
+  return SightField(picture(width, 16),
+                    Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5 + defocus_D, 1.0 / (0.5 + defocus_D)}),
                     std::nullopt);
 }
 
@@ -56,7 +58,8 @@ Image by_passes(const FlatScene& scene, const SightField& field, int lamp_factor
   PassSettings settings;
   settings.passes = 64;
   settings.lamp_factor = lamp_factor;
-  const PassPrediction predicted = predict_by_passes(scene.sharp_view(field), 1, field, scene.seen(), scene.shader(), settings);
+  const PassPrediction predicted =
+      predict_by_passes(scene.sharp_view(field), 1, field, scene.seen(), scene.shader(), settings);
   if (counters) *counters = predicted.counters;
   return predicted.radiance;
 }
@@ -66,14 +69,17 @@ Image by_layers(const FlatScene& scene, const SightField& field) {
   PassSettings settings;
   settings.passes = 16;
   const FragmentImage view = scene.sharp_view(field);
-  return predict_by_layers(view, 1, field, unseen_pieces(view, 1, field, scene.seen(), scene.shader(), settings, counters)).radiance;
+  return predict_by_layers(view, 1, field,
+                           unseen_pieces(view, 1, field, scene.seen(), scene.shader(), settings, counters))
+      .radiance;
 }
 
 /// Largest deviation of a row from the closed form, in radiances of the lamp.
 double worst(const Image& image, int y, double edge_px, double radius_px) {
   double largest = 0.0;
   for (int x = 3; x < image.width - 3; ++x) {
-    const double share = filled(x, 0.5 * image.width + edge_px, radius_px), expected = share * lamp_radiance + (1.0 - share) * 0.1;
+    const double share = filled(x, 0.5 * image.width + edge_px, radius_px),
+                 expected = share * lamp_radiance + (1.0 - share) * 0.1;
     largest = std::max(largest, std::abs(static_cast<double>(image.at(x, y)[0]) - expected) / lamp_radiance);
   }
   return largest;
@@ -85,8 +91,9 @@ TEST(Lamps, PassesStepsAreThoseOfTheManyPoints) {
   const SightField field = field_with_blur(radius);
   PassCounters few, many;
   const Image coarse = by_passes(scene, field, 1, &few), fine = by_passes(scene, field, 16, &many);
-  // An edge through N even points of a disc is off by O(N^-3/4), 0.044 of 64 and 0.0055 of 1024. Where a ray is less than a 32nd of the
-  // pixel (more than half of its rays meet the lamp) the 64 stay, whose places in the pixel count as well: twice as much.
+  // An edge through N even points of a disc is off by O(N^-3/4), 0.044 of 64 and 0.0055 of 1024. Where a ray is less
+  // than a 32nd of the pixel (more than half of its rays meet the lamp) the 64 stay, whose places in the pixel count as
+  // well: twice as much.
   double dim = 0.0, dim_coarse = 0.0;
   for (int x = 3; x < 29; ++x) {
     const double share = filled(x, 16.0, radius);
@@ -105,8 +112,9 @@ TEST(Lamps, PassesStepsAreThoseOfTheManyPoints) {
 }
 
 TEST(Lamps, VeryBrightLampsGetStillMorePasses) {
-  // A lamp 4e5 times as bright as all else fills a 1070th of the blur of these pixels: 1024 points meet it not at all, once or twice, and a
-  // row of such pixels would be lamps and gaps. After at least 4 that meet it, or 16384, the pixel is known to a quarter.
+  // A lamp 4e5 times as bright as all else fills a 1070th of the blur of these pixels: 1024 points meet it not at all,
+  // once or twice, and a row of such pixels would be lamps and gaps. After at least 4 that meet it, or 16384, the pixel
+  // is known to a quarter.
   const double radiance = 4e4, radius = 4.0, edge = -0.25;
   PassCounters counters;
   const Image image = by_passes(half_lamp(edge, radiance), field_with_blur(radius), 16, &counters);
@@ -132,12 +140,13 @@ TEST(Lamps, PassesDoNotMixALampWithWhatSharesItsPixelAndPlane) {
 }
 
 TEST(Lamps, LayeredLampsLeakAsLittleBlurMakesThem) {
-  // A lamp up to the border of its pixel and a disc of 0.39 px: from its middle it would not reach the next pixel. The mean over that pixel
-  // is E[max(X, 0)] of the disc's projection, 2r/(3π).
+  // A lamp up to the border of its pixel and a disc of 0.39 px: from its middle it would not reach the next pixel. The
+  // mean over that pixel is E[max(X, 0)] of the disc's projection, 2r/(3π).
   for (const double radius : {0.2, 0.39, 0.7}) {
     const Image image = by_layers(half_lamp(0.0), field_with_blur(radius));
     const double leak = 2.0 * radius / (3.0 * pi);
-    // Midpoints of eighths: at most h²/8 times the variation of the edge profile's slope, 2/(πr) (Peano's kernel of a cell).
+    // Midpoints of eighths: at most h²/8 times the variation of the edge profile's slope, 2/(πr) (Peano's kernel of a
+    // cell).
     const double tolerance = 1.0 / 64 / 8 * 2.0 / (pi * radius);
     EXPECT_NEAR((image.at(15, 8)[0] - 0.1) / (lamp_radiance - 0.1), leak, tolerance) << radius;
     EXPECT_NEAR((image.at(16, 8)[0] - 0.1) / (lamp_radiance - 0.1), 1.0 - leak, tolerance) << radius;
@@ -145,7 +154,8 @@ TEST(Lamps, LayeredLampsLeakAsLittleBlurMakesThem) {
 }
 
 TEST(Lamps, LayeredLampsKeepTheirWidthInAnyBlur) {
-  // Cells of 1/n of a pixel; the tolerance is that of LayeredLampsLeakAsLittleBlurMakesThem, inside and outside of the lamp's pixel.
+  // Cells of 1/n of a pixel; the tolerance is that of LayeredLampsLeakAsLittleBlurMakesThem, inside and outside of the
+  // lamp's pixel.
   const double edge = 0.25;
   for (const auto& [radius, n] : {std::pair{2.5, 4}, std::pair{9.0, 2}}) {
     const double tolerance = 2.0 / (n * n) / 8 * 2.0 / (pi * radius);
@@ -162,11 +172,12 @@ TEST(Lamps, APartOfAPixelIsSpreadFromWhereItIs) {
 }
 
 TEST(Lamps, ALampThatTheSharpViewMissesIsAsLargeAsItIs) {
-  // Fifths of a pixel, between the 4 × 4 places that the sharp view looks at. The rays that find it all meet it: without a measure of its
-  // own it would be a whole pixel of lamp, 25 times too much light.
+  // Fifths of a pixel, between the 4 × 4 places that the sharp view looks at. The rays that find it all meet it:
+  // without a measure of its own it would be a whole pixel of lamp, 25 times too much light.
   const double z = -2.0, pixel = slope * 2.0, half = 0.1 * pixel, x = 0.5 * pixel, y = -0.5 * pixel, radiance = 4e3;
-  const FlatScene scene({{z, x - half, x + half, y - half, y + half, [radiance](double, double) { return radiance; }, true},
-                         {2 * z, -9.0, 9.0, -9.0, 9.0, [](double, double) { return 0.1; }}});
+  const FlatScene scene(
+      {{z, x - half, x + half, y - half, y + half, [radiance](double, double) { return radiance; }, true},
+       {2 * z, -9.0, 9.0, -9.0, 9.0, [](double, double) { return 0.1; }}});
   const SightField field = field_with_blur(4.0);
   for (const Fragment& f : scene.sharp_view(field).fragments) ASSERT_FALSE(f.emits);
   double light = 0.0;

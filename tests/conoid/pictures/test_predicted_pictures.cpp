@@ -49,7 +49,8 @@ Image by_layers(const FlatScene& scene, const SightField& field, int oversamplin
   return predict_by_layers(view, oversampling, field, unseen).radiance;
 }
 
-/// What the eye sees of the cards, ray by ray: `rings` × 6k points of the pupil by midpoints in r², 4 × 4 places in the pixel.
+/// What the eye sees of the cards, ray by ray: `rings` × 6k points of the pupil by midpoints in r², 4 × 4 places in the
+/// pixel.
 Image brute_force(const FlatScene& scene, const SightField& field) {
   const PicturePlane& p = field.plane();
   const double a = field.eye().pupil_radius_m;
@@ -62,7 +63,8 @@ Image brute_force(const FlatScene& scene, const SightField& field) {
         const Vector2d q = p.slope({x + (k % 4 + 0.5) / 4, y + (k / 4 + 0.5) / 4});
         for (int ring = 0; ring < 12; ++ring)
           for (int j = 0; j < 48; ++j) {
-            const double r = a * std::sqrt((ring + 0.5) / 12), angle = 2.0 * pi * (j + 0.5 + 0.37 * ring + 0.11 * k) / 48;
+            const double r = a * std::sqrt((ring + 0.5) / 12),
+                         angle = 2.0 * pi * (j + 0.5 + 0.37 * ring + 0.11 * k) / 48;
             const Vector2d point(r * std::cos(angle), r * std::sin(angle)), direction = q + s * point;
             sum += scene.radiance({point.x(), point.y(), 0.0}, {direction.x(), direction.y(), -1.0});
           }
@@ -95,8 +97,8 @@ TEST(PupilPasses, FillTheDiscEvenly) {
       mean += pass.pupil.cast<double>() / count;
       film += pass.film.cast<double>() / count;
     }
-    EXPECT_NEAR(squares, 0.5, 1e-6);                                            // float; the sum of (k + ½)/n² is exactly ½
-    EXPECT_LT(mean.norm(), 1.0 / count);                                        // a sunflower's centroid: below one point's share
+    EXPECT_NEAR(squares, 0.5, 1e-6);      // float; the sum of (k + ½)/n² is exactly ½
+    EXPECT_LT(mean.norm(), 1.0 / count);  // a sunflower's centroid: below one point's share
     EXPECT_LT((film - Vector2d(0.5, 0.5)).cwiseAbs().maxCoeff(), 2.0 / count);  // low discrepancy: O(log n/n)
   }
 }
@@ -135,8 +137,9 @@ Moments moments(const Image& image) {
 
 class LampInTheDark : public ::testing::TestWithParam<double> {};
 
-// A square lamp of one pixel, 1 m away, before nothing. V = 1 − 1 − 4 u uᵀ with u across the axis: the light lies on a segment along u of
-// half length 10 mm · 4 D = 40 mrad = 10 px; a²/4 · 16/slope² = 25 px² of variance along u. AXIS 30 stands at the wearer's 150°, u at 60°.
+// A square lamp of one pixel, 1 m away, before nothing. V = 1 − 1 − 4 u uᵀ with u across the axis: the light lies on a
+// segment along u of half length 10 mm · 4 D = 40 mrad = 10 px; a²/4 · 16/slope² = 25 px² of variance along u. AXIS 30
+// stands at the wearer's 150°, u at 60°.
 TEST_P(LampInTheDark, IsItsEllipse) {
   const double h = 0.5 * slope;
   const FlatScene scene({{-1.0, -h, h, -h, h, white}});
@@ -169,26 +172,33 @@ TEST(PredictedPictures, ABlurredEdgeHasTheProfileOfItsDisc) {
   const Image passes = by_passes(scene, field, 256), layers = by_layers(scene, field);
   for (int x = 0; x < 32; ++x) {
     const double expected = 1.0 - covered(x + 0.5 - 16.0);
-    // An edge through 256 even points: O(N^-3/4) = 0.016 in each pixel, less in the mean over the four rows of the pattern.
+    // An edge through 256 even points: O(N^-3/4) = 0.016 in each pixel, less in the mean over the four rows of the
+    // pattern.
     EXPECT_NEAR(passes.at(x, 8)[0], expected, 0.03) << x;
-    EXPECT_NEAR(0.25 * (passes.at(x, 4)[0] + passes.at(x, 5)[0] + passes.at(x, 6)[0] + passes.at(x, 7)[0]), expected, 0.016) << x;
+    EXPECT_NEAR(0.25 * (passes.at(x, 4)[0] + passes.at(x, 5)[0] + passes.at(x, 6)[0] + passes.at(x, 7)[0]), expected,
+                0.016)
+        << x;
     EXPECT_NEAR(layers.at(x, 8)[0], expected, 0.02) << x;  // box-sampled in source and output: density'/6 < 0.02
   }
 }
 
 FlatScene post_before_a_wall(double wall_z) {
   const auto stripes = [](double x, double y) { return 0.5 + 0.4 * std::sin(9.0 * x / 2.0) * std::cos(4.0 * y); };
-  return FlatScene({{-0.5, -0.012, 0.012, -9.0, 9.0, [](double, double y) { return 0.1 + 0.3 * y; }}, wall(wall_z, stripes)});
+  return FlatScene(
+      {{-0.5, -0.012, 0.012, -9.0, 9.0, [](double, double y) { return 0.1 + 0.3 * y; }}, wall(wall_z, stripes)});
 }
 
 TEST(PredictedPictures, APostInFrontOfASharpOrABlurredWallIsLikeBruteForce) {
   for (const double wall_z : {-2.0, -8.0}) {  // in focus at 2 m, and 0.375 D beyond: 0.94 px
     const FlatScene scene = post_before_a_wall(wall_z);
     const SightField field(picture(48, 8), Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5, 2.0}), std::nullopt);
-    const Image truth = brute_force(scene, field), passes = by_passes(scene, field, 1024), layers = by_layers(scene, field);
+    const Image truth = brute_force(scene, field), passes = by_passes(scene, field, 1024),
+                layers = by_layers(scene, field);
     // The post is 12 px wide, its blur 7.5 px: the wall shows through all but its middle. Contrast 0.8 at the most.
-    EXPECT_LT(largest_difference(passes, truth), 0.02) << wall_z;  // 0.8 · O(N^-3/4) and the brute force's own 576 points
-    EXPECT_LT(largest_difference(layers, truth), 0.03) << wall_z;  // the edge profile's 0.02, and what it takes one place for
+    EXPECT_LT(largest_difference(passes, truth), 0.02)
+        << wall_z;  // 0.8 · O(N^-3/4) and the brute force's own 576 points
+    EXPECT_LT(largest_difference(layers, truth), 0.03)
+        << wall_z;  // the edge profile's 0.02, and what it takes one place for
     EXPECT_LT(rms_difference(passes, truth), 0.005) << wall_z;
     EXPECT_LT(rms_difference(layers, truth), 0.008) << wall_z;
   }
@@ -208,8 +218,8 @@ TEST(PredictedPictures, WhatThePostHidesIsFoundAndNotGuessed) {
 
 TEST(PredictedPictures, SameBitsForAnyNumberOfThreads) {
   const FlatScene scene = post_before_a_wall(-3.0);
-  const SightField field(picture(40, 24, Gaze::Foveal), Eye::with(Prescription{-0.5, -1.0, 20.0, 0.0}, 1e-2, BestAccommodation{2.0}),
-                         std::nullopt);
+  const SightField field(picture(40, 24, Gaze::Foveal),
+                         Eye::with(Prescription{-0.5, -1.0, 20.0, 0.0}, 1e-2, BestAccommodation{2.0}), std::nullopt);
   const auto pictures = [&](int threads) {
     std::vector<float> all;
     tbb::task_arena(threads).execute([&] {
@@ -223,7 +233,8 @@ TEST(PredictedPictures, SameBitsForAnyNumberOfThreads) {
 
 TEST(PredictedPictures, AnEyeThatAccommodatesEverywhereSeesEverythingSharp) {
   const FlatScene scene = post_before_a_wall(-3.0);
-  const SightField best(picture(40, 24, Gaze::Foveal), Eye::with(Prescription{}, 1e-2, BestAccommodation{10.0}), std::nullopt);
+  const SightField best(picture(40, 24, Gaze::Foveal), Eye::with(Prescription{}, 1e-2, BestAccommodation{10.0}),
+                        std::nullopt);
   const SightField pinhole(picture(40, 24, Gaze::Foveal), Eye::with(Prescription{}, 0.0), std::nullopt);
   const Image sharp = by_passes(scene, pinhole, 256), seen = by_passes(scene, best, 256);
   for (int y = 0; y < 24; ++y)

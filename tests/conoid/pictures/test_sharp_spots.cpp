@@ -24,7 +24,8 @@ TEST(SharpSpots, CopyingIsSpreadingToRounding) {
   const Eye eye = Eye::with({0.0, -0.01, 30.0}, 3e-3);
   for (const int oversampling : {1, 2, 4}) {
     const SharpView view = chequered(oversampling, 1.5e-3);  // 0.035 px at 40 m
-    const Prediction copied = predict_image(view, eye, 0.0, {0.5, 0.05}), spread = predict_image(view, eye, 0.0, {0.5, 0.0});
+    const Prediction copied = predict_image(view, eye, 0.0, {0.5, 0.05}),
+                     spread = predict_image(view, eye, 0.0, {0.5, 0.0});
     EXPECT_EQ(copied.counters.splatted_pixels, 0);
     EXPECT_EQ(spread.counters.sharp_pixels, 0);
     EXPECT_EQ(copied.counters.sharp_pixels, spread.counters.splatted_pixels);
@@ -36,7 +37,8 @@ TEST(SharpSpots, CopyingIsSpreadingToRounding) {
 TEST(SharpSpots, APinholesEllipsesCanBeSpreadToo) {
   const SharpView view = chequered(1, 1.5e-3);
   const Eye pinhole = Eye::with({-3.0, -1.0, 10.0}, 0.0);
-  const Prediction copied = predict_image(view, pinhole, 0.0, {0.5, 0.05}), spread = predict_image(view, pinhole, 0.0, {0.5, 0.0});
+  const Prediction copied = predict_image(view, pinhole, 0.0, {0.5, 0.05}),
+                   spread = predict_image(view, pinhole, 0.0, {0.5, 0.0});
   for (std::size_t i = 0; i < copied.radiance.pixels.size(); ++i)  // one rounding to float
     ASSERT_NEAR(copied.radiance.pixels[i], spread.radiance.pixels[i], 0x1p-23f * copied.radiance.pixels[i]);
 }

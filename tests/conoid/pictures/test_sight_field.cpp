@@ -40,7 +40,8 @@ Spectacles toric_lens() {
 }
 
 /// The ray of a place through a pupil point by Snell's law at both surfaces: no conoid in it.
-LightRay real_ray(const PicturePlane& p, const Eye& eye, const Spectacles* lens, const Vector2d& place, const Vector2d& pupil) {
+LightRay real_ray(const PicturePlane& p, const Eye& eye, const Spectacles* lens, const Vector2d& place,
+                  const Vector2d& pupil) {
   const Vector2d q = p.slope(place);
   const Matrix2d s = eye.correction.matrix();
   LightRay ray;
@@ -81,17 +82,20 @@ TEST_P(Sights, AreTheRealRaysToFirstOrderInThePupil) {
   const SightField f = field();
   for (const Vector2d& place : {Vector2d(100.0, 60.0), Vector2d(33.0, 20.5), Vector2d(180.2, 110.7)}) {
     const Sight sight = f.at(place);
-    const auto offsets = sight.offsets(eye_.correction.matrix()), directions = sight.directions(eye_.correction.matrix());
+    const auto offsets = sight.offsets(eye_.correction.matrix()),
+               directions = sight.directions(eye_.correction.matrix());
     for (const double t : {0.3, 2.0}) {
       const Vector3d target = sight.origin + t * sight.direction;
-      const double grid = GetParam().lens ? 2e-5 * (0.05 + t) : 1e-9;  // of the chief ray: what the field's docstring says
+      const double grid =
+          GetParam().lens ? 2e-5 * (0.05 + t) : 1e-9;  // of the chief ray: what the field's docstring says
       EXPECT_LT(off_line(real_ray(plane_, eye_, worn(), place, {0.0, 0.0}), target), grid) << place.transpose();
       for (const Vector2d& p : {Vector2d(1e-4, 0.0), Vector2d(0.0, 1e-4), Vector2d(-0.7e-4, 0.5e-4)}) {
-        // Half the difference of the real rays through p and −p where they pass the plane across the chief ray: free of p². What is left
-        // is the grid's 1e-3 of the maps, and p³.
+        // Half the difference of the real rays through p and −p where they pass the plane across the chief ray: free of
+        // p². What is left is the grid's 1e-3 of the maps, and p³.
         const auto crossing = [&](const Vector2d& q) -> Vector3d {
           const LightRay ray = real_ray(plane_, eye_, worn(), place, q);
-          return ray.origin + (target - ray.origin).dot(sight.direction) / ray.direction.dot(sight.direction) * ray.direction;
+          return ray.origin +
+                 (target - ray.origin).dot(sight.direction) / ray.direction.dot(sight.direction) * ray.direction;
         };
         const Vector3d real = 0.5 * (crossing(p) - crossing(-p));
         Vector3d first = offsets * p + t * (directions * p);
@@ -112,9 +116,11 @@ TEST_P(Sights, TheMapSaysWhereAPupilPointSeesAPoint) {
     const Matrix2d map = around.picture_map(eye_.correction.matrix(), 1.0 / t);
     for (const Vector2d& p : {Vector2d(2e-4, 0.0), Vector2d(-1e-4, 1.5e-4)}) {
       const Vector2d seen = place + map * p;
-      // Second order: p² against p · a pixel's worth of change. 2e-4 m · 2 D = 4e-4 rad of displacement, 1 % of it left.
+      // Second order: p² against p · a pixel's worth of change. 2e-4 m · 2 D = 4e-4 rad of displacement, 1 % of it
+      // left.
       const LightRay ray = real_ray(plane_, eye_, worn(), seen, p);
-      EXPECT_LT(off_line(ray, target) / t, 0.01 * plane_.pixel_slope * (map * p).norm() + (worn() ? 2e-5 : 2e-6)) << t;  // the grid's
+      EXPECT_LT(off_line(ray, target) / t, 0.01 * plane_.pixel_slope * (map * p).norm() + (worn() ? 2e-5 : 2e-6))
+          << t;  // the grid's
       EXPECT_GT((map * p).norm(), 0.02);
     }
   }
@@ -134,8 +140,8 @@ TEST_P(Sights, PlaceOfFindsTheChiefRayThroughAPoint) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Eyes, Sights,
-                         ::testing::Values(Setting{Gaze::Camera, false}, Setting{Gaze::Foveal, false}, Setting{Gaze::Camera, true},
-                                           Setting{Gaze::Foveal, true}));
+                         ::testing::Values(Setting{Gaze::Camera, false}, Setting{Gaze::Foveal, false},
+                                           Setting{Gaze::Camera, true}, Setting{Gaze::Foveal, true}));
 
 TEST(SightField, NakedEyeInCameraGazeHasTheMapOfItsVergence) {
   const SightField f(plane(Gaze::Camera), astigmat(30.0), std::nullopt);
@@ -159,8 +165,8 @@ TEST(SightField, Axis30AndAxis150AreMirrorImages) {
 }
 
 TEST(SightField, FovealFootprintsGoThroughTheJacobianOfTheProjection) {
-  // Straight to the right at tan 50°: sec² 50° = 2.4203 along the radius, sec 50° = 1.5557 across. A point at 1/t is 1 + R/t further from
-  // the centre of rotation than from the pupil, in units of t.
+  // Straight to the right at tan 50°: sec² 50° = 2.4203 along the radius, sec 50° = 1.5557 across. A point at 1/t is 1
+  // + R/t further from the centre of rotation than from the pupil, in units of t.
   PicturePlane p = plane(Gaze::Foveal);
   const Eye eye = Eye::with(Prescription{-2.0, 0.0, 180.0, 0.0}, 4e-3);
   const SightField f(p, eye, std::nullopt);

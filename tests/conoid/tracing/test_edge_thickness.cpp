@@ -27,9 +27,11 @@ TEST(EdgeThickness, OfAMinusMeniscus) {
 }
 
 TEST(EdgeThickness, ThinnestAndThickestPlaceOfATorus) {
-  // Flat front; a back with the radii 65 mm (sagitta 5 mm at 25 mm) and 0, at an AXIS that no whole degree of the search hits.
+  // Flat front; a back with the radii 65 mm (sagitta 5 mm at 25 mm) and 0, at an AXIS that no whole degree of the
+  // search hits.
   for (const double axis : {0.0, 37.123, 90.0, 151.77}) {
-    const EdgeThickness edge = edge_thickness(lens_of(SphereSurface{}, TorusSurface(1.0 / 0.065, 0.0, axis), 1e-3, 50e-3));
+    const EdgeThickness edge =
+        edge_thickness(lens_of(SphereSurface{}, TorusSurface(1.0 / 0.065, 0.0, axis), 1e-3, 50e-3));
     EXPECT_EQ(edge.status, EdgeStatus::ok);
     EXPECT_NEAR(edge.rim->min, 1e-3, 1e-15) << axis;
     EXPECT_NEAR(edge.rim->max, 6e-3, 1e-15) << axis;
@@ -47,8 +49,8 @@ TEST(EdgeThickness, SurfacesThatCross) {
 }
 
 TEST(EdgeThickness, SurfacesThatCrossAndCrossBack) {
-  // Front paraboloid r²/50 mm, back sphere of 30 mm, which is r²/60 mm near the axis and the deeper of the two towards its equator:
-  // at 20 mm 0.1 + (30 − √500) − 8 = −0.26 mm, at the rim 9.8 mm.
+  // Front paraboloid r²/50 mm, back sphere of 30 mm, which is r²/60 mm near the axis and the deeper of the two towards
+  // its equator: at 20 mm 0.1 + (30 − √500) − 8 = −0.26 mm, at the rim 9.8 mm.
   const auto lens = lens_of(ConicSurface{1.0 / 0.025, -1.0}, SphereSurface{1.0 / 0.030}, 0.1e-3, 59.8e-3);
   const double at_rim = 0.1 + (30.0 - std::sqrt(900.0 - 29.9 * 29.9)) - 29.9 * 29.9 / 50.0;
   EXPECT_GT(at_rim, 0.0);

@@ -40,8 +40,8 @@ TEST(Mounting, PositiveWrapBringsTheRightRimNearer) {
 }
 
 TEST(Mounting, TiltsFirstAndThenWraps) {
-  // The lens's own horizontal stays in the wearer's horizontal plane; were the wrap first, the tilt would not take it out of that either,
-  // but it would lift the axis: after tilt and wrap the axis still dips by the tilt.
+  // The lens's own horizontal stays in the wearer's horizontal plane; were the wrap first, the tilt would not take it
+  // out of that either, but it would lift the axis: after tilt and wrap the axis still dips by the tilt.
   const Mounting m({0.0, 0.0}, 8.0 * degree, 20.0 * degree);
   EXPECT_NEAR((m.wearer_from_lens() * ahead).y(), -0.13917310096006544, 1e-15);  // −sin 8°
   EXPECT_NEAR((m.wearer_from_lens() * Eigen::Vector3d::UnitX()).y(), 0.0, 1e-16);
@@ -60,7 +60,8 @@ TEST(MountedLens, DecentrationMakesThePrismOfPrentice) {
   EXPECT_NEAR(up.base_deg.value(), 90.0, 1e-9);
 }
 
-/// Martin's formulas for a thin spherical lens tilted by τ: sphere S (1 + sin²τ/2n), cylinder S tan²τ, along the axis of the tilt.
+/// Martin's formulas for a thin spherical lens tilted by τ: sphere S (1 + sin²τ/2n), cylinder S tan²τ, along the axis
+/// of the tilt.
 TEST(MountedLens, TiltMakesMartinsCylinder) {
   SingleVisionDesign thin;
   thin.center_thickness_m = 1e-6;
@@ -84,8 +85,8 @@ TEST(MountedLens, TiltMakesMartinsCylinder) {
 
 TEST(Prism, DeviatesTowardsItsBaseByExactlySoMuch) {
   for (const double base : {0.0, 45.0, 90.0, 180.0, 300.0}) {
-    const Spectacles lens =
-        lens_with({.sphere_D = -3.0, .cylinder_D = -2.0, .axis_deg = 30.0, .prism_cm_per_m = 4.0, .prism_base_deg = base}, {});
+    const Spectacles lens = lens_with(
+        {.sphere_D = -3.0, .cylinder_D = -2.0, .axis_deg = 30.0, .prism_cm_per_m = 4.0, .prism_base_deg = base}, {});
     const AsWorn worn = as_worn(lens, ahead, center);
     EXPECT_NEAR(worn.prism_cm_per_m(), 4.0, 1e-12);
     EXPECT_NEAR(worn.base_deg.value(), base, 1e-9);
@@ -101,16 +102,16 @@ TEST(Prism, DeviatesTowardsItsBaseByExactlySoMuch) {
 TEST(Prism, IsThickestAtItsBase) {
   const Spectacles straight = single_vision({.sphere_D = 0.0}, {.base_curve_D = 4.0});
   const Spectacles wedged = with_prism(straight, 3.0, 180.0);
-  // A plane-parallel meniscus of index 1.5: 3 cm/m need a wedge of 0.06 rad, 60 mm across that are 3.6 mm of thickness, ± half of it about
-  // the centre. (4 D of base curve move that by a few per cent.)
+  // A plane-parallel meniscus of index 1.5: 3 cm/m need a wedge of 0.06 rad, 60 mm across that are 3.6 mm of thickness,
+  // ± half of it about the centre. (4 D of base curve move that by a few per cent.)
   const auto range = thickness_around(wedged, 30.0 * mm), before = thickness_around(straight, 30.0 * mm);
   EXPECT_NEAR(range->max - before->max, 1.8 * mm, 0.1 * mm);
   EXPECT_NEAR(range->min - before->min, -1.8 * mm, 0.1 * mm);
 }
 
 TEST(Prism, RoundingOfTheStepsIsNoReasonToRefuse) {
-  // The steps towards the wedge had to come below 1e-15, and for a few lenses in a million rounding held them at 1.1e-15 for ever: the
-  // prism was refused. sturm stress found these three.
+  // The steps towards the wedge had to come below 1e-15, and for a few lenses in a million rounding held them
+  // at 1.1e-15 for ever: the prism was refused. sturm stress found these three.
   struct Case {
     Prescription rx;
     SingleVisionDesign design;
@@ -122,14 +123,23 @@ TEST(Prism, RoundingOfTheStepsIsNoReasonToRefuse) {
         .prism_cm_per_m = 14.233798562948667,
         .prism_base_deg = 360.0},
        {.base_curve_D = 1.3691564477172715, .center_thickness_m = 5.278285777847939 * mm, .refractive_index = 1.67}},
-      {{.sphere_D = -16.25, .cylinder_D = -8.0, .axis_deg = 64.0, .prism_cm_per_m = 9.75, .prism_base_deg = 0.622474269874731},
+      {{.sphere_D = -16.25,
+        .cylinder_D = -8.0,
+        .axis_deg = 64.0,
+        .prism_cm_per_m = 9.75,
+        .prism_base_deg = 0.622474269874731},
        {.base_curve_D = 7.2628318175963855, .center_thickness_m = 1.989860699965808 * mm, .refractive_index = 1.523}},
-      {{.sphere_D = -24.75, .cylinder_D = 10.75, .axis_deg = 27.0, .prism_cm_per_m = 9.997098402071083, .prism_base_deg = 360.0},
+      {{.sphere_D = -24.75,
+        .cylinder_D = 10.75,
+        .axis_deg = 27.0,
+        .prism_cm_per_m = 9.997098402071083,
+        .prism_base_deg = 360.0},
        {.base_curve_D = 0.5, .center_thickness_m = 2.052074944976788 * mm, .refractive_index = 1.498}}};
   for (const Case& c : cases) {
     const LensPath path = trace(single_vision(c.rx, c.design), {{0.0, 0.0, 0.0}, ahead});
     ASSERT_EQ(path.status, LensStatus::ok);
-    const double slope = path.exit.direction.x() / path.exit.direction.z();  // to the left, where the base is but for half a degree
+    const double slope =
+        path.exit.direction.x() / path.exit.direction.z();  // to the left, where the base is but for half a degree
     EXPECT_NEAR(slope, 0.01 * c.rx.prism_cm_per_m, 1e-4 * 0.01 * c.rx.prism_cm_per_m);  // 1 − cos 0.6°
   }
 }
@@ -141,7 +151,8 @@ TEST(Prism, OnlyWhereThereIsGlass) {
   EXPECT_FALSE(with_prism(air, 0.0, 0.0).mounting.has_wedge());
 }
 
-/// The first-order footprint is the derivative of where real rays arrive: central differences, O(h²) of the third-order aberration.
+/// The first-order footprint is the derivative of where real rays arrive: central differences, O(h²) of the third-order
+/// aberration.
 RC_GTEST_PROP(MountedLens, FootprintIsTheDerivativeOfRealRays, ()) {
   const auto drawn = [](int low, int high, double unit) { return *rc::gen::inRange(low, high + 1) * unit; };
   const Prescription rx{.sphere_D = drawn(-32, 24, 0.25),
@@ -159,14 +170,16 @@ RC_GTEST_PROP(MountedLens, FootprintIsTheDerivativeOfRealRays, ()) {
   const double distance = 0.8;
   const Eigen::Matrix2d footprint = distance * conoid.angular_footprint(slopes, 1.0 / distance);
 
-  const Eigen::Matrix3d turn = smallest_rotation(ahead, gaze), across = smallest_rotation(ahead, conoid.chief_ray.direction);
+  const Eigen::Matrix3d turn = smallest_rotation(ahead, gaze),
+                        across = smallest_rotation(ahead, conoid.chief_ray.direction);
   const auto arrival = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
     const Eigen::Vector2d s = slopes * p;
     const LensPath path = trace(lens, {turned_pupil_center(gaze, center) + turn * Eigen::Vector3d(p.x(), p.y(), 0.0),
                                        (turn * Eigen::Vector3d(s.x(), s.y(), -1.0)).normalized()});
     RC_ASSERT(path.status == LensStatus::ok);
     const Eigen::Vector3d from = path.exit.origin - conoid.chief_ray.origin;
-    const double way = (distance - from.dot(conoid.chief_ray.direction)) / path.exit.direction.dot(conoid.chief_ray.direction);
+    const double way =
+        (distance - from.dot(conoid.chief_ray.direction)) / path.exit.direction.dot(conoid.chief_ray.direction);
     const Eigen::Vector3d at = from + way * path.exit.direction;
     return {at.dot(across.col(0)), at.dot(across.col(1))};
   };

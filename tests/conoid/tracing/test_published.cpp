@@ -46,7 +46,8 @@ RC_GTEST_PROP(Published, IsExactOnTheAxisOfARotationallySymmetricLens, ()) {
 }
 
 RC_GTEST_PROP(Published, IsExactOnTheAxisAlongTheMeridiansOfAToricLens, ()) {
-  // Eye and lens have the same meridians: nothing twists, but the larger curvature may change from one meridian to the other.
+  // Eye and lens have the same meridians: nothing twists, but the larger curvature may change from one meridian to the
+  // other.
   const double axis = 90.0 * *rc::gen::inRange(1, 3);
   const Eye eye = Eye::with({drawn(-24, 16, 0.25), drawn(-12, 12, 0.25), axis, 12e-3}, 4e-3);
   const Spectacles lens = single_vision({drawn(-24, 16, 0.25), drawn(-24, 24, 0.25), 180.0}, {});
@@ -79,7 +80,8 @@ TEST(Published, Equation11FailsWhereItIsSingular) {
   const Eigen::Vector3d tilted = (ahead + 0.3 * x).normalized();  // so that u lies along y
   const FiveVariables behind{ahead, 1.0, -1.0, d1, d2};
   Eq11Failure why{};
-  EXPECT_FALSE(refracted_semi_axes({2e-3, 1e-3}, {tilted, 1.0, -1.0, x, y}, behind, ahead, TangentAxes::incidence, &why));
+  EXPECT_FALSE(
+      refracted_semi_axes({2e-3, 1e-3}, {tilted, 1.0, -1.0, x, y}, behind, ahead, TangentAxes::incidence, &why));
   EXPECT_EQ(why, Eq11Failure::singular);
   EXPECT_TRUE(refracted_semi_axes({2e-3, 2e-3}, before, behind, ahead, TangentAxes::principal));
   EXPECT_FALSE(refracted_semi_axes({0.0, 1e-3}, before, before, ahead, TangentAxes::principal, &why));
@@ -91,14 +93,15 @@ TEST(Published, Equation11FailsWhereItTurnsNegative) {
   const Eigen::Vector3d d1 = 0.86602540378443865 * x + 0.5 * y, d2 = -0.5 * x + 0.86602540378443865 * y;
   const Eigen::Vector3d tilted = (ahead + 0.3 * y).normalized();  // u lies along x
   Eq11Failure why{};
-  EXPECT_FALSE(
-      refracted_semi_axes({1.0, 1.0 / 3.0}, {tilted, 1.0, -1.0, x, y}, {ahead, 1.0, -1.0, d1, d2}, ahead, TangentAxes::incidence, &why));
+  EXPECT_FALSE(refracted_semi_axes({1.0, 1.0 / 3.0}, {tilted, 1.0, -1.0, x, y}, {ahead, 1.0, -1.0, d1, d2}, ahead,
+                                   TangentAxes::incidence, &why));
   EXPECT_EQ(why, Eq11Failure::negative);
 }
 
 TEST(Published, KeepsTheSectionsAxesWhereTheLensSendsOutAPlaneWave) {
-  // A relaxed eye behind the lens that corrects it looks at infinity: the wave in front is plane, but the lens has magnified the pupil by
-  // its cylinder. Axes of such a wave are rounding, and an ellipse put on them was off by up to 0.09 D; on its own it is exact.
+  // A relaxed eye behind the lens that corrects it looks at infinity: the wave in front is plane, but the lens has
+  // magnified the pupil by its cylinder. Axes of such a wave are rounding, and an ellipse put on them was off by up to
+  // 0.09 D; on its own it is exact.
   const Prescription rx{-1.5, -4.0, 55.0, 12e-3};
   const Eye eye = Eye::with(rx, 4e-3);
   const Spectacles lens = single_vision(rx, {});
@@ -108,7 +111,8 @@ TEST(Published, KeepsTheSectionsAxesWhereTheLensSendsOutAPlaneWave) {
     EXPECT_TRUE(trace.free_axes);
     if (axes == TangentAxes::incidence) continue;  // its axes at normal incidence are any axes: 45° is possible
     ASSERT_TRUE(trace.conoid);
-    EXPECT_LT((angular_map(*trace.conoid, x, y, 4.0) - exact.angular_footprint(eye.correction.matrix(), 4.0)).norm(), 1e-12);
+    EXPECT_LT((angular_map(*trace.conoid, x, y, 4.0) - exact.angular_footprint(eye.correction.matrix(), 4.0)).norm(),
+              1e-12);
   }
   EXPECT_FALSE(trace_published_or_why(eye, 0.5, &lens, ahead).free_axes);
   EXPECT_FALSE(trace_published_or_why(eye, 0.0, &lens, gaze_direction(1 * degree, 0.0)).free_axes);
@@ -121,7 +125,8 @@ TEST(Published, KeepsTheSectionsAxesWhereTheLensSendsOutAPlaneWave) {
 TEST(Published, ALostChiefRayIsNoFailureOfEquation11) {
   Spectacles small = single_vision({-3.0}, {});
   small.diameter_m = 5e-3;
-  const PublishedTrace trace = trace_published_or_why(Eye::with({-3.0}, 4e-3), 0.0, &small, gaze_direction(40 * degree, 0.0));
+  const PublishedTrace trace =
+      trace_published_or_why(Eye::with({-3.0}, 4e-3), 0.0, &small, gaze_direction(40 * degree, 0.0));
   EXPECT_FALSE(trace.conoid);
   EXPECT_FALSE(trace.failure);
 }
@@ -130,8 +135,8 @@ TEST(Published, Equation11ByHand) {
   // Refracted directions at 30° to the axes: rows (¾, ¼) and (¼, ¾). E' = (3, 1) makes E = (2.5, 1.5) on the axes.
   const Eigen::Vector3d d1 = 0.86602540378443865 * x + 0.5 * y, d2 = -0.5 * x + 0.86602540378443865 * y;
   const Eigen::Vector3d tilted = (ahead + 0.3 * y).normalized();  // u lies along x
-  const auto axes = refracted_semi_axes({0.63245553203367588, 0.81649658092772603}, {tilted, 1.0, -1.0, x, y}, {ahead, 1.0, -1.0, d1, d2},
-                                        ahead, TangentAxes::incidence);
+  const auto axes = refracted_semi_axes({0.63245553203367588, 0.81649658092772603}, {tilted, 1.0, -1.0, x, y},
+                                        {ahead, 1.0, -1.0, d1, d2}, ahead, TangentAxes::incidence);
   ASSERT_TRUE(axes);
   EXPECT_NEAR(axes->first, 0.57735026918962576, 1e-15);
   EXPECT_NEAR(axes->second, 1.0, 1e-15);
@@ -160,7 +165,9 @@ RC_GTEST_PROP(Published, Equation12IsTheBestAccommodationOfTheNakedEye, ()) {
 RC_GTEST_PROP(Previous, IsExactForTheNakedEye, ()) {
   const Eye eye = any_eye();
   const double d = drawn(1, 50, 0.1);
-  RC_ASSERT((*previous_angular_footprint(eye, 0.5, nullptr, ahead, d) - naked_eye_footprint(eye, d, 0.5).angular).norm() <= 1e-15);
+  RC_ASSERT(
+      (*previous_angular_footprint(eye, 0.5, nullptr, ahead, d) - naked_eye_footprint(eye, d, 0.5).angular).norm() <=
+      1e-15);
 }
 
 TEST(Previous, ThroughAirItIsTheNakedEyeFromThePupil) {
@@ -175,13 +182,15 @@ TEST(Previous, ThroughAirItIsTheNakedEyeFromThePupil) {
 }
 
 TEST(Previous, WidensByTheBendingOfTheChiefRay) {
-  // A −6 D lens, looking 20° to the right: the line of sight is bent outward, by the lens's effect at the rotation centre (about
-  // 1 + 25.5 mm · 6 D); the true magnification is that at the pupil (about 1 + 12 mm · 6 D), and acts in both meridians.
+  // A −6 D lens, looking 20° to the right: the line of sight is bent outward, by the lens's effect at the rotation
+  // centre (about 1 + 25.5 mm · 6 D); the true magnification is that at the pupil (about 1 + 12 mm · 6 D), and acts in
+  // both meridians.
   const Spectacles lens = single_vision({-6.0}, {});
   const Eye eye = Eye::with({0.0, 0.0, 180.0, 0.0}, 4e-3);
   const Eigen::Vector3d gaze = gaze_direction(20 * degree, 0.0);
   const Eigen::Matrix2d previous = *previous_angular_footprint(eye, 0.0, &lens, gaze, 1.0);
-  const Eigen::Matrix2d exact = trace_conoid(lens, gaze, eye.rotation_center_m).angular_footprint(Eigen::Matrix2d::Zero(), 1.0);
+  const Eigen::Matrix2d exact =
+      trace_conoid(lens, gaze, eye.rotation_center_m).angular_footprint(Eigen::Matrix2d::Zero(), 1.0);
   EXPECT_GT(previous(0, 0) / exact(0, 0), 1.02);
   EXPECT_LT(previous(0, 0) / exact(0, 0), 1.2);
   EXPECT_LT(previous(1, 1) / exact(1, 1), 0.98);
@@ -189,7 +198,8 @@ TEST(Previous, WidensByTheBendingOfTheChiefRay) {
 }
 
 RC_GTEST_PROP(Previous, IsInFocusWhereTheConoidIs, ()) {
-  // Light goes both ways: what the eye needs and what arrives agree exactly where the footprint vanishes, whatever the scaling.
+  // Light goes both ways: what the eye needs and what arrives agree exactly where the footprint vanishes, whatever the
+  // scaling.
   const Spectacles lens = single_vision({drawn(-24, 16, 0.25)}, {});
   const double d = drawn(3, 40, 0.1);
   const Eigen::Vector3d gaze = gaze_direction(drawn(-25, 25, degree), drawn(-25, 25, degree));
@@ -202,7 +212,8 @@ RC_GTEST_PROP(Previous, IsInFocusWhereTheConoidIs, ()) {
 }
 
 RC_GTEST_PROP(Previous, IsExactInsideBeforeItsScaling, ()) {
-  // X = P + Q S, and the wave from the object point arrives with P + Q V = 0: X = Q (S − V), whatever the gaze and the lens's cylinder.
+  // X = P + Q S, and the wave from the object point arrives with P + Q V = 0: X = Q (S − V), whatever the gaze and the
+  // lens's cylinder.
   const Eye eye = any_eye();
   const Spectacles lens = single_vision({drawn(-24, 16, 0.25), drawn(-12, 12, 0.25), drawn(0, 180, 1.0)}, {});
   const double d = drawn(3, 40, 0.1);

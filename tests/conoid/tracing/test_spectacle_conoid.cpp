@@ -24,7 +24,8 @@ Prescription any_prescription() {
 }
 
 Spectacles any_lens(const Prescription& rx) {
-  return single_vision(rx, {drawn(0, 32, 0.25), drawn(10, 60, 0.1 * mm), 1.5 + drawn(0, 24, 0.01), drawn(80, 180, 0.1 * mm), 90 * mm});
+  return single_vision(
+      rx, {drawn(0, 32, 0.25), drawn(10, 60, 0.1 * mm), 1.5 + drawn(0, 24, 0.01), drawn(80, 180, 0.1 * mm), 90 * mm});
 }
 
 Eigen::Vector3d any_gaze() {
@@ -35,13 +36,15 @@ Eigen::Matrix2d transverse(const SpectacleConoid& c, const Eigen::Matrix2d& slop
   return distance * c.angular_footprint(slopes, 1.0 / distance);
 }
 
-/// Rays of first order conserve phase space: the 4 × 4 matrix from air to air is symplectic, so a bundle with symmetric S stays a wave.
+/// Rays of first order conserve phase space: the 4 × 4 matrix from air to air is symplectic, so a bundle with symmetric
+/// S stays a wave.
 RC_GTEST_PROP(SpectacleConoid, IsSymplectic, ()) {
   const Prescription rx = any_prescription();
   const SpectacleConoid c = trace_conoid(any_lens(rx), any_gaze(), center);
   RC_PRE(c.status == LensStatus::ok);
   const RayTransfer& m = c.exit;
-  const Eigen::Matrix2d a = m.offset_from_offset, b = m.offset_from_slope, g = m.slope_from_offset, d = m.slope_from_slope;
+  const Eigen::Matrix2d a = m.offset_from_offset, b = m.offset_from_slope, g = m.slope_from_offset,
+                        d = m.slope_from_slope;
   RC_ASSERT((a.transpose() * g - g.transpose() * a).norm() <= 1e-12);
   RC_ASSERT((b.transpose() * d - d.transpose() * b).norm() <= 1e-12);
   RC_ASSERT((a.transpose() * d - g.transpose() * b - Eigen::Matrix2d::Identity()).norm() <= 1e-12);
@@ -55,30 +58,36 @@ RC_GTEST_PROP(SpectacleConoid, ALensOfThePrescriptionSendsAPlaneWaveOutOnTheAxis
   const SpectacleConoid c = trace_conoid(lens, {0.0, 0.0, -1.0}, center);
   RC_ASSERT(c.status == LensStatus::ok);
   const PowerMatrix needed = PowerMatrix::from(rx).moved_towards_eye(lens.vertex_distance_m);
-  // Independent of the maker's formula: the conoid's refractions and transfers undo the eye's error. Powers of up to 20 D carry 1e-14 D.
+  // Independent of the maker's formula: the conoid's refractions and transfers undo the eye's error. Powers of up to 20
+  // D carry 1e-14 D.
   RC_ASSERT(c.exit_curvature(needed.matrix())->norm() <= 1e-12 * std::max(1.0, needed.matrix().norm()) + 1e-12);
 }
 
 RC_GTEST_PROP(SpectacleConoid, TurnsWithTheWholeSystem, ()) {
   const double alpha_deg = drawn(-90, 90, 1.0), alpha = alpha_deg * degree;
   const Prescription rx = any_prescription();
-  const double front = drawn(0, 16, 1.0), sweep = drawn(2, 16, 1.0), generator = drawn(2, 16, 1.0), meridian = drawn(0, 180, 1.0);
+  const double front = drawn(0, 16, 1.0), sweep = drawn(2, 16, 1.0), generator = drawn(2, 16, 1.0),
+               meridian = drawn(0, 180, 1.0);
   Spectacles lens;
   lens.front = SphereSurface{front};
   lens.back = TorusSurface(sweep, generator, meridian);
   Spectacles turned_lens = lens;
-  turned_lens.back = TorusSurface(sweep, generator, meridian - alpha_deg);  // TABO counts the other way round than the wearer sees it
+  turned_lens.back =
+      TorusSurface(sweep, generator, meridian - alpha_deg);  // TABO counts the other way round than the wearer sees it
   const Eigen::Vector3d gaze = any_gaze(), turned_gaze = Eigen::AngleAxisd(alpha, Eigen::Vector3d::UnitZ()) * gaze;
   const SpectacleConoid c = trace_conoid(lens, gaze, center), t = trace_conoid(turned_lens, turned_gaze, center);
   RC_PRE(c.status == LensStatus::ok && t.status == LensStatus::ok);
   const Eigen::Matrix2d r = Eigen::Rotation2Dd(alpha).toRotationMatrix(), f = power_at_cornea(rx).matrix();
-  RC_ASSERT((t.chief_ray.direction - Eigen::AngleAxisd(alpha, Eigen::Vector3d::UnitZ()) * c.chief_ray.direction).norm() <= 1e-14);
+  RC_ASSERT(
+      (t.chief_ray.direction - Eigen::AngleAxisd(alpha, Eigen::Vector3d::UnitZ()) * c.chief_ray.direction).norm() <=
+      1e-14);
   RC_ASSERT((transverse(t, r * f * r.transpose(), 0.7) - r * transverse(c, f, 0.7) * r.transpose()).norm() <=
             1e-12 * std::max(1.0, f.norm()));
 }
 
 RC_GTEST_PROP(SpectacleConoid, ScalesWithAllLengths, ()) {
-  const double k = drawn(2, 40, 0.25), sweep = drawn(2, 16, 1.0), generator = drawn(2, 16, 1.0), front = drawn(0, 16, 1.0);
+  const double k = drawn(2, 40, 0.25), sweep = drawn(2, 16, 1.0), generator = drawn(2, 16, 1.0),
+               front = drawn(0, 16, 1.0);
   Spectacles lens, big;
   lens.front = SphereSurface{front};
   lens.back = TorusSurface(sweep, generator, 25.0);
@@ -114,13 +123,15 @@ TEST(SpectacleConoid, AnIndexOf1IsTheNakedEyeSeenFromTheExitPoint) {
   const SpectacleConoid c = trace_conoid(air, gaze, center);
   const double way = (c.chief_ray.origin - turned_pupil_center(gaze, center)).norm(), distance = 0.4;
   const double accommodation = accommodation_through(c, eye, 1.0 / distance);
-  const Footprint naked = naked_eye_footprint(eye, distance + way), through_air = spectacle_footprint(c, eye, distance, accommodation);
+  const Footprint naked = naked_eye_footprint(eye, distance + way),
+                  through_air = spectacle_footprint(c, eye, distance, accommodation);
   EXPECT_NEAR(accommodation, naked.accommodation_D, 1e-13);  // the clamped mean, here found by bisection
   EXPECT_LT((naked.transverse() - through_air.transverse()).norm(), 1e-14);
 }
 
 TEST(SpectacleConoid, APlaneSlabIsAShorterWay) {
-  // Oblique slab: the way t/(n cos φ') across the plane of incidence, t cos²φ/(n cos³φ') within it. Looking to the right: x is within.
+  // Oblique slab: the way t/(n cos φ') across the plane of incidence, t cos²φ/(n cos³φ') within it. Looking to the
+  // right: x is within.
   Spectacles slab;
   slab.center_thickness_m = 6 * mm;
   const SpectacleConoid c = trace_conoid(slab, gaze_direction(30 * degree, 0.0), 0.0);  // cos φ = √3/2, cos φ' = √8/3
@@ -151,9 +162,12 @@ TEST(SpectacleConoid, SurfacesConcentricWithTheRotationCentreAreTheSameInEveryDi
 }
 
 TEST(SpectacleConoid, PowerThroughZeroIsSmooth) {
-  // The curvature of the outgoing wave passes through 0 with the lens's power: no jump, sign as the power that is missing.
+  // The curvature of the outgoing wave passes through 0 with the lens's power: no jump, sign as the power that is
+  // missing.
   const auto outgoing = [](double sphere) {
-    return (*trace_conoid(single_vision({sphere}, {}), {0.0, 0.0, -1.0}, center).exit_curvature(Eigen::Matrix2d::Zero()))(0, 0);
+    return (
+        *trace_conoid(single_vision({sphere}, {}), {0.0, 0.0, -1.0}, center).exit_curvature(Eigen::Matrix2d::Zero()))(
+        0, 0);
   };
   EXPECT_NEAR(outgoing(0.0), 0.0, 1e-14);
   EXPECT_GT(outgoing(1e-6), 0.0);  // a plus lens before an emmetrope: converging towards the scene
@@ -190,12 +204,14 @@ TEST(SpectacleConoid, StatusesOfTheChiefRay) {
   EXPECT_EQ(trace_conoid(lens, gaze_direction(30 * degree, 0.0), center).status, LensStatus::missed_lens);
   Spectacles steep;
   steep.front = SphereSurface{-50.0};
-  EXPECT_EQ(trace_conoid(steep, gaze_direction(25 * degree, 0.0), center).status, LensStatus::total_internal_reflection);
+  EXPECT_EQ(trace_conoid(steep, gaze_direction(25 * degree, 0.0), center).status,
+            LensStatus::total_internal_reflection);
 }
 
 TEST(BestAccommodation, IsExactlyAnEndOfTheRangeWhereMoreWouldBeWorse) {
   const SpectacleConoid c = trace_conoid(single_vision({-1.0}, {}), {0.0, 0.0, -1.0}, center);
-  EXPECT_EQ(best_accommodation(c, PowerMatrix::scalar(-5.0), 0.0, 4.0), 0.0);   // too weak a lens for this myope: relaxed
+  EXPECT_EQ(best_accommodation(c, PowerMatrix::scalar(-5.0), 0.0, 4.0),
+            0.0);  // too weak a lens for this myope: relaxed
   EXPECT_EQ(best_accommodation(c, PowerMatrix::scalar(-1.0), 10.0, 4.0), 4.0);  // a target at 10 cm: all there is
 }
 
@@ -207,7 +223,9 @@ RC_GTEST_PROP(BestAccommodation, HasTheLeastMajorAxis, ()) {
   const double vergence = drawn(0, 60, 0.1), amplitude = drawn(0, 100, 0.1);
   const double best = best_accommodation(c, f, vergence, amplitude);
   RC_ASSERT(best >= 0.0 && best <= amplitude);
-  const auto major = [&](double a) { return singular_values(c.angular_footprint((f - PowerMatrix::scalar(a)).matrix(), vergence)).large; };
+  const auto major = [&](double a) {
+    return singular_values(c.angular_footprint((f - PowerMatrix::scalar(a)).matrix(), vergence)).large;
+  };
   // No point of a fine grid, and no close neighbour, is better by more than rounding of numbers of about 20.
   for (int i = 0; i <= 200; ++i) RC_ASSERT(major(best) <= major(amplitude * i / 200.0) + 1e-13);
   for (double step : {1e-6, 1e-4}) {

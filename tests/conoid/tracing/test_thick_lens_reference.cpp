@@ -1,5 +1,6 @@
-// Every case of tests/reference/thick_lens.json: exact rays and wavefronts through thick spherical and toric lenses by other people's
-// programs (Optiland, ray-optics, 40-digit arithmetic). Real rays go through lensmodel alone, first order through conoid alone.
+// Every case of tests/reference/thick_lens.json: exact rays and wavefronts through thick spherical and toric lenses by
+// other people's programs (Optiland, ray-optics, 40-digit arithmetic). Real rays go through lensmodel alone, first
+// order through conoid alone.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,8 @@ const std::vector<ThickLensCase>& cases() {
 LensPath ray_through(const ThickLensCase& c, const Eigen::Vector2d& p, double accommodation_D) {
   const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, c.gaze);
   const Eigen::Vector2d slope = c.eye.slope_matrix(accommodation_D).slope(p);
-  const Eigen::Vector3d origin = turned_pupil_center(c.gaze, c.eye.rotation_center_m) + turn * Eigen::Vector3d(p.x(), p.y(), 0.0);
+  const Eigen::Vector3d origin =
+      turned_pupil_center(c.gaze, c.eye.rotation_center_m) + turn * Eigen::Vector3d(p.x(), p.y(), 0.0);
   return trace(c.lens, {origin, (turn * Eigen::Vector3d(slope.x(), slope.y(), -1.0)).normalized()});
 }
 
@@ -47,9 +49,11 @@ TEST(ThickLensReference, ChiefRays) {
     const SpectacleConoid conoid = trace_conoid(c.lens, c.gaze, c.eye.rotation_center_m);
     ASSERT_EQ(conoid.status, LensStatus::ok) << c.id;
     const json& chief = c.json["outputs"]["chief"];
-    EXPECT_LT((conoid.chief_ray.origin - ThickLensCase::point(chief["exit_point_mm"])).norm(), nanometre_per_thousand) << c.id;
+    EXPECT_LT((conoid.chief_ray.origin - ThickLensCase::point(chief["exit_point_mm"])).norm(), nanometre_per_thousand)
+        << c.id;
     EXPECT_LT((conoid.chief_ray.direction - ThickLensCase::direction(chief["exit_dir"])).norm(), 1e-12) << c.id;
-    EXPECT_LT((ray_through(c, {0.0, 0.0}, 0.0).back_point - ThickLensCase::point(chief["back_point_mm"])).norm(), nanometre_per_thousand)
+    EXPECT_LT((ray_through(c, {0.0, 0.0}, 0.0).back_point - ThickLensCase::point(chief["back_point_mm"])).norm(),
+              nanometre_per_thousand)
         << c.id;
     // Frames: the examiner's e1 points the other way.
     EXPECT_LT((conoid.exit.e1 + ThickLensCase::direction(c.json["outputs"]["e1"])).norm(), 1e-12) << c.id;
@@ -63,7 +67,8 @@ TEST(ThickLensReference, ExitWavefronts) {
     const auto k = conoid.exit_curvature(c.eye.correction.matrix());
     ASSERT_TRUE(k) << c.id;
     // The file's Q is positive for diverging waves. Peers agree to 2e-11 D.
-    const Eigen::Matrix2d expected = -ThickLensCase::symmetric(c.json["outputs"]["exit_wavefront_curvature_D_11_12_22"]["coddington"]);
+    const Eigen::Matrix2d expected =
+        -ThickLensCase::symmetric(c.json["outputs"]["exit_wavefront_curvature_D_11_12_22"]["coddington"]);
     EXPECT_LT((*k - expected).cwiseAbs().maxCoeff(), 1e-8) << c.id << "\n" << *k << "\n" << expected;
   }
 }
@@ -74,7 +79,9 @@ TEST(ThickLensReference, FirstOrderFootprints) {
     for_each_spot(c, [&](const std::string& what, double distance, double accommodation, const json& spot) {
       const Footprint f = spectacle_footprint(conoid, c.eye, distance, accommodation);
       const Eigen::Matrix2d expected = ThickLensCase::symmetric(spot["linear_cov_mm2_xx_xy_yy"], 1e-6);
-      EXPECT_LT((covariance_of_disc_image(f.transverse(), c.eye.pupil_radius_m) - expected).norm(), 1e-8 * expected.norm()) << what;
+      EXPECT_LT((covariance_of_disc_image(f.transverse(), c.eye.pupil_radius_m) - expected).norm(),
+                1e-8 * expected.norm())
+          << what;
     });
   }
 }
@@ -85,14 +92,16 @@ TEST(ThickLensReference, RealRaysBySpots) {
     const Eigen::Vector3d exit = conoid.chief_ray.origin, forward = conoid.chief_ray.direction;
     for_each_spot(c, [&](const std::string& what, double distance, double accommodation, const json& spot) {
       int lost = 0;
-      // 14 × 56 nodes, as in the file: the integrand is smooth, so both quadratures are exact to rounding (the file says 1.4e-12).
-      const Eigen::Matrix2d covariance = testing::covariance_over_disc(c.eye.pupil_radius_m, 14, 56, [&](const Eigen::Vector2d& p) {
-        const LensPath path = ray_through(c, p, accommodation);
-        lost += path.status != LensStatus::ok;
-        const double t = (distance - (path.exit.origin - exit).dot(forward)) / path.exit.direction.dot(forward);
-        const Eigen::Vector3d there = path.exit.at(t) - exit;
-        return Eigen::Vector2d(there.dot(conoid.exit.e1), there.dot(conoid.exit.e2));
-      });
+      // 14 × 56 nodes, as in the file: the integrand is smooth, so both quadratures are exact to rounding (the file
+      // says 1.4e-12).
+      const Eigen::Matrix2d covariance =
+          testing::covariance_over_disc(c.eye.pupil_radius_m, 14, 56, [&](const Eigen::Vector2d& p) {
+            const LensPath path = ray_through(c, p, accommodation);
+            lost += path.status != LensStatus::ok;
+            const double t = (distance - (path.exit.origin - exit).dot(forward)) / path.exit.direction.dot(forward);
+            const Eigen::Vector3d there = path.exit.at(t) - exit;
+            return Eigen::Vector2d(there.dot(conoid.exit.e1), there.dot(conoid.exit.e2));
+          });
       EXPECT_EQ(lost, 0) << what;
       const Eigen::Matrix2d expected = ThickLensCase::symmetric(spot["cov_mm2_xx_xy_yy"], 1e-6);
       EXPECT_LT((covariance - expected).norm(), 1e-8 * expected.norm()) << what;

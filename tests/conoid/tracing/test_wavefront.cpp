@@ -39,7 +39,8 @@ Eigen::Vector3d any_direction(const Eigen::Vector3d& about) {
 
 Wavefront any_wave() {
   const Eigen::Vector3d n = any_direction(forward), e1 = n.unitOrthogonal();
-  return {n, e1, *rc::gen::arbitrary<bool>() ? Eigen::Vector3d(n.cross(e1)) : Eigen::Vector3d(-n.cross(e1)), any_symmetric(0.1)};
+  return {n, e1, *rc::gen::arbitrary<bool>() ? Eigen::Vector3d(n.cross(e1)) : Eigen::Vector3d(-n.cross(e1)),
+          any_symmetric(0.1)};
 }
 
 PrincipalCurvatures principal(const Eigen::Matrix2d& k, const Eigen::Vector3d& f1, const Eigen::Vector3d& f2) {
@@ -94,8 +95,8 @@ RC_GTEST_PROP(Transfer, MayBeSplit, ()) {
 }
 
 TEST(Refraction, CoddingtonByHand) {
-  // Plane wave, 30° onto a sphere R = 0.1 m whose centre lies ahead, n = 1 → 1.5: cos φ' = √8/3. Numerator 1.5 cos φ' − cos 30° = 0.548188;
-  // sagittal 0.548188/(1.5·0.1) = 3.654588, tangential that / cos²φ' = 9/8 of it.
+  // Plane wave, 30° onto a sphere R = 0.1 m whose centre lies ahead, n = 1 → 1.5: cos φ' = √8/3. Numerator 1.5 cos φ' −
+  // cos 30° = 0.548188; sagittal 0.548188/(1.5·0.1) = 3.654588, tangential that / cos²φ' = 9/8 of it.
   const Eigen::Vector3d normal = forward, n(0.5, 0.0, -0.86602540378443865);  // plane of incidence x–z: sagittal is y
   const auto at = Interface::refracting(n, normal, 1.0, 1.5);
   ASSERT_TRUE(at);
@@ -115,9 +116,9 @@ TEST(Refraction, NormalIncidenceTakesAnyFrame) {
 }
 
 TEST(Refraction, NearlyNormalIncidenceKeepsItsFrameInTheTangentPlane) {
-  // N × n is rounded to 1e-16 whatever its length: at an incidence of 1e-8 it leaned out of the tangent plane by 1e-8, and the curvature of
-  // a surface inclined to the lens's axis was wrong by as much. A back surface nearly concentric with the eye's centre of rotation is met
-  // like that by every oblique gaze; sturm stress found it there.
+  // N × n is rounded to 1e-16 whatever its length: at an incidence of 1e-8 it leaned out of the tangent plane by 1e-8,
+  // and the curvature of a surface inclined to the lens's axis was wrong by as much. A back surface nearly concentric
+  // with the eye's centre of rotation is met like that by every oblique gaze; sturm stress found it there.
   const Eigen::Vector3d n = Eigen::Vector3d(0.4, -0.3, -0.8).normalized();
   for (const double incidence : {1e-6, 1e-7, 1e-8, 2e-9}) {
     const Eigen::Vector3d direction = (n + incidence * Eigen::Vector3d(0.7, 0.2, 0.35)).normalized();
@@ -131,7 +132,8 @@ TEST(Refraction, NearlyNormalIncidenceKeepsItsFrameInTheTangentPlane) {
     const Eigen::Vector3d p = -n;  // where the unit sphere's outward normal is n
     const auto sphere = SphereSurface{1.0}.sag(p.x(), p.y());
     ASSERT_TRUE(sphere);
-    EXPECT_LT((tangent_curvature(*sphere, at->u, at->tangent) + Eigen::Matrix2d::Identity()).norm(), 1e-14) << incidence;
+    EXPECT_LT((tangent_curvature(*sphere, at->u, at->tangent) + Eigen::Matrix2d::Identity()).norm(), 1e-14)
+        << incidence;
   }
 }
 
@@ -172,7 +174,8 @@ RC_GTEST_PROP(FiveVariables, AgreeWithTheMatrixForm, ()) {
     expect_same(*out, through(wave, *at, surface));
   }
   const Interface mirror = Interface::reflecting(wave.direction, normal);
-  expect_same(reflected(five(wave), normal, principal(surface, mirror.u, mirror.tangent)), through(wave, mirror, surface));
+  expect_same(reflected(five(wave), normal, principal(surface, mirror.u, mirror.tangent)),
+              through(wave, mirror, surface));
   expect_same(through_thin_lens(five(wave), principal(surface, wave.e1, wave.e2)), through_thin_lens(wave, surface));
 }
 
@@ -184,7 +187,8 @@ RC_GTEST_PROP(RayTransfer, CarriesTheSameWavefront, ()) {
   const auto at = Interface::refracting(wave.direction, outward_normal(surface), 1.0, 1.6);
   RC_PRE(outward_normal(surface).dot(wave.direction) > 0.3);
   const double d = drawn(1, 40, 1e-3);
-  const RayTransfer rays = transferred(through(transferred(RayTransfer::start(wave.direction, wave.e1, wave.e2), d), *at, surface), d);
+  const RayTransfer rays =
+      transferred(through(transferred(RayTransfer::start(wave.direction, wave.e1, wave.e2), d), *at, surface), d);
   const auto arrived = transferred(wave, d);
   RC_PRE(arrived.has_value());
   const Wavefront behind = through(*arrived, *at, surface);
@@ -192,7 +196,8 @@ RC_GTEST_PROP(RayTransfer, CarriesTheSameWavefront, ()) {
   RC_PRE(out.has_value());
   const Eigen::Matrix2d a = rays.offsets(-wave.curvature), k = -rays.slopes(-wave.curvature) * a.inverse();
   RC_PRE(std::abs(a.determinant()) > 0.01);
-  RC_ASSERT((k - out->on(rays.e1, rays.e2).curvature).norm() <= 1e-11 * std::max(1.0, k.norm()));  // 1/det ≤ 100 amplifies rounding
+  RC_ASSERT((k - out->on(rays.e1, rays.e2).curvature).norm() <=
+            1e-11 * std::max(1.0, k.norm()));  // 1/det ≤ 100 amplifies rounding
 }
 
 }  // namespace

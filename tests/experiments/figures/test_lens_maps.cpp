@@ -28,7 +28,8 @@ TEST(DefocusMap, BehindAPaneItIsTheTargetsVergence) {
   EXPECT_NEAR(defocus_map(pane(), none, center, 0.5, 1.0).values(middle, middle), 0.9505851755526659, 1e-12);
   EXPECT_NEAR(defocus_map(pane(), none, center, far_away, 3.0).values(middle, middle), 0.0, 1e-12);
   // An uncorrected myope of 1 D has too much for what is far, and accommodation cannot help.
-  EXPECT_NEAR(defocus_map(pane(), PowerMatrix::scalar(-1.0), center, far_away, 3.0).values(middle, middle), -1.0, 1e-12);
+  EXPECT_NEAR(defocus_map(pane(), PowerMatrix::scalar(-1.0), center, far_away, 3.0).values(middle, middle), -1.0,
+              1e-12);
 }
 
 TEST(DefocusMap, TheLimitIsTheLargerPrincipalValue) {
@@ -67,7 +68,9 @@ TEST(LensMaps, RowsRunUpAndColumnsToTheWearersRight) {
   design.knot_spacing_m = 0.5 * mm;
   const auto maps = as_worn_maps(progressive_lens({-1.0}, design).lens, PowerMatrix::scalar(-1.0), center);
   const auto at = [&](double x_mm, double y_mm) {
-    const auto index = [](double mm_on_lens) { return static_cast<int>(std::lround((mm_on_lens / 25.0 + 1.0) * middle)); };
+    const auto index = [](double mm_on_lens) {
+      return static_cast<int>(std::lround((mm_on_lens / 25.0 + 1.0) * middle));
+    };
     return maps[0].values(index(y_mm), index(x_mm));
   };
   EXPECT_LT(std::abs(at(0, 15)), 0.2);  // far zone: the oblique error of a lens of −1 D
@@ -79,7 +82,8 @@ TEST(LensMaps, ADecentredLensHasItsCrossAside) {
   SingleVisionDesign design;
   design.mounting = Mounting({3 * mm, -2 * mm}, 0.0, 0.0);
   const LensMap map = as_worn_maps(single_vision({-3.0}, design), PowerMatrix::scalar(-3.0), center)[0];
-  EXPECT_NEAR(map.fitting_cross_mm.x(), -3.0, 1e-9);  // the lens went to the right: the pupil looks through a place left of its vertex
+  EXPECT_NEAR(map.fitting_cross_mm.x(), -3.0,
+              1e-9);  // the lens went to the right: the pupil looks through a place left of its vertex
   EXPECT_NEAR(map.fitting_cross_mm.y(), 2.0, 1e-9);
 }
 

@@ -31,12 +31,15 @@ TEST(Mutations, SemiAxisIsOnePercentLongerAndTheOtherOneStays) {
 TEST(Mutations, AxisTurnsByOneDegreeTheWayOfTheNotation) {
   // AXIS counts counter-clockwise as seen by the examiner: one degree more turns the ellipse clockwise for the wearer.
   const Ellipse honest = Ellipse::image_of_disc(naked_eye_footprint(eye(), 1.0).angular, 2e-3);
-  EXPECT_NEAR(*Ellipse::image_of_disc(mutated("turned_axis")->angular, 2e-3).orientation_deg, *honest.orientation_deg - 1.0, 1e-10);
-  EXPECT_NEAR(*Ellipse::image_of_disc(mutated("mirrored_axis")->angular, 2e-3).orientation_deg, -*honest.orientation_deg, 1e-10);
+  EXPECT_NEAR(*Ellipse::image_of_disc(mutated("turned_axis")->angular, 2e-3).orientation_deg,
+              *honest.orientation_deg - 1.0, 1e-10);
+  EXPECT_NEAR(*Ellipse::image_of_disc(mutated("mirrored_axis")->angular, 2e-3).orientation_deg,
+              -*honest.orientation_deg, 1e-10);
 }
 
 TEST(Mutations, VertexDistanceMakesATwentiethOfADioptreAtSix) {
-  // −6 D at 12 and at 13.5 mm: 6/1.072 and 6/1.081 D at the cornea; along AXIS 30 there is the sphere alone. X/d = 1 + F.
+  // −6 D at 12 and at 13.5 mm: 6/1.072 and 6/1.081 D at the cornea; along AXIS 30 there is the sphere alone. X/d = 1 +
+  // F.
   const Eigen::Vector2d along(-std::sqrt(0.75), 0.5);  // the wearer's 150°
   const double honest = along.dot(naked_eye_footprint(eye(), 1.0).angular * along),
                wrong = along.dot(mutated("vertex_distance")->angular * along);
@@ -73,7 +76,8 @@ TEST(Mutations, PicturesOfTheMutatedPredictor) {
   ASSERT_TRUE(dim);
   EXPECT_EQ(dim->images.size(), 2u);
   EXPECT_FLOAT_EQ(dim->images[1].pixels[100], 0.495f);
-  EXPECT_EQ(mutated_pictures(named("half_pixel"), eye(), honest)->images[0].pixels, grey.pixels);  // borders repeat: light is kept
+  EXPECT_EQ(mutated_pictures(named("half_pixel"), eye(), honest)->images[0].pixels,
+            grey.pixels);  // borders repeat: light is kept
   EXPECT_FALSE(mutated_pictures(named("semi_axis"), eye(), honest));
   EXPECT_FALSE(mutated_pictures(named("tangential_term"), eye(), honest));
 }

@@ -1,4 +1,5 @@
-// The suite must notice what it is there for: conoids that are wrong on purpose, each of them caught by the checks that should.
+// The suite must notice what it is there for: conoids that are wrong on purpose, each of them caught by the checks that
+// should.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,7 +66,10 @@ TEST(StressMutants, EachIsCaught) {
        }),
        {Check::footprint, Check::turned},
        0.5},
-      {"transposed blocks", changed([](SpectacleConoid& c) { c.exit.offset_from_offset.transposeInPlace(); }), {Check::footprint}, 0.5},
+      {"transposed blocks",
+       changed([](SpectacleConoid& c) { c.exit.offset_from_offset.transposeInPlace(); }),
+       {Check::footprint},
+       0.5},
       {"a relative error of 1e-11",
        changed([](SpectacleConoid& c) { c.exit.slope_from_slope *= 1.0 + 1e-11; }),
        {Check::footprint, Check::symplectic},
@@ -78,10 +82,18 @@ TEST(StressMutants, EachIsCaught) {
        changed([](SpectacleConoid& c) { c.chief_ray.origin.x() += 1e-9; }),
        {Check::exit_point, Check::mirrored},
        0.9},
-      {"a direction off by 1e-12", changed([](SpectacleConoid& c) { c.chief_ray.direction.y() += 1e-12; }), {Check::exit_direction}, 0.8},
-      {"a NaN", changed([](SpectacleConoid& c) { c.exit.slope_from_offset(0, 0) = std::nan(""); }), {Check::finite, Check::footprint}, 0.9},
+      {"a direction off by 1e-12",
+       changed([](SpectacleConoid& c) { c.chief_ray.direction.y() += 1e-12; }),
+       {Check::exit_direction},
+       0.8},
+      {"a NaN",
+       changed([](SpectacleConoid& c) { c.exit.slope_from_offset(0, 0) = std::nan(""); }),
+       {Check::finite, Check::footprint},
+       0.9},
       {"an axis that is mirrored",
-       [](const Spectacles& lens, const Eigen::Vector3d& gaze, double center) { return trace_conoid(mirrored(lens), gaze, center); },
+       [](const Spectacles& lens, const Eigen::Vector3d& gaze, double center) {
+         return trace_conoid(mirrored(lens), gaze, center);
+       },
        {Check::footprint, Check::turned},
        0.4},
       {"an absolute length of 1e-9 m",
@@ -92,23 +104,30 @@ TEST(StressMutants, EachIsCaught) {
        },
        {Check::scaled, Check::exit_point},
        0.7},
-      // Of the lenses that a ray comes through, about a sixth is mounted (one angle in five is 0), a twentieth has a prism, a thirtieth a
-      // spline.
+      // Of the lenses that a ray comes through, about a sixth is mounted (one angle in five is 0), a twentieth has a
+      // prism, a thirtieth a spline.
       {"the sign of the wrap",
-       remounted([](const Mounting& m) { return Mounting(m.decentration_m(), m.pantoscopic_tilt(), -m.wrap()).with_wedge(m.wedge()); }),
+       remounted([](const Mounting& m) {
+         return Mounting(m.decentration_m(), m.pantoscopic_tilt(), -m.wrap()).with_wedge(m.wedge());
+       }),
        {Check::footprint, Check::exit_point, Check::turned},
        0.12},
       {"tilt and wrap exchanged",
-       remounted([](const Mounting& m) { return Mounting(m.decentration_m(), m.wrap(), m.pantoscopic_tilt()).with_wedge(m.wedge()); }),
+       remounted([](const Mounting& m) {
+         return Mounting(m.decentration_m(), m.wrap(), m.pantoscopic_tilt()).with_wedge(m.wedge());
+       }),
        {Check::footprint, Check::mirrored, Check::turned},
        0.12},
       {"decentration the other way",
-       remounted([](const Mounting& m) { return Mounting(-m.decentration_m(), m.pantoscopic_tilt(), m.wrap()).with_wedge(m.wedge()); }),
+       remounted([](const Mounting& m) {
+         return Mounting(-m.decentration_m(), m.pantoscopic_tilt(), m.wrap()).with_wedge(m.wedge());
+       }),
        {Check::footprint},
        0.12},
       {"a base on the other side",
        remounted([](const Mounting& m) {
-         return Mounting(m.decentration_m(), m.pantoscopic_tilt(), m.wrap()).with_wedge({-m.wedge().x(), m.wedge().y()});
+         return Mounting(m.decentration_m(), m.pantoscopic_tilt(), m.wrap())
+             .with_wedge({-m.wedge().x(), m.wedge().y()});
        }),
        {Check::footprint, Check::turned},
        0.03},
@@ -147,7 +166,9 @@ TEST(StressMutants, LostRaysAreCaught) {
 
 TEST(StressGenerator, CasesAreAddressed) {
   const FreeFormLenses lenses;
-  const auto document = [&](std::uint64_t seed, std::uint64_t index) { return query_json(draw_case(seed, index, lenses), lenses); };
+  const auto document = [&](std::uint64_t seed, std::uint64_t index) {
+    return query_json(draw_case(seed, index, lenses), lenses);
+  };
   EXPECT_EQ(document(5, 1234), document(5, 1234));
   EXPECT_NE(document(5, 1234), document(5, 1235));
   EXPECT_NE(document(5, 1234), document(6, 1234));
@@ -164,7 +185,8 @@ TEST(StressGenerator, DocumentsAreTheCasesToTheLastBit) {
   int mounted = 0, with_prism = 0, progressive = 0;
   for (std::uint64_t i = 0; i < 600; ++i) {
     const CaseNumbers n = draw_case(3, i, lenses);
-    if (n.lens && n.lens->free_form && lenses.table(*n.lens->free_form)) continue;  // a document with a file; end to end
+    if (n.lens && n.lens->free_form && lenses.table(*n.lens->free_form))
+      continue;  // a document with a file; end to end
     if (n.lens) {
       mounted += n.lens->mounting != MountingNumbers();
       with_prism += n.lens->made.has_value();
@@ -179,7 +201,8 @@ TEST(StressGenerator, DocumentsAreTheCasesToTheLastBit) {
     ASSERT_EQ(query.spectacles.has_value(), n.lens.has_value()) << i;
     if (!n.lens) continue;
     const SpectacleConoid a =
-        trace_conoid(*query.spectacles, gaze_direction(query.targets[0].azimuth, query.targets[0].elevation), eye->rotation_center_m);
+        trace_conoid(*query.spectacles, gaze_direction(query.targets[0].azimuth, query.targets[0].elevation),
+                     eye->rotation_center_m);
     const SpectacleConoid b = trace_conoid(spectacles_of(*n.lens, lenses), gaze_of(n), eye->rotation_center_m);
     ASSERT_EQ(a.status, b.status) << i;
     if (a.status != LensStatus::ok) continue;

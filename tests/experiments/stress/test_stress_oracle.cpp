@@ -1,5 +1,5 @@
-// The extended-precision oracle of `sturm stress` against closed forms and other people's numbers, so that what it says about the program
-// means something.
+// The extended-precision oracle of `sturm stress` against closed forms and other people's numbers, so that what it says
+// about the program means something.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,20 +15,21 @@ const Eigen::Vector3d ahead(0.0, 0.0, -1.0);
 
 Eigen::Matrix2d offsets(const ExtendedTrace& t, std::size_t first) {
   Eigen::Matrix2d m;
-  m << static_cast<double>(t.offset[0][first]), static_cast<double>(t.offset[0][first + 1]), static_cast<double>(t.offset[1][first]),
-      static_cast<double>(t.offset[1][first + 1]);
+  m << static_cast<double>(t.offset[0][first]), static_cast<double>(t.offset[0][first + 1]),
+      static_cast<double>(t.offset[1][first]), static_cast<double>(t.offset[1][first + 1]);
   return m;
 }
 Eigen::Matrix2d slopes(const ExtendedTrace& t, std::size_t first) {
   Eigen::Matrix2d m;
-  m << static_cast<double>(t.slope[0][first]), static_cast<double>(t.slope[0][first + 1]), static_cast<double>(t.slope[1][first]),
-      static_cast<double>(t.slope[1][first + 1]);
+  m << static_cast<double>(t.slope[0][first]), static_cast<double>(t.slope[0][first + 1]),
+      static_cast<double>(t.slope[1][first]), static_cast<double>(t.slope[1][first + 1]);
   return m;
 }
 
 TEST(StressOracle, OneSphereOnItsAxis) {
-  // Plano-convex lens of 50 mm radius, index 1.5, flat side to the eye, 2 mm thick, 12 mm away. Paraxial by hand, r[metres]: to the back
-  // 0.012, slope 1/1.5 inside, 0.002 of glass; front power (n - 1)/R = 0.5/0.05 = 10 D, converging for light that leaves through it.
+  // Plano-convex lens of 50 mm radius, index 1.5, flat side to the eye, 2 mm thick, 12 mm away. Paraxial by hand,
+  // r[metres]: to the back 0.012, slope 1/1.5 inside, 0.002 of glass; front power (n - 1)/R = 0.5/0.05 = 10 D,
+  // converging for light that leaves through it.
   Spectacles lens;
   lens.back = SphereSurface{0.0};
   lens.front = SphereSurface{20.0};
@@ -42,8 +43,8 @@ TEST(StressOracle, OneSphereOnItsAxis) {
 }
 
 TEST(StressOracle, ThinCylinderActsAcrossItsSweepMeridian) {
-  // A cylinder: curved along the sweep meridian TABO 30, so the power 0.5 * 4 = 2 D acts along the wearer's 150 degrees:
-  // u = (-0.866, 0.5), u uᵀ = [[3/4, -0.433], [-0.433, 1/4]]; power of mirrored axes would have +0.433.
+  // A cylinder: curved along the sweep meridian TABO 30, so the power 0.5 * 4 = 2 D acts along the wearer's 150
+  // degrees: u = (-0.866, 0.5), u uᵀ = [[3/4, -0.433], [-0.433, 1/4]]; power of mirrored axes would have +0.433.
   Spectacles lens;
   lens.center_thickness_m = 1e-9;
   lens.vertex_distance_m = 0.0;
@@ -61,8 +62,9 @@ TEST(StressOracle, ThinCylinderActsAcrossItsSweepMeridian) {
 }
 
 TEST(StressOracle, ObliquePlaneParallelPlate) {
-  // A plate of thickness T shifts and stretches nothing: slopes stay, and the way inside counts as T cos/(n cos'^3) in the plane of
-  // incidence, T/(n cos') across it. Gaze 60 degrees to the right: sin 60 = 0.8660254, inside sin = 0.5773503, cos' = 0.8164966.
+  // A plate of thickness T shifts and stretches nothing: slopes stay, and the way inside counts as T cos/(n cos'^3) in
+  // the plane of incidence, T/(n cos') across it. Gaze 60 degrees to the right: sin 60 = 0.8660254, inside sin =
+  // 0.5773503, cos' = 0.8164966.
   Spectacles lens;
   lens.back = lens.front = SphereSurface{0.0};
   lens.diameter_m = 0.2;
@@ -80,7 +82,8 @@ TEST(StressOracle, ObliquePlaneParallelPlate) {
 }
 
 TEST(StressOracle, SteepGlassReflectsTotally) {
-  // Back concentric with the centre of rotation: no refraction there; the flat front at 45 degrees is beyond arcsin(1/1.5) = 41.8.
+  // Back concentric with the centre of rotation: no refraction there; the flat front at 45 degrees is beyond
+  // arcsin(1/1.5) = 41.8.
   Spectacles lens;
   lens.back = SphereSurface{1.0 / 25.5e-3};
   lens.front = SphereSurface{0.0};
@@ -95,18 +98,22 @@ TEST(StressOracle, RimEndsTheLens) {
   lens.back = lens.front = SphereSurface{0.0};
   lens.diameter_m = 0.024;
   // 45 degrees from the pupil meets the plane 12 mm away at the height 12 mm, the rim's.
-  EXPECT_EQ(trace_extended(lens, {std::sqrt(0.5) * 1.001, 0.0, -std::sqrt(1.0 - 0.5 * 1.001 * 1.001)}, 0.0, std::nullopt).status,
-            LensStatus::missed_lens);
+  EXPECT_EQ(
+      trace_extended(lens, {std::sqrt(0.5) * 1.001, 0.0, -std::sqrt(1.0 - 0.5 * 1.001 * 1.001)}, 0.0, std::nullopt)
+          .status,
+      LensStatus::missed_lens);
 }
 
 TEST(StressOracle, AWrappedPlateShiftsTheRayToTheSideThatIsNearer) {
-  // Incidence of 60 degrees as above, but the plate stands oblique. Its outward normal leans to the right, (0.866, 0, -0.5), so does the
-  // ray inside: by gamma sin 60 a unit of way, gamma = cos' - cos/1.5. A pantoscopic tilt does the same downwards.
+  // Incidence of 60 degrees as above, but the plate stands oblique. Its outward normal leans to the right, (0.866, 0,
+  // -0.5), so does the ray inside: by gamma sin 60 a unit of way, gamma = cos' - cos/1.5. A pantoscopic tilt does the
+  // same downwards.
   Spectacles lens;
   lens.back = lens.front = SphereSurface{0.0};
   const double angle = std::acos(0.5), cos_in_glass = std::sqrt(2.0 / 3.0), way = 0.002 / cos_in_glass;
   const double shift = way * (cos_in_glass - 0.5 / 1.5) * std::sqrt(0.75);
-  const double along = 0.012 + 0.002 * 0.25 / (1.5 * cos_in_glass * cos_in_glass * cos_in_glass), across = 0.012 + way / 1.5;
+  const double along = 0.012 + 0.002 * 0.25 / (1.5 * cos_in_glass * cos_in_glass * cos_in_glass),
+               across = 0.012 + way / 1.5;
   lens.mounting = Mounting(Eigen::Vector2d::Zero(), 0.0, angle);
   const ExtendedTrace wrapped = trace_extended(lens, ahead, 13.5e-3, std::nullopt);
   ASSERT_EQ(wrapped.status, LensStatus::ok);
@@ -123,8 +130,8 @@ TEST(StressOracle, AWrappedPlateShiftsTheRayToTheSideThatIsNearer) {
 
 TEST(StressOracle, FirstTheTiltThenTheWrap) {
   // By 3-4-5 angles: the axis (0, 0, -1) tilts to (0, -0.6, -0.8), and the wrap
-  // about the vertical takes that to (0.48, -0.6, -0.64). The other way round it would be (0.6, -0.48, -0.64). A ray along the axis through
-  // the back vertex goes straight on.
+  // about the vertical takes that to (0.48, -0.6, -0.64). The other way round it would be (0.6, -0.48, -0.64). A ray
+  // along the axis through the back vertex goes straight on.
   Spectacles lens;
   lens.back = lens.front = SphereSurface{4.0};
   const Eigen::Vector3d axis(0.48, -0.6, -0.64);
@@ -137,8 +144,9 @@ TEST(StressOracle, FirstTheTiltThenTheWrap) {
 }
 
 TEST(StressOracle, AWedgeIsAPrism) {
-  // Back plane leaning by 30 degrees towards the right (z = x tan 30), front plane straight: inside sin 30/1.5 = 1/3, so 30 - asin(1/3)
-  // from the axis, and Snell's law at the front: sin out = 1.5 sin of that, to the right. The back vertex stands 1 mm to the right.
+  // Back plane leaning by 30 degrees towards the right (z = x tan 30), front plane straight: inside sin 30/1.5 = 1/3,
+  // so 30 - asin(1/3) from the axis, and Snell's law at the front: sin out = 1.5 sin of that, to the right. The back
+  // vertex stands 1 mm to the right.
   Spectacles lens;
   lens.back = lens.front = SphereSurface{0.0};
   const double slope = std::sqrt(1.0 / 3.0);
@@ -152,8 +160,8 @@ TEST(StressOracle, AWedgeIsAPrism) {
 }
 
 TEST(StressOracle, ASplineThroughAParaboloidIsTheParaboloid) {
-  // Bicubic splines hold it exactly, but for the rounding of the coefficients C: 2^-53 C (16 + 16 + 2·2.25²)^½/h² in a curvature, with
-  // C = 1.3e-2, h = 5e-3, 4e-13; times n − 1.
+  // Bicubic splines hold it exactly, but for the rounding of the coefficients C: 2^-53 C (16 + 16 + 2·2.25²)^½/h² in a
+  // curvature, with C = 1.3e-2, h = 5e-3, 4e-13; times n − 1.
   Spectacles lens;
   lens.back = ConicSurface{10.0, -1.0};
   lens.front = TorusSurface(5.0, 3.0, 30.0);
@@ -165,7 +173,8 @@ TEST(StressOracle, ASplineThroughAParaboloidIsTheParaboloid) {
       heights(i, j) = 5.0 * (grid.first + grid.spacing.cwiseProduct(Eigen::Vector2d(i, j))).squaredNorm();
   spline.back = BSplineSurface::interpolating(grid, heights);
   const Eigen::Vector3d gaze = Eigen::Vector3d(0.4, -0.3, -1.0).normalized();
-  const ExtendedTrace exact = trace_extended(lens, gaze, 13.5e-3, std::nullopt), t = trace_extended(spline, gaze, 13.5e-3, std::nullopt);
+  const ExtendedTrace exact = trace_extended(lens, gaze, 13.5e-3, std::nullopt),
+                      t = trace_extended(spline, gaze, 13.5e-3, std::nullopt);
   ASSERT_EQ(exact.status, LensStatus::ok);
   ASSERT_EQ(t.status, LensStatus::ok);
   EXPECT_LT((rounded(t.exit_point) - rounded(exact.exit_point)).norm(), 1e-16);
@@ -180,16 +189,21 @@ TEST(StressOracle, ThickLensReference) {
   for (const auto& c : testing::thick_lens_cases()) {
     const ExtendedTrace t = trace_extended(c.lens, c.gaze, c.eye.rotation_center_m, std::nullopt);
     ASSERT_EQ(t.status, LensStatus::ok) << c.id;
-    EXPECT_LT((rounded(t.exit_point) - testing::ThickLensCase::point(c.json["outputs"]["chief"]["exit_point_mm"])).norm(), 1e-12) << c.id;
+    EXPECT_LT(
+        (rounded(t.exit_point) - testing::ThickLensCase::point(c.json["outputs"]["chief"]["exit_point_mm"])).norm(),
+        1e-12)
+        << c.id;
     for (const auto& [key, spot] : c.json["outputs"]["spots_4mm"].items()) {
       const double distance = std::stod(key), accommodation = key.ends_with("accommodated") ? 1.0 / distance : 0.0;
       const auto x = t.angular_footprint(c.eye.slope_matrix(accommodation).matrix(), 1.0 / distance);
       const double scale = 0.25 * c.eye.pupil_radius_m * c.eye.pupil_radius_m * distance * distance;
       Eigen::Matrix2d covariance;
       for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) covariance(i, j) = scale * static_cast<double>(x[i][0] * x[j][0] + x[i][1] * x[j][1]);
+        for (int j = 0; j < 2; ++j)
+          covariance(i, j) = scale * static_cast<double>(x[i][0] * x[j][0] + x[i][1] * x[j][1]);
       const Eigen::Matrix2d expected = testing::ThickLensCase::symmetric(spot["linear_cov_mm2_xx_xy_yy"], 1e-6);
-      EXPECT_LT((covariance - expected).norm(), 1e-8 * expected.norm()) << c.id << " " << key;  // the file's stated accuracy
+      EXPECT_LT((covariance - expected).norm(), 1e-8 * expected.norm())
+          << c.id << " " << key;  // the file's stated accuracy
     }
   }
 }
@@ -206,7 +220,8 @@ TEST(StressOracle, DerivativesAreThoseOfNeighbouringRays) {
   };
   const ExtendedTrace high = turned(h), low = turned(-h);
   const Vec3<Extended> slope = (0.5L / h) * (high.direction - low.direction);
-  EXPECT_NEAR(static_cast<double>(dot(slope, t.frame.e1)), static_cast<double>(t.slope[0][2]), 1e-9);  // 2^-53/h of the rounded gazes
+  EXPECT_NEAR(static_cast<double>(dot(slope, t.frame.e1)), static_cast<double>(t.slope[0][2]),
+              1e-9);  // 2^-53/h of the rounded gazes
   EXPECT_NEAR(static_cast<double>(dot(slope, t.frame.e2)), static_cast<double>(t.slope[1][2]), 1e-9);
 }
 

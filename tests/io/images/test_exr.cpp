@@ -85,7 +85,8 @@ TEST(Exr, BrokenAndForeignFilesAreRefused) {
   const TemporaryFolder folder;
   write_exr(folder / "a.exr", sample());
   const std::string bytes = read_text(folder / "a.exr");
-  for (const std::size_t kept : {bytes.size() - 1, bytes.size() / 2, std::size_t{300}, std::size_t{9}, std::size_t{0}}) {
+  for (const std::size_t kept :
+       {bytes.size() - 1, bytes.size() / 2, std::size_t{300}, std::size_t{9}, std::size_t{0}}) {
     write_text(folder / "cut.exr", bytes.substr(0, kept));
     EXPECT_THAT(input_error([&] { read_exr(folder / "cut.exr"); }), HasSubstr("cut.exr")) << kept;
   }
@@ -102,7 +103,8 @@ TEST(Exr, ClaimsBeyondTheLimitAreRefusedBeforeAnythingIsAllocated) {
   EXPECT_THROW(read_exr(folder / "a.exr", 37 * 19 * 11 * sizeof(float) - 1), InputError);
 }
 
-/// Little-endian bytes of numbers and zero-terminated text, for an EXR file by hand (openexr.com, "OpenEXR File Layout").
+/// Little-endian bytes of numbers and zero-terminated text, for an EXR file by hand (openexr.com, "OpenEXR File
+/// Layout").
 class Bytes {
  public:
   template <typename T>
@@ -144,7 +146,8 @@ Bytes exr_header(const std::vector<const char*>& channels, std::int32_t type, co
   file.number<std::int32_t>(20000630).number<std::int32_t>(2);
   file.attribute("channels", "chlist", list.str()).attribute("compression", "compression", std::string(1, '\0'));
   file.attribute("dataWindow", "box2i", data.bytes()).attribute("displayWindow", "box2i", display.bytes());
-  file.attribute("lineOrder", "lineOrder", std::string(1, '\0')).attribute("pixelAspectRatio", "float", Bytes().number(1.0f).str());
+  file.attribute("lineOrder", "lineOrder", std::string(1, '\0'))
+      .attribute("pixelAspectRatio", "float", Bytes().number(1.0f).str());
   file.attribute("screenWindowCenter", "v2f", Bytes().number(0.0f).number(0.0f).str())
       .attribute("screenWindowWidth", "float", Bytes().number(1.0f).str());
   return file.number<char>(0);

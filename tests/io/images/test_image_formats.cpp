@@ -8,7 +8,8 @@
 #include "io/images/tone_map.h"
 #include "io/io_testing.h"
 
-// OpenImageIO loses the message of a PNG that breaks off: libpng leaves its frames by longjmp. Read by the leak sanitizer.
+// OpenImageIO loses the message of a PNG that breaks off: libpng leaves its frames by longjmp. Read by the leak
+// sanitizer.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libOpenImageIO";
 }
@@ -90,7 +91,8 @@ TEST(ToneMap, SrgbCurveMatchesTheStandard) {
   EXPECT_NEAR(srgb_to_linear(0.5f), 0.2140411f, 1e-6);
   // The two branches meet within the standard's rounding of its constants.
   EXPECT_NEAR(linear_to_srgb(0.0031308f), linear_to_srgb(0.0031309f), 2e-6);
-  for (int i = 0; i <= 255; ++i) EXPECT_NEAR(255.0f * linear_to_srgb(srgb_to_linear(static_cast<float>(i) / 255.0f)), i, 1e-3);
+  for (int i = 0; i <= 255; ++i)
+    EXPECT_NEAR(255.0f * linear_to_srgb(srgb_to_linear(static_cast<float>(i) / 255.0f)), i, 1e-3);
 }
 
 TEST(ToneMap, DisplaySpaceExposesThenClamps) {
@@ -106,7 +108,8 @@ TEST(ToneMap, DisplaySpaceExposesThenClamps) {
 TEST(ToneMap, AlphaIsNotDecoded) {
   Image image(1, 1, 4);
   image.pixels = {0.5f, 0.5f, 0.5f, 0.5f};
-  EXPECT_EQ(srgb_to_linear(image).pixels, (std::vector<float>{srgb_to_linear(0.5f), srgb_to_linear(0.5f), srgb_to_linear(0.5f), 0.5f}));
+  EXPECT_EQ(srgb_to_linear(image).pixels,
+            (std::vector<float>{srgb_to_linear(0.5f), srgb_to_linear(0.5f), srgb_to_linear(0.5f), 0.5f}));
   Image grey(1, 1, 1);
   grey.pixels = {0.5f};
   EXPECT_EQ(srgb_to_linear(grey).pixels[0], srgb_to_linear(0.5f));

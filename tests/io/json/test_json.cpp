@@ -21,7 +21,8 @@ std::string parse_error(const std::string& text) {
 }
 
 TEST(Json, ReadsWhatIsValid) {
-  const Json document = parse_json("\xEF\xBB\xBF {\"a\": [1, -2.5e3, \"x\", null, true]} ", "f.json");  // with byte-order mark
+  const Json document =
+      parse_json("\xEF\xBB\xBF {\"a\": [1, -2.5e3, \"x\", null, true]} ", "f.json");  // with byte-order mark
   EXPECT_EQ(document["a"][1], -2500.0);
   EXPECT_EQ(document["a"].size(), 5u);
 }
@@ -50,7 +51,8 @@ TEST(Json, NumbersBeyondDoubleAndBrokenTextAreRefused) {
 
 TEST(Json, FilesThatCannotBeReadAreNamed) {
   const TemporaryFolder folder;
-  EXPECT_THAT(input_error([&] { load_json((folder / "none.json").string()); }), HasSubstr("none.json: got No such file"));
+  EXPECT_THAT(input_error([&] { load_json((folder / "none.json").string()); }),
+              HasSubstr("none.json: got No such file"));
   EXPECT_THAT(input_error([&] { load_json(folder.path().string()); }), HasSubstr("got a folder"));
   write_text(folder / "a.json", "{\"a\": 1}");
   EXPECT_EQ(load_json((folder / "a.json").string())["a"], 1);

@@ -36,7 +36,8 @@ std::string error_with(const std::string& pointer, const Json& value) {
 }
 
 void collect_refs(const Json& node, std::set<std::string>& refs) {
-  if (node.is_object() && node.contains("$ref") && node["$ref"].is_string()) refs.insert(node["$ref"].get<std::string>());
+  if (node.is_object() && node.contains("$ref") && node["$ref"].is_string())
+    refs.insert(node["$ref"].get<std::string>());
   if (node.is_structured())
     for (const Json& child : node) collect_refs(child, refs);
 }
@@ -58,9 +59,10 @@ void each_subschema(const Json& node, const std::string& place, Visit visit) {
 }
 
 TEST(Schema, AllAreEmbeddedAndSelfContained) {
-  EXPECT_THAT(schema_names(), ElementsAre("bench", "bench_report", "blurfield", "blurfield_result", "comparison", "ellipse",
-                                          "ellipse_result", "experiment", "eye", "gates", "lens_report", "manifest", "render", "report",
-                                          "run_comparison", "scene", "spectacles", "stress_report"));
+  EXPECT_THAT(schema_names(),
+              ElementsAre("bench", "bench_report", "blurfield", "blurfield_result", "comparison", "ellipse",
+                          "ellipse_result", "experiment", "eye", "gates", "lens_report", "manifest", "render", "report",
+                          "run_comparison", "scene", "spectacles", "stress_report"));
   for (const std::string& name : schema_names()) {
     const Json schema = Json::parse(schema_text(name));
     EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#") << name;
@@ -98,7 +100,8 @@ TEST(Schema, UnknownNamesAndFormatsListTheKnownOnes) {
   EXPECT_THAT(input_error([] {
                 format_of({{"format", "sturm.elipse/1"}}, "q.json");
               }),
-              AllOf(HasSubstr("q.json: /format: got \"sturm.elipse/1\" (did you mean \"sturm.ellipse/1\"?)"), HasSubstr("sturm.render/1")));
+              AllOf(HasSubstr("q.json: /format: got \"sturm.elipse/1\" (did you mean \"sturm.ellipse/1\"?)"),
+                    HasSubstr("sturm.render/1")));
   EXPECT_THAT(input_error([] { format_of({{"format", "sturm.ellipse/2"}}, "q.json"); }), HasSubstr("sturm.ellipse/1"));
   EXPECT_THAT(input_error([] { format_of(Json::object(), "q.json"); }), HasSubstr("got no \"format\""));
   EXPECT_THAT(input_error([] { format_of(Json(3), "q.json"); }), HasSubstr("q.json: got 3, expected an object"));
@@ -118,31 +121,44 @@ TEST(Schema, UnknownKeysComeFirstAndWithASuggestion) {
   document["eye"]["prescription"]["spere_D"] = -1;
   document["eye"].erase("pupil_diameter_mm");  // also wrong, but the misspelt key tells more
   EXPECT_EQ(error_of(document),
-            "q.json: /eye/prescription/spere_D: got an unknown key (did you mean \"sphere_D\"?), expected one of \"axis_deg\", "
+            "q.json: /eye/prescription/spere_D: got an unknown key (did you mean \"sphere_D\"?), expected one of "
+            "\"axis_deg\", "
             "\"cylinder_D\", \"prism_base_deg\", \"prism_cm_per_m\", "
             "\"sphere_D\", \"vertex_distance_mm\"");
   EXPECT_THAT(error_with("/targets/1/distance_mm", 3),
               HasSubstr("/targets/1/distance_mm: got an unknown key (did you mean \"distance_m\"?)"));
-  EXPECT_THAT(error_with("/zzz", 3), AllOf(HasSubstr("/zzz: got an unknown key, expected one of"), HasSubstr("\"targets\"")));
+  EXPECT_THAT(error_with("/zzz", 3),
+              AllOf(HasSubstr("/zzz: got an unknown key, expected one of"), HasSubstr("\"targets\"")));
 }
 
 TEST(Schema, ViolationsNamePlaceValueAndExpectation) {
   EXPECT_EQ(error_with("/eye/pupil_diameter_mm", -4),
-            "q.json: /eye/pupil_diameter_mm: got -4, expected a number from 0 to 100 (diameter of the pupil [mm]; 0 is a pinhole)");
+            "q.json: /eye/pupil_diameter_mm: got -4, expected a number from 0 to 100 (diameter of the pupil [mm]; 0 is "
+            "a pinhole)");
   EXPECT_EQ(error_with("/eye/pupil_diameter_mm", "4"),
-            "q.json: /eye/pupil_diameter_mm: got \"4\", expected a number from 0 to 100 (diameter of the pupil [mm]; 0 is a pinhole)");
+            "q.json: /eye/pupil_diameter_mm: got \"4\", expected a number from 0 to 100 (diameter of the pupil [mm]; 0 "
+            "is a pinhole)");
   EXPECT_EQ(error_with("/targets/1/distance_m", "infinity"),
-            "q.json: /targets/1/distance_m: got \"infinity\", expected a number from 1e-06 to 1000000000000.0 or \"inf\" (distance from "
-            "the pupil's centre along the line of sight [m]; with spectacles from the front surface along the outgoing chief ray)");
+            "q.json: /targets/1/distance_m: got \"infinity\", expected a number from 1e-06 to 1000000000000.0 or "
+            "\"inf\" (distance from "
+            "the pupil's centre along the line of sight [m]; with spectacles from the front surface along the outgoing "
+            "chief ray)");
   EXPECT_THAT(error_with("/targets/0/distance_m", 0), HasSubstr("/targets/0/distance_m: got 0, expected a number"));
-  EXPECT_THAT(error_with("/targets/0/gaze_deg", {0, 0, 0}), HasSubstr("/targets/0/gaze_deg: got [0,0,0], expected an array of 2 items"));
-  EXPECT_THAT(error_with("/targets/0/gaze_deg/1", 89.5), HasSubstr("/targets/0/gaze_deg/1: got 89.5, expected a number from -89 to 89"));
-  EXPECT_THAT(error_with("/targets", Json::array()), HasSubstr("/targets: got [], expected an array of 1 to 1000000 items"));
-  EXPECT_THAT(error_with("/methods/1", "rays:powermatrix"),
-              HasSubstr("/methods/1: got \"rays:powermatrix\" (did you mean \"rays:power_matrix\"?), expected one of \"conoid\""));
+  EXPECT_THAT(error_with("/targets/0/gaze_deg", {0, 0, 0}),
+              HasSubstr("/targets/0/gaze_deg: got [0,0,0], expected an array of 2 items"));
+  EXPECT_THAT(error_with("/targets/0/gaze_deg/1", 89.5),
+              HasSubstr("/targets/0/gaze_deg/1: got 89.5, expected a number from -89 to 89"));
+  EXPECT_THAT(error_with("/targets", Json::array()),
+              HasSubstr("/targets: got [], expected an array of 1 to 1000000 items"));
+  EXPECT_THAT(
+      error_with("/methods/1", "rays:powermatrix"),
+      HasSubstr(
+          "/methods/1: got \"rays:powermatrix\" (did you mean \"rays:power_matrix\"?), expected one of \"conoid\""));
   EXPECT_THAT(error_with("/methods", {"conoid", "conoid"}), HasSubstr("no two alike"));
-  EXPECT_THAT(error_with("/spectacles", 3),
-              HasSubstr("/spectacles: got 3, expected an object or a string that is not empty or null (one thick spectacle lens"));
+  EXPECT_THAT(
+      error_with("/spectacles", 3),
+      HasSubstr(
+          "/spectacles: got 3, expected an object or a string that is not empty or null (one thick spectacle lens"));
   EXPECT_THAT(error_with("/seed", 1.5), HasSubstr("/seed: got 1.5, expected an integer from 0 to 9007199254740991"));
   EXPECT_THAT(error_with("/seed", -1), HasSubstr("/seed: got -1"));
   EXPECT_THAT(error_with("/eye", 3), HasSubstr("/eye: got 3, expected an object or a string"));
@@ -154,7 +170,8 @@ TEST(Schema, MissingMembersAreDescribed) {
   Json document = query();
   document["eye"].erase("pupil_diameter_mm");
   EXPECT_EQ(error_of(document),
-            "q.json: /eye: got no \"pupil_diameter_mm\", expected \"pupil_diameter_mm\": a number from 0 to 100 (diameter of the pupil "
+            "q.json: /eye: got no \"pupil_diameter_mm\", expected \"pupil_diameter_mm\": a number from 0 to 100 "
+            "(diameter of the pupil "
             "[mm]; 0 is a pinhole)");
   document = query();
   document.erase("targets");

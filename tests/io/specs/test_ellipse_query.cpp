@@ -80,24 +80,32 @@ TEST(EllipseQuery, VertexDistanceAtTheFocalLengthIsRefused) {
 TEST(EllipseQuery, AccommodationModesTakeTheirOwnMembersOnly) {
   EXPECT_THAT(error_with({"/eye/accommodation={\"mode\": \"fixed\"}"}),
               AllOf(HasSubstr("/eye/accommodation: got {\"mode\":\"fixed\"}"), HasSubstr("exactly one of")));
-  EXPECT_THAT(error_with({"/eye/accommodation/power_D=1"}), HasSubstr("exactly one of \"focus_distance_m\" and \"power_D\""));
-  EXPECT_THAT(error_with({"/eye/accommodation/mode=relaxed"}), HasSubstr("/eye/accommodation/focus_distance_m: got 2, expected no"));
+  EXPECT_THAT(error_with({"/eye/accommodation/power_D=1"}),
+              HasSubstr("exactly one of \"focus_distance_m\" and \"power_D\""));
+  EXPECT_THAT(error_with({"/eye/accommodation/mode=relaxed"}),
+              HasSubstr("/eye/accommodation/focus_distance_m: got 2, expected no"));
   EXPECT_THAT(error_with({"/eye/accommodation/age_years=50"}), HasSubstr("/eye/accommodation/age_years: got 50"));
   EXPECT_THAT(error_with({"/eye/accommodation={\"mode\": \"best\"}"}), HasSubstr("\"amplitude_D\" and \"age_years\""));
-  EXPECT_THAT(error_with({"/eye/accommodation={\"mode\": \"best\", \"amplitude_D\": 1, \"power_D\": 1}"}), HasSubstr("/power_D"));
-  EXPECT_THAT(error_with({"/eye/accommodation={\"mode\": \"fxed\", \"power_D\": 1}"}), HasSubstr("did you mean \"fixed\"?"));
-  EXPECT_THAT(error_with({"/eye/accommodation/focus_distance_m=0"}), HasSubstr("/eye/accommodation/focus_distance_m: got 0"));
+  EXPECT_THAT(error_with({"/eye/accommodation={\"mode\": \"best\", \"amplitude_D\": 1, \"power_D\": 1}"}),
+              HasSubstr("/power_D"));
+  EXPECT_THAT(error_with({"/eye/accommodation={\"mode\": \"fxed\", \"power_D\": 1}"}),
+              HasSubstr("did you mean \"fixed\"?"));
+  EXPECT_THAT(error_with({"/eye/accommodation/focus_distance_m=0"}),
+              HasSubstr("/eye/accommodation/focus_distance_m: got 0"));
 }
 
 TEST(EllipseQuery, AccommodationValues) {
-  EXPECT_EQ(read_with({"/eye/accommodation={\"mode\": \"fixed\", \"power_D\": 0.75}"}).eye.accommodation_for(3.0), 0.75);
-  EXPECT_EQ(read_with({"/eye/accommodation={\"mode\": \"fixed\", \"power_D\": 0.75}"}).eye.stated_focus_distance_m(), std::nullopt);
+  EXPECT_EQ(read_with({"/eye/accommodation={\"mode\": \"fixed\", \"power_D\": 0.75}"}).eye.accommodation_for(3.0),
+            0.75);
+  EXPECT_EQ(read_with({"/eye/accommodation={\"mode\": \"fixed\", \"power_D\": 0.75}"}).eye.stated_focus_distance_m(),
+            std::nullopt);
   const Eye at_infinity = read_with({"/eye/accommodation={\"mode\": \"fixed\", \"focus_distance_m\": \"inf\"}"}).eye;
   EXPECT_EQ(at_infinity.accommodation_for(3.0), 0.0);
   EXPECT_TRUE(std::isinf(*at_infinity.stated_focus_distance_m()));
   // Hofstetter: 18.5 − 0.3·50 = 3.5 D; the eye needs 10 + M = 7.25 D at 0.1 m.
   EXPECT_EQ(read_with({"/eye/accommodation={\"mode\": \"best\", \"age_years\": 50}"}).eye.accommodation_for(10.0), 3.5);
-  EXPECT_EQ(read_with({"/eye/accommodation={\"mode\": \"best\", \"amplitude_D\": 1.25}"}).eye.accommodation_for(10.0), 1.25);
+  EXPECT_EQ(read_with({"/eye/accommodation={\"mode\": \"best\", \"amplitude_D\": 1.25}"}).eye.accommodation_for(10.0),
+            1.25);
 }
 
 TEST(EllipseQuery, RayBundles) {
@@ -118,15 +126,18 @@ TEST(EllipseQuery, RayBundles) {
 TEST(EllipseQuery, RayBundleModesExcludeEachOther) {
   EXPECT_THAT(error_with({"/rays/quadrature={\"radial\": 14, \"azimuthal\": 56}", "/rays/count=4"}),
               HasSubstr("/rays/count: got 4, expected no \"count\" beside \"quadrature\""));
-  EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0]]", "/rays/replicates=4"}), HasSubstr("/rays/replicates: got 4"));
-  EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0]]", "/rays/quadrature={\"radial\": 14, \"azimuthal\": 56}"}), HasSubstr("either"));
+  EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0]]", "/rays/replicates=4"}),
+              HasSubstr("/rays/replicates: got 4"));
+  EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0]]", "/rays/quadrature={\"radial\": 14, \"azimuthal\": 56}"}),
+              HasSubstr("either"));
   EXPECT_THAT(error_with({"/rays/pupil_points_mm=[[0, 0], [1.5, 1.5]]"}),
               HasSubstr("/rays/pupil_points_mm/1: got [1.5,1.5], expected a point in the pupil, at most 2.0 mm"));
   EXPECT_THAT(error_with({"/rays/sampling=polar"}), HasSubstr("/rays/sampling: got \"polar\""));
 }
 
 TEST(EllipseQuery, AWidePupilIsNoted) {
-  EXPECT_THAT(read_with({"/eye/pupil_diameter_mm=40"}).notes, ElementsAre(HasSubstr("/eye/pupil_diameter_mm is 40 mm")));
+  EXPECT_THAT(read_with({"/eye/pupil_diameter_mm=40"}).notes,
+              ElementsAre(HasSubstr("/eye/pupil_diameter_mm is 40 mm")));
   EXPECT_THAT(error_with({"/eye/pupil_diameter_mm=101"}), HasSubstr("got 101"));
   EXPECT_EQ(read_with({"/eye/pupil_diameter_mm=0"}).eye.pupil_radius_m, 0.0);
 }
@@ -151,7 +162,8 @@ TEST(EllipseQuery, AnEyeCanHaveItsOwnFile) {
               AllOf(HasSubstr("q.json: /eye: got \"none.json\""), HasSubstr("there is no file")));
   write_text(folder / "eyes/e.json", "\"../eyes/e.json\"");
   document["eye"] = "../eyes/e.json";
-  EXPECT_THAT(input_error([&] { read_ellipse_query(document, file); }), HasSubstr("expected an object of format sturm.eye/1"));
+  EXPECT_THAT(input_error([&] { read_ellipse_query(document, file); }),
+              HasSubstr("expected an object of format sturm.eye/1"));
 }
 
 TEST(EllipseQuery, TheExampleEyeIsRead) {

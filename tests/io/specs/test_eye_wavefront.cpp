@@ -122,7 +122,8 @@ TEST(RenderView, APredictionIsOfTheNakedEyeLookingAhead) {
   EXPECT_EQ(view_error(document), "");
   for (const auto& [pointer, value] :
        {std::pair("/camera/gaze", Json("foveal")), std::pair("/method/sampling", Json("rings")),
-        std::pair("/spectacles", Json::parse(R"({"single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}})")),
+        std::pair("/spectacles",
+                  Json::parse(R"({"single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}})")),
         std::pair("/eye/stiles_crawford_per_mm2", Json(0.05))}) {
     Json wrong = document;
     wrong[Json::json_pointer(pointer)] = value;

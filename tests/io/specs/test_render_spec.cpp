@@ -93,7 +93,8 @@ TEST_F(RenderSpecTest, ScenesAndModelsInFiles) {
   EXPECT_EQ(by_scene.models[0].scale, 0.001);
   EXPECT_EQ(by_scene.models[0].texture_encoding, TextureEncoding::Linear);
   EXPECT_EQ(by_scene.models[0].texture_filter, TextureFilter::Nearest);
-  EXPECT_THAT(by_scene.input_files, ElementsAre((folder_ / "scenes/s.json").string(), (folder_ / "scenes/s.obj").string()));
+  EXPECT_THAT(by_scene.input_files,
+              ElementsAre((folder_ / "scenes/s.json").string(), (folder_ / "scenes/s.obj").string()));
   const SceneSpec by_model = read_with({"/scene=../scenes/s.obj"}).scene;
   ASSERT_EQ(by_model.models.size(), 1u);
   EXPECT_EQ(by_model.models[0].texture_encoding, TextureEncoding::Srgb);
@@ -103,16 +104,19 @@ TEST_F(RenderSpecTest, ScenesAndModelsInFiles) {
 TEST_F(RenderSpecTest, SceneErrorsNameFileAndPlace) {
   EXPECT_THAT(error_with({"/scene=../scenes/none.obj"}),
               AllOf(HasSubstr("r.json: /scene: got \"../scenes/none.obj\""), HasSubstr("there is no file")));
-  EXPECT_THAT(error_with({"/scene/models=[{\"file\": \"none.obj\"}]"}), HasSubstr("r.json: /scene/models/0/file: got \"none.obj\""));
-  EXPECT_THAT(error_with({"/scene/meshes/0/material=whit"}),
-              AllOf(HasSubstr("/scene/meshes/0/material: got \"whit\" (did you mean \"white\"?)"), HasSubstr("\"lamp\"")));
+  EXPECT_THAT(error_with({"/scene/models=[{\"file\": \"none.obj\"}]"}),
+              HasSubstr("r.json: /scene/models/0/file: got \"none.obj\""));
+  EXPECT_THAT(
+      error_with({"/scene/meshes/0/material=whit"}),
+      AllOf(HasSubstr("/scene/meshes/0/material: got \"whit\" (did you mean \"white\"?)"), HasSubstr("\"lamp\"")));
   EXPECT_THAT(error_with({"/scene/meshes/0/faces/1/2=4"}),
               HasSubstr("/scene/meshes/0/faces/1/2: got 4, expected the number of a vertex, from 0 to 3"));
   EXPECT_THAT(error_with({"/scene/meshes/0/faces/1/2=0"}), HasSubstr("no two alike"));
   EXPECT_THAT(error_with({"/scene/materials/white/albedo/1=1.1"}),
               HasSubstr("/scene/materials/white/albedo/1: got 1.1, expected a number from 0 to 1"));
   EXPECT_THAT(error_with({"/scene/materials/white/albdo=[1,1,1]"}), HasSubstr("did you mean \"albedo\"?"));
-  EXPECT_THAT(error_with({"/scene/environment=sky.exr"}), HasSubstr("/scene/environment: got \"sky.exr\", expected an object or null"));
+  EXPECT_THAT(error_with({"/scene/environment=sky.exr"}),
+              HasSubstr("/scene/environment: got \"sky.exr\", expected an object or null"));
   write_text(folder_ / "scenes/bad.json", R"({"format": "sturm.scene/1", "model": []})");
   EXPECT_THAT(error_with({"/scene=../scenes/bad.json"}),
               AllOf(HasSubstr("scenes/bad.json: /model: got an unknown key"), HasSubstr("\"models\"")));
@@ -121,22 +125,28 @@ TEST_F(RenderSpecTest, SceneErrorsNameFileAndPlace) {
 TEST_F(RenderSpecTest, DegenerateCamerasAreRefused) {
   EXPECT_THAT(error_with({"/camera/look_at_m=[0.278, 0.273, -0.8]"}),
               HasSubstr("/camera/look_at_m: got [0.278,0.273,-0.8], expected a point away"));
-  EXPECT_THAT(error_with({"/camera/up=[0, 0, -2]"}), HasSubstr("/camera/up: got [0,0,-2], expected a direction that is not parallel"));
+  EXPECT_THAT(error_with({"/camera/up=[0, 0, -2]"}),
+              HasSubstr("/camera/up: got [0,0,-2], expected a direction that is not parallel"));
   EXPECT_THAT(error_with({"/camera/up=[0, 0, 0]"}), HasSubstr("/camera/up"));
-  EXPECT_THAT(error_with({"/camera/look_at_m=[0.278, 5, -0.8]"}), HasSubstr("/camera/up: got [0,1,0]"));  // the default up
-  EXPECT_THAT(error_with({"/camera/vfov_deg=180"}), HasSubstr("/camera/vfov_deg: got 180, expected a number > 0 and < 180"));
+  EXPECT_THAT(error_with({"/camera/look_at_m=[0.278, 5, -0.8]"}),
+              HasSubstr("/camera/up: got [0,1,0]"));  // the default up
+  EXPECT_THAT(error_with({"/camera/vfov_deg=180"}),
+              HasSubstr("/camera/vfov_deg: got 180, expected a number > 0 and < 180"));
   EXPECT_THAT(error_with({"/camera/resolution=[0, 5]"}), HasSubstr("/camera/resolution/0: got 0"));
   EXPECT_THAT(error_with({"/camera/resolution=[16385, 5]"}), HasSubstr("/camera/resolution/0: got 16385"));
-  EXPECT_THAT(error_with({"/camera/gaze=fixed"}), HasSubstr("/camera/gaze: got \"fixed\", expected one of \"camera\", \"foveal\""));
+  EXPECT_THAT(error_with({"/camera/gaze=fixed"}),
+              HasSubstr("/camera/gaze: got \"fixed\", expected one of \"camera\", \"foveal\""));
 }
 
 TEST_F(RenderSpecTest, MethodsTakeTheirOwnMembersOnly) {
-  const RenderSpec predicted = read_with({"/method={\"type\": \"predict\", \"samples_per_pixel\": 256, \"oversampling\": 2}"});
+  const RenderSpec predicted =
+      read_with({"/method={\"type\": \"predict\", \"samples_per_pixel\": 256, \"oversampling\": 2}"});
   EXPECT_EQ(predicted.method, RenderMethod::Predict);
   EXPECT_EQ(predicted.ray_model, "");
   EXPECT_EQ(predicted.samples_per_pixel, 256u);
   EXPECT_EQ(predicted.prediction.oversampling, 2);
-  EXPECT_THAT(error_with({"/method={\"type\": \"predict\", \"ray_model\": \"pinhole\"}"}), HasSubstr("/method/ray_model: got \"pinhole\""));
+  EXPECT_THAT(error_with({"/method={\"type\": \"predict\", \"ray_model\": \"pinhole\"}"}),
+              HasSubstr("/method/ray_model: got \"pinhole\""));
   EXPECT_THAT(error_with({"/method/oversampling=1"}), HasSubstr("/method/oversampling: got 1"));
   EXPECT_THAT(error_with({"/method={\"type\": \"path_trace\"}"}), HasSubstr("/method: got no \"ray_model\""));
   EXPECT_THAT(error_with({"/method/samples_per_pixel=0"}),
@@ -160,9 +170,10 @@ TEST_F(RenderSpecTest, ResolvedSpellsOutAndMeansTheSame) {
   EXPECT_EQ(resolved["eye"]["rotation_center_mm"], 13.5);
   EXPECT_EQ(resolved["scene"], "../scenes/s.json");
   EXPECT_EQ(resolved["camera"]["up"], (Json{0, 1, 0}));
-  const Json skip{{"scalar_power", true},    {"zero_pupil", true},     {"sharp_pixels", true},      {"refraction", true},
-                  {"surface_models", true},  {"shading_frames", true}, {"environment_light", true}, {"unseen_emitters", true},
-                  {"converged_tiles", true}, {"same_views", true},     {"sharp_spots", true}};
+  const Json skip{{"scalar_power", true},      {"zero_pupil", true},      {"sharp_pixels", true},
+                  {"refraction", true},        {"surface_models", true},  {"shading_frames", true},
+                  {"environment_light", true}, {"unseen_emitters", true}, {"converged_tiles", true},
+                  {"same_views", true},        {"sharp_spots", true}};
   EXPECT_EQ(resolved["method"], (Json{{"type", "path_trace"},
                                       {"ray_model", "sin2_radial"},
                                       {"samples_per_pixel", 64},

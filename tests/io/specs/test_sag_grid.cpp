@@ -41,7 +41,8 @@ std::string regular() {
 std::string sunflower(int count, double without_mm = 0.0) {
   std::string text = "x_mm,y_mm,z_mm\n";
   for (int i = 0; i < count; ++i) {
-    const double r = 20.0 * std::sqrt((i + 0.5) / count), x = r * std::cos(2.399963229728653 * i), y = r * std::sin(2.399963229728653 * i);
+    const double r = 20.0 * std::sqrt((i + 0.5) / count), x = r * std::cos(2.399963229728653 * i),
+                 y = r * std::sin(2.399963229728653 * i);
     if (std::hypot(x - 8.0, y - 3.0) >= without_mm) text += row(x, y, sphere_mm(x, y));
   }
   return text;
@@ -64,10 +65,12 @@ TEST_F(SagGridFile, ARegularGridIsInterpolated) {
   const SagGrid grid = read_sag_grid(file(regular()), std::nullopt, 15 * mm);
   EXPECT_EQ(grid.points, 441u);
   EXPECT_EQ(grid.surface.grid().cells_x, 20);
-  EXPECT_LT(grid.residual.max, 1e-16);                                                    // knots are points
-  EXPECT_NEAR(grid.surface.sag(0.0, 0.0)->value, 0.0, 1e-17);                             // 3 mm were taken off
-  EXPECT_NEAR(grid.surface.sag(9 * mm, -5 * mm)->value / mm, sphere_mm(9, -5), 1e-6);     // h⁴/384 · 2 · 3c³ = 2.5e-10 m times 2
-  EXPECT_NEAR(surface_power(*grid.surface.sag(9 * mm, -5 * mm), 1.5).mean_D, 5.0, 2e-3);  // h²/12 · 3c³ (n − 1) and more off the vertex
+  EXPECT_LT(grid.residual.max, 1e-16);                         // knots are points
+  EXPECT_NEAR(grid.surface.sag(0.0, 0.0)->value, 0.0, 1e-17);  // 3 mm were taken off
+  EXPECT_NEAR(grid.surface.sag(9 * mm, -5 * mm)->value / mm, sphere_mm(9, -5),
+              1e-6);  // h⁴/384 · 2 · 3c³ = 2.5e-10 m times 2
+  EXPECT_NEAR(surface_power(*grid.surface.sag(9 * mm, -5 * mm), 1.5).mean_D, 5.0,
+              2e-3);  // h²/12 · 3c³ (n − 1) and more off the vertex
 }
 
 TEST_F(SagGridFile, OtherPointsAreFittedAndTheResidualIsSaid) {
@@ -83,15 +86,19 @@ TEST_F(SagGridFile, OtherPointsAreFittedAndTheResidualIsSaid) {
 }
 
 TEST_F(SagGridFile, WhatIsWrongIsNamedWithItsLine) {
-  EXPECT_THAT(error("a,b,c\n1,2,3\n"), AllOf(HasSubstr("front.csv"), HasSubstr("line 1"), HasSubstr("x_mm, y_mm and z_mm")));
+  EXPECT_THAT(error("a,b,c\n1,2,3\n"),
+              AllOf(HasSubstr("front.csv"), HasSubstr("line 1"), HasSubstr("x_mm, y_mm and z_mm")));
   EXPECT_THAT(error("x_mm,y_mm,z_mm\n0,0,0\n1,2,nan\n"),
               AllOf(HasSubstr("line 3"), HasSubstr("\"nan\""), HasSubstr("a finite number [mm]")));
-  EXPECT_THAT(error("x_mm,y_mm,z_mm\n0,0,0\n# note\n1,2\n"), AllOf(HasSubstr("line 4"), HasSubstr("2 values"), HasSubstr("at least 3")));
+  EXPECT_THAT(error("x_mm,y_mm,z_mm\n0,0,0\n# note\n1,2\n"),
+              AllOf(HasSubstr("line 4"), HasSubstr("2 values"), HasSubstr("at least 3")));
   EXPECT_THAT(error("x_mm,y_mm,z_mm\n0,0,1e999\n"), HasSubstr("line 2"));
   EXPECT_THAT(error("x_mm,y_mm,z_mm\n0,0,0\n"), AllOf(HasSubstr("1 points"), HasSubstr("at least 16")));
-  EXPECT_THAT(error(regular() + "4,-6,1\n"), AllOf(HasSubstr("line 445"), HasSubstr("(4, -6) mm again"), HasSubstr("line ")));
+  EXPECT_THAT(error(regular() + "4,-6,1\n"),
+              AllOf(HasSubstr("line 445"), HasSubstr("(4, -6) mm again"), HasSubstr("line ")));
   EXPECT_THAT(error(sunflower(800, 4.0)), AllOf(HasSubstr("a gap: no point near ("), HasSubstr("knot_spacing_mm")));
-  EXPECT_THAT(error(sunflower(800), 0.1 * mm), AllOf(HasSubstr("a knot spacing of 0.1 mm"), HasSubstr("at least 0.15")));
+  EXPECT_THAT(error(sunflower(800), 0.1 * mm),
+              AllOf(HasSubstr("a knot spacing of 0.1 mm"), HasSubstr("at least 0.15")));
   std::string line = "x_mm,y_mm,z_mm\n", aside = line;
   for (int i = 0; i < 20; ++i) line += row(i, 3.0, 0.0);
   for (int i = 0; i < 49; ++i) aside += row(10.0 + i / 7, i % 7 - 3.0, 0.0);
@@ -121,8 +128,8 @@ std::vector<ReferencePoint> reference_points() {
 
 TEST_F(SagGridFile, TheProgressiveReferenceComesBackFromItsOwnPoints) {
   // 91 points, 2 to 8 mm apart: enough for the far and near zone, not for the corridor's curvature.
-  const SagGrid grid =
-      read_sag_grid(std::string(STURM_SOURCE_DIR) + "/tests/reference/pal_circular_section_reference.csv", 3 * mm, 20 * mm);
+  const SagGrid grid = read_sag_grid(
+      std::string(STURM_SOURCE_DIR) + "/tests/reference/pal_circular_section_reference.csv", 3 * mm, 20 * mm);
   EXPECT_EQ(grid.points, 91u);
   double worst = 0.0;
   int count = 0;
@@ -142,7 +149,8 @@ TEST_F(SagGridFile, TheProgressiveReferenceComesBackFromAnExportOfHalfAMillimetr
   const ProgressiveSurface surface(reference_design());
   std::string text = "# 0.5 mm, printed to a nanometre\nx_mm,y_mm,sag_mm\n";
   for (int i = -52; i <= 52; ++i)  // the reference's x runs down, its y sideways
-    for (int j = -44; j <= 44; ++j) text += row(0.5 * i, 0.5 * j, surface.sag(0.5 * mm * j, -0.5 * mm * i)->value / mm, "%.1f,%.1f,%.6f\n");
+    for (int j = -44; j <= 44; ++j)
+      text += row(0.5 * i, 0.5 * j, surface.sag(0.5 * mm * j, -0.5 * mm * i)->value / mm, "%.1f,%.1f,%.6f\n");
   const SagGrid grid = read_sag_grid(file(text), std::nullopt, 20 * mm);
   double worst = 0.0, near = 0.0;
   for (const ReferencePoint& p : reference_points()) {
@@ -150,7 +158,8 @@ TEST_F(SagGridFile, TheProgressiveReferenceComesBackFromAnExportOfHalfAMillimetr
     worst = std::fmax(worst, error);
     if (p.y < 6 * mm) near = std::fmax(near, error);
   }
-  // h²/12 of the power's second derivative. Measured: 0.0055 D within 5 mm of the umbilic; 0.061 D at 20 mm, where the cylinder is 20 D.
+  // h²/12 of the power's second derivative. Measured: 0.0055 D within 5 mm of the umbilic; 0.061 D at 20 mm, where the
+  // cylinder is 20 D.
   EXPECT_LT(near, 0.006);
   EXPECT_LT(worst, 0.065);
 }

@@ -40,8 +40,9 @@ TEST(StopSpec, NothingIsAskedForUnlessItIs) {
 }
 
 TEST(StopSpec, Reads) {
-  const RenderSpec spec =
-      read_with({{"stop", {{"seconds", 1.5}, {"relative_error", 0.02}}}, {"adaptive", {{"tile_px", 16}}}, {"denoise", {{"levels", 3}}}});
+  const RenderSpec spec = read_with({{"stop", {{"seconds", 1.5}, {"relative_error", 0.02}}},
+                                     {"adaptive", {{"tile_px", 16}}},
+                                     {"denoise", {{"levels", 3}}}});
   EXPECT_EQ(spec.stop.seconds, 1.5);
   EXPECT_EQ(spec.stop.relative_error, 0.02);
   EXPECT_EQ(spec.adaptive.value().tile_px, 16);
@@ -50,7 +51,8 @@ TEST(StopSpec, Reads) {
   EXPECT_EQ(spec.denoise->radiance_sigma, 2.0);
   // Defaults are spelt out, and are those of the structs.
   const Json& method = (*spec.resolved)["method"];
-  EXPECT_EQ(method["adaptive"], (Json{{"tile_px", 16}, {"min_samples_per_pixel", AdaptiveSpec().min_samples_per_pixel}}));
+  EXPECT_EQ(method["adaptive"],
+            (Json{{"tile_px", 16}, {"min_samples_per_pixel", AdaptiveSpec().min_samples_per_pixel}}));
   const DenoiseSpec defaults;
   EXPECT_EQ(method["denoise"], (Json{{"levels", 3},
                                      {"radiance_sigma", defaults.radiance_sigma},
@@ -60,19 +62,22 @@ TEST(StopSpec, Reads) {
 }
 
 TEST(StopSpec, RefusesWhatMakesNoSense) {
-  EXPECT_THAT(error_with({{"adaptive", Json::object()}}), AllOf(HasSubstr("/method/adaptive"), HasSubstr("relative_error")));
+  EXPECT_THAT(error_with({{"adaptive", Json::object()}}),
+              AllOf(HasSubstr("/method/adaptive"), HasSubstr("relative_error")));
   EXPECT_THAT(error_with({{"adaptive", Json::object()}, {"stop", {{"seconds", 1}}}}), HasSubstr("/method/adaptive"));
   EXPECT_THAT(error_with({{"stop", Json::object()}}), HasSubstr("/method/stop"));
   EXPECT_THAT(error_with({{"stop", {{"seconds", 0}}}}), HasSubstr("/method/stop/seconds"));
   EXPECT_THAT(error_with({{"stop", {{"relative_error", -0.1}}}}), HasSubstr("/method/stop/relative_error"));
   EXPECT_THAT(error_with({{"stop", {{"relative_eror", 0.1}}}}), HasSubstr("relative_error"));
-  EXPECT_THAT(error_with({{"stop", {{"relative_error", 0.1}}}, {"samples_per_pixel", 7}}), HasSubstr("/method/samples_per_pixel"));
+  EXPECT_THAT(error_with({{"stop", {{"relative_error", 0.1}}}, {"samples_per_pixel", 7}}),
+              HasSubstr("/method/samples_per_pixel"));
   EXPECT_THAT(error_with({{"stop", {{"relative_error", 0.1}}}, {"adaptive", {{"min_samples_per_pixel", 33}}}}),
               AllOf(HasSubstr("/method/adaptive/min_samples_per_pixel"), HasSubstr("multiple of 4")));
   EXPECT_THAT(error_with({{"denoise", {{"levels", 9}}}}), HasSubstr("/method/denoise/levels"));
   for (const char* key : {"stop", "denoise"}) {
     const Json value = key == std::string("stop") ? Json{{"seconds", 1}} : Json::object();
-    EXPECT_THAT(error_with({{key, value}}, "predict"), AllOf(HasSubstr(std::string("/method/") + key), HasSubstr("predict")));
+    EXPECT_THAT(error_with({{key, value}}, "predict"),
+                AllOf(HasSubstr(std::string("/method/") + key), HasSubstr("predict")));
   }
 }
 

@@ -41,7 +41,8 @@ struct Moments {
 Scene square_emitter(const Vector3f& center, float side) {
   SceneDescription description;
   description.materials = {testing::lambertian(Vector3f::Zero(), Vector3f::Ones())};
-  description.meshes = {testing::parallelogram(center - Vector3f(0.5f * side, 0.5f * side, 0), {side, 0, 0}, {0, side, 0}, 0)};
+  description.meshes = {
+      testing::parallelogram(center - Vector3f(0.5f * side, 0.5f * side, 0), {side, 0, 0}, {0, side, 0}, 0)};
   return Scene(description);
 }
 
@@ -66,7 +67,8 @@ TEST(Camera, UpAndRightInTheWorldIsUpAndRightInThePicture) {
   const CameraPose pose = square_pose(64, 0.5);
   const RenderResult result = directly_seen(scene, EyeCamera(pose, testing::pinhole_rays()), 256, 1);
   const Moments m = Moments::of(result.radiance, pixel_slope(pose));
-  // The pixel box moves the centroid of a uniform square by nothing; sampling noise of 256 stratified points on 4 pixels.
+  // The pixel box moves the centroid of a uniform square by nothing; sampling noise of 256 stratified points on 4
+  // pixels.
   EXPECT_NEAR(m.centroid.x(), 0.3, 0.05 * pixel_slope(pose));
   EXPECT_NEAR(m.centroid.y(), 0.2, 0.05 * pixel_slope(pose));
   // By row and column: (0.3/0.5 · 32 + 32, 32 − 0.2/0.5 · 32) = (51.2, 19.2).
@@ -85,8 +87,8 @@ TEST(Camera, RightIsLookCrossUp) {
   description.spheres = {{{0.3f, 0.2f, 1.0f}, 0.02f, 0}};
   CameraPose pose = square_pose(64, 0.5);
   pose.look_at = {0, 0, 5};
-  const Moments m =
-      Moments::of(directly_seen(Scene(description), EyeCamera(pose, testing::pinhole_rays()), 256, 1).radiance, pixel_slope(pose));
+  const Moments m = Moments::of(
+      directly_seen(Scene(description), EyeCamera(pose, testing::pinhole_rays()), 256, 1).radiance, pixel_slope(pose));
   EXPECT_NEAR(m.centroid.x(), -0.3, 0.1 * pixel_slope(pose));
   EXPECT_NEAR(m.centroid.y(), +0.2, 0.1 * pixel_slope(pose));
 }
@@ -111,16 +113,17 @@ TEST(Camera, WideningKeepsThePitch) {
   EXPECT_NEAR(pixel_slope(wide), pixel_slope(pose) / 3.0, 1e-15);
 }
 
-// physics.md §3 and §4.1: a point at distance d is seen under slopes q − V p, V = I/d + F − A·I. Its picture has the covariance
-// a²/4 · M with M = V Vᵀ for the wavefront; the square emitter and the pixel box add side²/12 to each diagonal element.
+// physics.md §3 and §4.1: a point at distance d is seen under slopes q − V p, V = I/d + F − A·I. Its picture has the
+// covariance a²/4 · M with M = V Vᵀ for the wavefront; the square emitter and the pixel box add side²/12 to each
+// diagonal element.
 struct BlurCase {
   RayModel model;
   double axis;
   double xx, xy, yy;  // M [D²], literal
 };
 
-// −1.00 −2.00 × AXIS, A = 0.25 D, d = 0.8 m: V = 0 along the axis and −2 D across it, so M = 4 u uᵀ with u at 60° (AXIS 30) or 120°
-// (AXIS 150) in the wearer's frame; sin²: (5·0 + 4)/8 = 0.5 along the axis and (5·4)/8 = 2.5 across it.
+// −1.00 −2.00 × AXIS, A = 0.25 D, d = 0.8 m: V = 0 along the axis and −2 D across it, so M = 4 u uᵀ with u at 60° (AXIS
+// 30) or 120° (AXIS 150) in the wearer's frame; sin²: (5·0 + 4)/8 = 0.5 along the axis and (5·4)/8 = 2.5 across it.
 constexpr double quarter_root_3 = 0.43301270189221932;
 const BlurCase blur_cases[] = {{RayModel::power_matrix, 30.0, 1.0, 4 * quarter_root_3, 3.0},
                                {RayModel::power_matrix, 150.0, 1.0, -4 * quarter_root_3, 3.0},
@@ -161,13 +164,14 @@ TEST(Camera, ThePictureOfAPointHasTheCovarianceOfItsEllipse) {
   }
 }
 
-// Slope form has no focal point to go wrong: a hyperope's rays diverge and the picture is still a disc of radius a·|1/d + F|.
+// Slope form has no focal point to go wrong: a hyperope's rays diverge and the picture is still a disc of radius a·|1/d
+// + F|.
 TEST(Camera, AHyperopeIsNoSpecialCase) {
   const Scene scene = square_emitter({0, 0, -2.0f}, 0.02f);
   const CameraPose pose = square_pose(32, 0.1);
   const Eye eye = Eye::with({+2.0, 0.0, 180.0, 0.0}, 0.04);
-  const Moments m =
-      Moments::of(directly_seen(scene, EyeCamera(pose, {RayModel::power_matrix, eye, 0.0}), 2048, 1).radiance, pixel_slope(pose));
+  const Moments m = Moments::of(
+      directly_seen(scene, EyeCamera(pose, {RayModel::power_matrix, eye, 0.0}), 2048, 1).radiance, pixel_slope(pose));
   const double boxes = (1e-4 + std::pow(pixel_slope(pose), 2)) / 12.0, expected = 0.25 * std::pow(0.02 * 2.5, 2);
   EXPECT_NEAR(m.covariance(0, 0) - boxes, expected, 0.02 * expected);  // 4σ of about 20 000 hits: 4 · 0.7/√N
   EXPECT_NEAR(m.covariance(1, 1) - boxes, expected, 0.02 * expected);
@@ -190,16 +194,19 @@ TEST(Camera, ASampleDoesNotDependOnItsBlock) {
 }
 
 TEST(Camera, DroppedRaysAreCountedAndLeftOut) {
-  // −0.50 D focused at 2 m by metalstigmatism's formula is its pole: no ray leaves the eye, and the picture is black but finite.
+  // −0.50 D focused at 2 m by metalstigmatism's formula is its pole: no ray leaves the eye, and the picture is black
+  // but finite.
   const Scene scene = square_emitter({0, 0, -2.0f}, 5.0f);
   const Eye eye = Eye::with({-0.5, 0.0, 180.0, 0.0}, 0.04);
-  const RenderResult result = directly_seen(scene, EyeCamera(square_pose(4, 0.1), {RayModel::metalstigmatism, eye, 0.0, 2.0}), 20, 1);
+  const RenderResult result =
+      directly_seen(scene, EyeCamera(square_pose(4, 0.1), {RayModel::metalstigmatism, eye, 0.0, 2.0}), 20, 1);
   EXPECT_EQ(result.counters.camera.launched, 4u * 4u * 20u);
   EXPECT_EQ(result.counters.camera.dropped, 4u * 4u * 20u);
   EXPECT_EQ(testing::image_mean(result.radiance, 0), 0.0);
   // −0.25 D: every ray counts as bent by a focus behind the eye, none is lost.
   const Eye weak = Eye::with({-0.25, 0.0, 180.0, 0.0}, 0.04);
-  const RenderResult bent = directly_seen(scene, EyeCamera(square_pose(4, 0.1), {RayModel::metalstigmatism, weak, 0.0, 2.0}), 20, 1);
+  const RenderResult bent =
+      directly_seen(scene, EyeCamera(square_pose(4, 0.1), {RayModel::metalstigmatism, weak, 0.0, 2.0}), 20, 1);
   EXPECT_EQ(bent.counters.camera.dropped, 0u);
   EXPECT_EQ(bent.counters.camera.negative_focus, 4u * 4u * 20u);
   EXPECT_EQ(testing::image_mean(bent.radiance, 0), 1.0);

@@ -12,8 +12,8 @@ namespace sturm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr RayModel all_models[] = {RayModel::pinhole, RayModel::thin_lens, RayModel::metalstigmatism, RayModel::sin2_radial,
-                                   RayModel::power_matrix};
+constexpr RayModel all_models[] = {RayModel::pinhole, RayModel::thin_lens, RayModel::metalstigmatism,
+                                   RayModel::sin2_radial, RayModel::power_matrix};
 
 struct Situation {
   Prescription rx;
@@ -36,7 +36,8 @@ double meridional_power(const Prescription& rx, double phi) {
 
 PupilRay<double> launched(RayModel model, const Situation& s) {
   const Eye eye = Eye::with(s.rx, 4e-3);
-  return EyeRays<double>(model, eye, s.accommodation, s.focus_distance).through(s.r * std::cos(s.phi), s.r * std::sin(s.phi));
+  return EyeRays<double>(model, eye, s.accommodation, s.focus_distance)
+      .through(s.r * std::cos(s.phi), s.r * std::sin(s.phi));
 }
 
 // 2 mm · 30 D = 0.06 rad; angle and products each round at 1e−16 relative, P at 30 D.
@@ -64,12 +65,15 @@ RC_GTEST_PROP(RayModels, WhatSin2LeavesOutIsTangential, ()) {
   const Situation s = any_situation();
   const auto full = launched(RayModel::power_matrix, s), radial = launched(RayModel::sin2_radial, s);
   const double dx = full.sx - radial.sx, dy = full.sy - radial.sy;
-  const double c = std::cos(s.phi), n = std::sin(s.phi), from_axis = s.phi - std::numbers::pi + s.rx.axis_deg * std::numbers::pi / 180.0;
+  const double c = std::cos(s.phi), n = std::sin(s.phi),
+               from_axis = s.phi - std::numbers::pi + s.rx.axis_deg * std::numbers::pi / 180.0;
   RC_ASSERT(std::abs(dx * c + dy * n) <= slope_tolerance);
-  RC_ASSERT(std::abs((-dx * n + dy * c) - s.r * s.rx.cylinder_D * std::sin(from_axis) * std::cos(from_axis)) <= slope_tolerance);
+  RC_ASSERT(std::abs((-dx * n + dy * c) - s.r * s.rx.cylinder_D * std::sin(from_axis) * std::cos(from_axis)) <=
+            slope_tolerance);
 }
 
-// The slope of the power matrix is minus the gradient of the wavefront W = −½ r² (P(φ) − A), here by central differences.
+// The slope of the power matrix is minus the gradient of the wavefront W = −½ r² (P(φ) − A), here by central
+// differences.
 RC_GTEST_PROP(RayModels, PowerMatrixIsTheGradientOfTheWavefront, ()) {
   const Situation s = any_situation();
   const auto wavefront = [&](double x, double y) {
@@ -109,8 +113,9 @@ TEST(Metalstigmatism, RaysAtThePoleAreDropped) {
   EXPECT_EQ(metalstigmatism({-0.5, 0.0, 180.0, 0.0}, 2.0, 1e-3, 1e-3).status, LaunchStatus::dropped);
   // 0.00 −1.00 × 180, d_f = 2 m: P = −½ on the meridians at 45° only.
   EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1e-3, 1e-3).status, LaunchStatus::dropped);
-  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1e-3, 1.01e-3).status, LaunchStatus::ok);              // P < −½, f > 0
-  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1.01e-3, 1e-3).status, LaunchStatus::negative_focus);  // −½ < P < 0
+  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1e-3, 1.01e-3).status, LaunchStatus::ok);  // P < −½, f > 0
+  EXPECT_EQ(metalstigmatism({0.0, -1.0, 180.0, 0.0}, 2.0, 1.01e-3, 1e-3).status,
+            LaunchStatus::negative_focus);  // −½ < P < 0
 }
 
 TEST(Metalstigmatism, WeakMyopiaBendsTheWrongWay) {
@@ -151,7 +156,8 @@ RC_GTEST_PROP(RayModels, FloatAndDoubleAgree, ()) {
   RC_PRE(std::abs(1.0 + s.focus_distance * meridional_power(s.rx, s.phi)) > 0.1);  // float cannot follow the pole
   for (RayModel model : all_models) {
     const auto d = EyeRays<double>(model, eye, s.accommodation, s.focus_distance).through(px, py);
-    const auto f = EyeRays<float>(model, eye, s.accommodation, s.focus_distance).through(static_cast<float>(px), static_cast<float>(py));
+    const auto f = EyeRays<float>(model, eye, s.accommodation, s.focus_distance)
+                       .through(static_cast<float>(px), static_cast<float>(py));
     RC_ASSERT(std::abs(static_cast<double>(f.sx) - d.sx) <= 1e-6);
     RC_ASSERT(std::abs(static_cast<double>(f.sy) - d.sy) <= 1e-6);
     RC_ASSERT(f.status == d.status);
@@ -180,7 +186,8 @@ TEST(RayModels, NamesAreReadBack) {
 
 TEST(RayCounters, CountWhatBecameOfEachRay) {
   RayCounters counters, more;
-  for (LaunchStatus status : {LaunchStatus::ok, LaunchStatus::dropped, LaunchStatus::negative_focus, LaunchStatus::negative_focus})
+  for (LaunchStatus status :
+       {LaunchStatus::ok, LaunchStatus::dropped, LaunchStatus::negative_focus, LaunchStatus::negative_focus})
     count(counters, status);
   count(more, LaunchStatus::dropped);
   counters += more;

@@ -1,4 +1,5 @@
-// Second moments of the ray bundles of the two models of astigmatism, by quadrature over the pupil, against closed forms.
+// Second moments of the ray bundles of the two models of astigmatism, by quadrature over the pupil, against closed
+// forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,16 +29,18 @@ struct Case {
   double accommodation, vergence;
 };
 
-const Case cases[] = {{{-1.0, -2.0, 30.0, 0.0}, 0.0, 1.0},  {{-1.0, -2.0, 150.0, 0.0}, 0.0, 2.0},  {{2.5, -1.25, 12.0, 0.0}, 1.5, 0.25},
-                      {{0.0, 3.0, 77.0, 0.0}, 0.5, 0.0},    {{-4.75, -3.5, 115.0, 0.0}, 2.0, 4.0}, {{-3.0, 0.0, 180.0, 0.0}, 0.0, 0.5},
-                      {{-1.0, -2.0, 180.0, 0.0}, 0.0, 3.0}, {{0.25, -0.25, 45.0, 0.0}, 0.0, 1.0}};
+const Case cases[] = {{{-1.0, -2.0, 30.0, 0.0}, 0.0, 1.0},   {{-1.0, -2.0, 150.0, 0.0}, 0.0, 2.0},
+                      {{2.5, -1.25, 12.0, 0.0}, 1.5, 0.25},  {{0.0, 3.0, 77.0, 0.0}, 0.5, 0.0},
+                      {{-4.75, -3.5, 115.0, 0.0}, 2.0, 4.0}, {{-3.0, 0.0, 180.0, 0.0}, 0.0, 0.5},
+                      {{-1.0, -2.0, 180.0, 0.0}, 0.0, 3.0},  {{0.25, -0.25, 45.0, 0.0}, 0.0, 1.0}};
 
 /// physics.md §4.1, rotated from the principal directions of V into the wearer frame.
 Eigen::Matrix2d closed_form(const Case& c, double radius, double (*along)(double, double)) {
   const double alpha = std::numbers::pi - c.rx.axis_deg * std::numbers::pi / 180.0;
   const Eigen::Vector2d axis(std::cos(alpha), std::sin(alpha)), across(-axis.y(), axis.x());
   const double v1 = c.vergence + c.rx.sphere_D - c.accommodation, v2 = v1 + c.rx.cylinder_D;
-  return 0.25 * radius * radius * (along(v1, v2) * axis * axis.transpose() + along(v2, v1) * across * across.transpose());
+  return 0.25 * radius * radius *
+         (along(v1, v2) * axis * axis.transpose() + along(v2, v1) * across * across.transpose());
 }
 
 double wavefront_moment(double v, double) {
@@ -47,20 +50,25 @@ double sin2_moment(double v, double other) {
   return (5.0 * v * v + 2.0 * v * other + other * other) / 8.0;
 }
 
-void expect_close(const Eigen::Matrix2d& actual, const Eigen::Matrix2d& expected, double relative, const std::string& what) {
-  EXPECT_LE((actual - expected).cwiseAbs().maxCoeff(), relative * expected.norm()) << what << "\n" << actual << "\nexpected\n" << expected;
+void expect_close(const Eigen::Matrix2d& actual, const Eigen::Matrix2d& expected, double relative,
+                  const std::string& what) {
+  EXPECT_LE((actual - expected).cwiseAbs().maxCoeff(), relative * expected.norm()) << what << "\n"
+                                                                                   << actual << "\nexpected\n"
+                                                                                   << expected;
 }
 
 TEST(SecondMoments, BothModelsMeetTheirClosedForms) {
   for (const Case& c : cases) {
     const Eye eye = Eye::with(c.rx, 5e-3);
-    const std::string what = std::to_string(c.rx.sphere_D) + " " + std::to_string(c.rx.cylinder_D) + " x " + std::to_string(c.rx.axis_deg);
+    const std::string what =
+        std::to_string(c.rx.sphere_D) + " " + std::to_string(c.rx.cylinder_D) + " x " + std::to_string(c.rx.axis_deg);
     const Eigen::Matrix2d wave = angular_covariance(RayModel::power_matrix, eye, c.accommodation, c.vergence);
     const Eigen::Matrix2d sin2 = angular_covariance(RayModel::sin2_radial, eye, c.accommodation, c.vergence);
     expect_close(wave, closed_form(c, 2.5e-3, wavefront_moment), 1e-12, what);
     expect_close(sin2, closed_form(c, 2.5e-3, sin2_moment), 1e-12, what);
     // The total variance of sin² is too small by a²C²/16.
-    EXPECT_NEAR(wave.trace() - sin2.trace(), std::pow(2.5e-3 * c.rx.cylinder_D, 2) / 16.0, 1e-12 * wave.trace() + 1e-22) << what;
+    EXPECT_NEAR(wave.trace() - sin2.trace(), std::pow(2.5e-3 * c.rx.cylinder_D, 2) / 16.0, 1e-12 * wave.trace() + 1e-22)
+        << what;
   }
 }
 
@@ -95,12 +103,15 @@ TEST(SecondMoments, AgreeWithTheReferenceData) {
     const double vergence = in["object_distance_m"].is_string() ? 0.0 : 1.0 / in["object_distance_m"].get<double>();
     const auto matrix = [](const nlohmann::json& m) {
       return Eigen::Matrix2d(
-          (Eigen::Matrix2d() << m[0].get<double>(), -m[1].get<double>(), -m[1].get<double>(), m[2].get<double>()).finished());
+          (Eigen::Matrix2d() << m[0].get<double>(), -m[1].get<double>(), -m[1].get<double>(), m[2].get<double>())
+              .finished());
     };
-    // Relative to the blur or, where it nearly vanishes, to the rounding of vergences of up to 30 D: (a · 30 D · 1e−15)².
+    // Relative to the blur or, where it nearly vanishes, to the rounding of vergences of up to 30 D: (a · 30 D ·
+    // 1e−15)².
     const auto check = [&](RayModel model, const nlohmann::json& expected) {
       const Eigen::Matrix2d actual = angular_covariance(model, eye, 0.0, vergence), wanted = matrix(expected);
-      EXPECT_LE((actual - wanted).cwiseAbs().maxCoeff(), 1e-12 * wanted.norm() + 1e-28) << c["id"] << " " << name_of(model);
+      EXPECT_LE((actual - wanted).cwiseAbs().maxCoeff(), 1e-12 * wanted.norm() + 1e-28)
+          << c["id"] << " " << name_of(model);
     };
     check(RayModel::power_matrix, c["outputs"]["cov_rad2_xx_xy_yy"]);
     check(RayModel::sin2_radial, c["outputs"]["sin2_radial"]["cov_rad2_xx_xy_yy"]);

@@ -44,7 +44,8 @@ LightRay ray_of(const CameraRayBlock& block, int i) {
 
 CameraRayBlock block_of(const auto& camera, int x, int y, std::uint64_t seed = 1) {
   CameraRayBlock block;
-  camera.generate(x, y, 0, PixelSequence(Sequence::Sobol, seed, static_cast<std::uint32_t>(y * camera.width() + x)), block);
+  camera.generate(x, y, 0, PixelSequence(Sequence::Sobol, seed, static_cast<std::uint32_t>(y * camera.width() + x)),
+                  block);
   return block;
 }
 
@@ -101,7 +102,8 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackAndCounted) {
   const Scene scene(description);
   const CameraPose pose = straight_pose(32, 32, 1.0);
   Spectacles small = plus_lens();
-  small.diameter_m = 16 * mm;  // seen from the pupil its back rim stands at a slope of 8/12 and a little less for the sag
+  small.diameter_m =
+      16 * mm;  // seen from the pupil its back rim stands at a slope of 8/12 and a little less for the sag
   ViewOptions options;
   options.spectacles = small;
   RenderSettings settings;
@@ -131,11 +133,13 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackBeforeAnEnvironmentToo) {
   RenderSettings settings;
   settings.samples_per_pixel = 16;
   settings.max_bounces = 0;
-  const RenderResult result = render(scene, ViewCamera(straight_pose(32, 32, 1.0), emmetrope(0.0), RayModel::pinhole, options), settings);
+  const RenderResult result =
+      render(scene, ViewCamera(straight_pose(32, 32, 1.0), emmetrope(0.0), RayModel::pinhole, options), settings);
   const double launched = 32.0 * 32.0 * 16.0, lost = static_cast<double>(result.counters.camera.lost_rim);
   EXPECT_GT(lost / launched, 0.5);
   EXPECT_NEAR(testing::image_mean(result.radiance, 0), 1.0 - lost / launched, 1e-6);
-  // The points of a weighted polar pupil weigh 2r/a: of single samples the mean is 1 and the variance that of u ↦ 2u, 1/3.
+  // The points of a weighted polar pupil weigh 2r/a: of single samples the mean is 1 and the variance that of u ↦ 2u,
+  // 1/3.
   ViewOptions polar;
   polar.pupil = PupilSampler({PupilSampling::UniformPolarWeighted}, 0.0);
   settings.samples_per_pixel = 4096;
@@ -153,8 +157,8 @@ TEST(ViewCamera, ApodizationKeepsTheMeanAndNarrowsTheBlur) {
   RenderSettings settings;
   settings.samples_per_pixel = 256;
   settings.max_bounces = 0;
-  for (PupilSampling kind :
-       {PupilSampling::UniformDisk, PupilSampling::UniformPolar, PupilSampling::UniformPolarWeighted, PupilSampling::Rings}) {
+  for (PupilSampling kind : {PupilSampling::UniformDisk, PupilSampling::UniformPolar,
+                             PupilSampling::UniformPolarWeighted, PupilSampling::Rings}) {
     ViewOptions options;
     options.pupil = PupilSampler({kind, 8, 6}, 1.0);
     const RenderResult result =
@@ -207,7 +211,8 @@ ViewOptions foveal(double distance) {
 
 TEST(ViewCamera, AFovealEyeTurnsAndAccommodates) {
   const Eye eye = emmetrope(6.0, BestAccommodation{5.0});
-  const ViewCamera camera(straight_pose(40000, 40000, 0.7), eye, RayModel::power_matrix, foveal(0.4));  // pixels of 35 µrad
+  const ViewCamera camera(straight_pose(40000, 40000, 0.7), eye, RayModel::power_matrix,
+                          foveal(0.4));  // pixels of 35 µrad
   const auto block = block_of(camera, 36000, 9000);
   const Eigen::Vector3d gaze = Eigen::Vector3d(16000.5 / 20000 * 0.7, 10999.5 / 20000 * 0.7, -1.0).normalized();
   const Eigen::Vector3d pupil = 13.5 * mm * (gaze + Eigen::Vector3d(0, 0, 1)), target = pupil + 0.4 * gaze;
@@ -222,7 +227,8 @@ TEST(ViewCamera, AFovealEyeTurnsAndAccommodates) {
 
 TEST(ViewCamera, BeyondItsAmplitudeAFovealEyeDoesWhatItCan) {
   // 1 D of 2.5: at 0.4 m the rays have 1.5 D · 3 mm · 0.4 m of blur left at most.
-  const ViewCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(6.0, BestAccommodation{1.0}), RayModel::power_matrix, foveal(0.4));
+  const ViewCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(6.0, BestAccommodation{1.0}),
+                          RayModel::power_matrix, foveal(0.4));
   const auto block = block_of(camera, 20000, 20000);
   for (int i = 0; i < 16; ++i) {
     const LightRay ray = ray_of(block, i);
@@ -232,15 +238,16 @@ TEST(ViewCamera, BeyondItsAmplitudeAFovealEyeDoesWhatItCan) {
 }
 
 TEST(ViewCamera, AFovealEyeFocusesThroughItsLens) {
-  // Behind a lens of about −5 D an emmetrope has to accommodate by some 5 D for what is far; then the rays that leave the lens are
-  // parallel.
+  // Behind a lens of about −5 D an emmetrope has to accommodate by some 5 D for what is far; then the rays that leave
+  // the lens are parallel.
   Spectacles minus;
   minus.front = SphereSurface{0.0};
   minus.back = SphereSurface{1.0 / 0.1};
   minus.center_thickness_m = 2 * mm;
   ViewOptions options = foveal(std::numeric_limits<double>::infinity());
   options.spectacles = minus;
-  const ViewCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(4.0, BestAccommodation{9.0}), RayModel::power_matrix, options);
+  const ViewCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(4.0, BestAccommodation{9.0}),
+                          RayModel::power_matrix, options);
   const auto block = block_of(camera, 20000, 20000);
   for (int i = 0; i < 16; ++i) {
     const Eigen::Vector3d d = ray_of(block, i).direction;
@@ -250,8 +257,9 @@ TEST(ViewCamera, AFovealEyeFocusesThroughItsLens) {
 }
 
 TEST(ViewCamera, ThePictureOfAPointIsThePointReflectionOfTheRays) {
-  // Horizontal coma, examiner's +0.5 µm over 6 mm: its mean slope over the pupil is not zero. The mean of ∂Z(3,1)/∂x = √8 (9x² + 3y² − 2)
-  // is √8 (9/4 + 3/4 − 2) = √8; so the examiner's −∇W has the mean −√8 c/a along his x, which is +√8 c/a along the wearer's.
+  // Horizontal coma, examiner's +0.5 µm over 6 mm: its mean slope over the pupil is not zero. The mean of ∂Z(3,1)/∂x =
+  // √8 (9x² + 3y² − 2) is √8 (9/4 + 3/4 − 2) = √8; so the examiner's −∇W has the mean −√8 c/a along his x, which is +√8
+  // c/a along the wearer's.
   const double c = 0.5e-6, a = 3 * mm, expected = 2.8284271247461903 * c / a;
   std::vector<double> coefficients(9, 0.0);
   coefficients[8] = c;
@@ -274,7 +282,8 @@ TEST(ViewCamera, ThePictureOfAPointIsThePointReflectionOfTheRays) {
       mass += value;
       first += value * pixel_slope(pose) * Eigen::Vector2d(x + 0.5 - 32.0, 32.0 - y - 0.5);
     }
-  // The pupil's own mean position adds nothing. 2 % are 9.4 µrad: 5σ of the 464 000 samples that hit, each off by 1.3 mrad.
+  // The pupil's own mean position adds nothing. 2 % are 9.4 µrad: 5σ of the 464 000 samples that hit, each off by 1.3
+  // mrad.
   EXPECT_NEAR(first.x() / mass, -expected, 0.02 * expected);
   EXPECT_NEAR(first.y() / mass, 0.0, 0.02 * expected);
 }

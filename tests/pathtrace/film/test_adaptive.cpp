@@ -1,4 +1,5 @@
-// Adaptive sampling moves samples, not means. The plain rule, to go on where a pixel's own samples differ, is shown to be wrong.
+// Adaptive sampling moves samples, not means. The plain rule, to go on where a pixel's own samples differ, is shown to
+// be wrong.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -62,7 +63,8 @@ TEST(AdaptiveRender, RareEventsKeepTheirMean) {
     most = std::max(most, result.passes.samples_kept);
   }
   EXPECT_LT(2 * fewest, most);  // there was something to decide
-  for (int t = 0; t < tiles; ++t) EXPECT_GT(p_value(means[static_cast<std::size_t>(t)], 1.0), sidak(1e-3, tiles)) << "tile " << t;
+  for (int t = 0; t < tiles; ++t)
+    EXPECT_GT(p_value(means[static_cast<std::size_t>(t)], 1.0), sidak(1e-3, tiles)) << "tile " << t;
 }
 
 TEST(AdaptiveRender, ThePlainRuleWouldFailThisTest) {
@@ -88,11 +90,13 @@ TEST(AdaptiveRender, ThePlainRuleWouldFailThisTest) {
 }
 
 TEST(AdaptiveRender, TheMeasuredErrorIsTheError) {
-  // Every second tile is 8 times as noisy. The halves' difference estimates the squared error without bias whatever has been decided.
+  // Every second tile is 8 times as noisy. The halves' difference estimates the squared error without bias whatever has
+  // been decided.
   std::vector<double> measured, actual;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const FunctionSource source(32, 16, Sequence::Independent, seed,
-                                [](int x, int, float u, float) { return 1.0f + (x / 8 % 2 ? 0.8f : 0.1f) * (u - 0.5f); });
+    const FunctionSource source(32, 16, Sequence::Independent, seed, [](int x, int, float u, float) {
+      return 1.0f + (x / 8 % 2 ? 0.8f : 0.1f) * (u - 0.5f);
+    });
     const RenderResult result = render_to_error(source, adaptive_settings(0.01, 4096));
     measured.push_back(*result.passes.measured_relative_error * *result.passes.measured_relative_error);
     double squares = 0.0;
@@ -119,14 +123,16 @@ TEST(AdaptiveRender, TheErrorOfLowDiscrepancySamplesIsNotOverestimated) {
       naive += static_cast<double>(result.variance.pixels[i]) / 256.0;
     }
   }
-  // 5120 pixels with one degree of freedom each: a standard error of 2 % on both sides, more for the tails of these errors.
+  // 5120 pixels with one degree of freedom each: a standard error of 2 % on both sides, more for the tails of these
+  // errors.
   EXPECT_NEAR(measured / actual, 1.0, 0.12);
   EXPECT_GT(naive, 5.0 * actual);
 }
 
 TEST(AdaptiveRender, CountsWhatItSpendsAndSaves) {
-  const FunctionSource source(20, 13, Sequence::Sobol, 1,
-                              [](int x, int, float u, float) { return x < 8 ? 1.0f : 1.0f + 2.0f * (u < 0.5f ? -0.4f : 0.4f) * u; });
+  const FunctionSource source(20, 13, Sequence::Sobol, 1, [](int x, int, float u, float) {
+    return x < 8 ? 1.0f : 1.0f + 2.0f * (u < 0.5f ? -0.4f : 0.4f) * u;
+  });
   const RenderResult result = render_to_error(source, adaptive_settings(0.002, 600));
   const PassSummary& passes = result.passes;
   EXPECT_EQ(passes.tiles, 6u);  // 3 across, 2 down; those at the edges are smaller
@@ -162,7 +168,8 @@ TEST(AdaptiveRender, ALimitThatIsTooLowIsTold) {
 TEST(AdaptiveRender, WithoutTilesThePictureHasOneNumberOfSamples) {
   RenderSettings settings = adaptive_settings(0.05, 4096);
   settings.adaptive.reset();
-  const FunctionSource source(16, 16, Sequence::Independent, 3, [](int x, int, float u, float) { return x < 8 ? 1.0f : 2.0f * u; });
+  const FunctionSource source(16, 16, Sequence::Independent, 3,
+                              [](int x, int, float u, float) { return x < 8 ? 1.0f : 2.0f * u; });
   const RenderResult result = render_to_error(source, settings);
   // Half the picture has σ² = 1/3: 1/6/n ≤ 0.0025 at n ≥ 67, so 128. The two halves may differ by one doubling.
   for (const float samples : result.samples.pixels) EXPECT_EQ(samples, result.samples.pixels[0]);
@@ -215,7 +222,8 @@ TEST(AdaptiveRender, TheSameBitsForAnyNumberOfThreads) {
 TEST(AdaptiveRender, SlowALampOutOfFocusHasTheMeanOfAFixedNumberOfSamples) {
   // A small lamp before a grey wall: its blur is met by one sample in 150, and nothing guides them.
   SceneDescription description;
-  description.materials = {testing::lambertian({0.5f, 0.5f, 0.5f}), testing::lambertian(Eigen::Vector3f::Zero(), {400.0f, 300.0f, 200.0f})};
+  description.materials = {testing::lambertian({0.5f, 0.5f, 0.5f}),
+                           testing::lambertian(Eigen::Vector3f::Zero(), {400.0f, 300.0f, 200.0f})};
   description.meshes = {testing::parallelogram({-3, -3, -4}, {6, 0, 0}, {0, 6, 0}, 0)};
   description.spheres = {{{0.0f, 0.0f, -0.4f}, 0.0001f, 1}, {{1.0f, 1.5f, -2.0f}, 0.1f, 1}};
   const Scene scene(description);
@@ -223,7 +231,8 @@ TEST(AdaptiveRender, SlowALampOutOfFocusHasTheMeanOfAFixedNumberOfSamples) {
   pose.vertical_field = 0.1;
   pose.width = pose.height = 32;
   const EyeCamera camera(pose, {RayModel::power_matrix, Eye::with({}, 6e-3), 0.0});
-  // The means of single pictures are skewed (a half that has missed the lamp stops the other early), which t only forgets over many.
+  // The means of single pictures are skewed (a half that has missed the lamp stops the other early), which t only
+  // forgets over many.
   constexpr int blocks = 16, pictures = 240;
   std::vector<std::vector<double>> fixed(blocks), adaptive(blocks);
   const auto add = [&](const Image& image, std::vector<std::vector<double>>& to) {
@@ -246,7 +255,8 @@ TEST(AdaptiveRender, SlowALampOutOfFocusHasTheMeanOfAFixedNumberOfSamples) {
   for (std::size_t b = 0; b < blocks; ++b) {
     const testing::Estimate f = testing::Estimate::of(fixed[b]), a = testing::Estimate::of(adaptive[b]);
     const double t = (a.mean - f.mean) / std::hypot(a.standard_error, f.standard_error);
-    EXPECT_GT(testing::student_two_sided(t, pictures - 1.0), sidak(1e-3, blocks)) << "block " << b << ": " << a.mean << ", " << f.mean;
+    EXPECT_GT(testing::student_two_sided(t, pictures - 1.0), sidak(1e-3, blocks))
+        << "block " << b << ": " << a.mean << ", " << f.mean;
   }
 }
 

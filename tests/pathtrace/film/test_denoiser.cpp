@@ -42,7 +42,8 @@ struct Inputs {
 /// Adds uniform noise of standard deviation `sigma` to all channels alike.
 void add_noise(Image& image, float sigma) {
   for (std::size_t pixel = 0; pixel < image.pixels.size() / 3; ++pixel) {
-    const float noise = sigma * std::sqrt(12.0f) * (unit_float(owen_sobol::mixed(static_cast<std::uint32_t>(pixel) + 77u)) - 0.5f);
+    const float noise =
+        sigma * std::sqrt(12.0f) * (unit_float(owen_sobol::mixed(static_cast<std::uint32_t>(pixel) + 77u)) - 0.5f);
     for (std::size_t k = 0; k < 3; ++k) image.pixels[3 * pixel + k] += noise;
   }
 }
@@ -61,11 +62,13 @@ TEST(Denoiser, WhatHasNoVarianceIsNotTouched) {
   Inputs inputs(20, 20, 1.0f, 0.0f);
   add_noise(inputs.radiance, 0.1f);
   const Image result = inputs.run();
-  for (std::size_t i = 0; i < result.pixels.size(); ++i) EXPECT_NEAR(result.pixels[i], inputs.radiance.pixels[i], 1e-6f);
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    EXPECT_NEAR(result.pixels[i], inputs.radiance.pixels[i], 1e-6f);
 }
 
 TEST(Denoiser, VarianceFallsAsTheKernelsNormSays) {
-  // With edges of infinite width the filter is linear: variance times (35/128)² at the first level, 70/256 being Σ of the squared taps.
+  // With edges of infinite width the filter is linear: variance times (35/128)² at the first level, 70/256 being Σ of
+  // the squared taps.
   EXPECT_NEAR(testing::squared_norm(1), 35.0 / 128.0, 1e-15);
   for (const int levels : {1, 2, 3}) {
     constexpr int side = 200;
@@ -79,9 +82,11 @@ TEST(Denoiser, VarianceFallsAsTheKernelsNormSays) {
     double squares = 0.0;
     int count = 0;
     for (int y = border; y < side - border; ++y)
-      for (int x = border; x < side - border; ++x, ++count) squares += std::pow(static_cast<double>(result.at(x, y)[0]) - 1.0, 2);
+      for (int x = border; x < side - border; ++x, ++count)
+        squares += std::pow(static_cast<double>(result.at(x, y)[0]) - 1.0, 2);
     const double norm = testing::squared_norm(levels), expected = 0.01 * norm * norm;
-    // Neighbours are correlated over about 1/norm pixels each way, so there are N·norm² independent ones: 4σ of their χ².
+    // Neighbours are correlated over about 1/norm pixels each way, so there are N·norm² independent ones: 4σ of their
+    // χ².
     EXPECT_NEAR(squares / count / expected, 1.0, 4.0 * std::sqrt(2.0 / (count * norm * norm))) << levels;
   }
 }
@@ -102,15 +107,16 @@ double noise_left_on_a_flat_field(const DenoiseSpec& spec) {
 }
 
 TEST(Denoiser, EdgeStoppingLeavesWhatItsWidthSays) {
-  // Grey: Σd²/(σ²·2·Σv) = (d²/v)/(2·σ²), so that the width is radiance_sigma. 168² pixels, of which the kernel leaves 168²·0.0748
-  // independent ones: 4σ of their χ² are 12 %.
+  // Grey: Σd²/(σ²·2·Σv) = (d²/v)/(2·σ²), so that the width is radiance_sigma. 168² pixels, of which the kernel leaves
+  // 168²·0.0748 independent ones: 4σ of their χ² are 12 %.
   DenoiseSpec spec;
   spec.levels = 1;
   for (const double width : {1.0, 2.0, 4.0}) {
     spec.radiance_sigma = width;
     EXPECT_NEAR(noise_left_on_a_flat_field(spec) / testing::left_with_edge_stopping(width), 1.0, 0.12) << width;
   }
-  EXPECT_NEAR(testing::left_with_edge_stopping(1e3), std::pow(testing::squared_norm(1), 2), 0.03 * 0.0748);  // 4σ of 5e4 draws: 2.5 %
+  EXPECT_NEAR(testing::left_with_edge_stopping(1e3), std::pow(testing::squared_norm(1), 2),
+              0.03 * 0.0748);  // 4σ of 5e4 draws: 2.5 %
 }
 
 TEST(Denoiser, EveryLevelTakesMoreNoise) {
@@ -169,7 +175,8 @@ TEST(Denoiser, ASlantedPlaneIsNoEdge) {
 }
 
 TEST(Denoiser, NoiseOfTheGuidesIsNoEdge) {
-  // What a wide pupil does: the mean albedo of a blurred pixel is noisy itself. Told so, the filter smooths; believing it, it does not.
+  // What a wide pupil does: the mean albedo of a blurred pixel is noisy itself. Told so, the filter smooths; believing
+  // it, it does not.
   Inputs inputs(64, 64, 1.0f, 0.25f);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
@@ -216,9 +223,9 @@ TEST(Denoiser, SlowTheRoomComesNearerToItsConvergedPicture) {
   RecordProperty("relative_mse_before", std::to_string(before));
   RecordProperty("relative_mse_after", std::to_string(after));
   RecordProperty("relative_mse_of_the_bias", std::to_string(bias));
-  // What the filter does to the converged picture where it expects this noise is its bias; noise adds to it in squares, having no mean of
-  // its own there. Of independent noise one level leaves the share of left_with_edge_stopping, and further levels take more. (Measured:
-  // 0.00766, of which 0.00348 are left, 0.00274 of them bias.)
+  // What the filter does to the converged picture where it expects this noise is its bias; noise adds to it in squares,
+  // having no mean of its own there. Of independent noise one level leaves the share of left_with_edge_stopping, and
+  // further levels take more. (Measured: 0.00766, of which 0.00348 are left, 0.00274 of them bias.)
   EXPECT_LT(after, bias + testing::left_with_edge_stopping(DenoiseSpec{}.radiance_sigma) * before);
 }
 

@@ -36,7 +36,8 @@ TEST(PixelStatistics, SmallValuesSurviveBesideLargeOnes) {
     with.add({1e-8f, 0, 0});
     without.add({0, 0, 0});
   }
-  // Rounding of a mean that falls from 1e8: Σ 1e8/k · 1.1e−16 over k, as a random walk about 1e8 · 1.1e−16 · 1.3 in the sum of n samples.
+  // Rounding of a mean that falls from 1e8: Σ 1e8/k · 1.1e−16 over k, as a random walk about 1e8 · 1.1e−16 · 1.3 in the
+  // sum of n samples.
   EXPECT_NEAR((with.mean(0) - without.mean(0)) * (1 << 20), 1e-8 * (1 << 20), 1e-6);
 }
 
@@ -50,7 +51,8 @@ TEST(PixelStatistics, VarianceAgreesWithTwoPasses) {
   const long double n = values.size(), mean = sum / n;
   for (float v : values) squares += (v - mean) * (v - mean);
   EXPECT_NEAR(pixel.mean(0), static_cast<double>(mean), 1e-13 * static_cast<double>(mean));
-  EXPECT_NEAR(pixel.variance(0), static_cast<double>(squares / (n - 1)), 1e-12 * static_cast<double>(squares / (n - 1)));
+  EXPECT_NEAR(pixel.variance(0), static_cast<double>(squares / (n - 1)),
+              1e-12 * static_cast<double>(squares / (n - 1)));
   EXPECT_EQ(pixel.mean(2), -pixel.mean(0));
   EXPECT_EQ(pixel.variance(2), pixel.variance(0));
 }

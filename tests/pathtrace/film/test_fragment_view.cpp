@@ -65,8 +65,9 @@ TEST(FragmentView, DirectLightIsThatOfPathsWithOneReflection) {
 }
 
 TEST(FragmentView, PixelsOfATileSpreadTheirSamplesOverOneAnother) {
-  // Variances over seeds of pixels, and of the means of 4 × 4 pixels. Of independent pixels the latter is a sixteenth of the mean of the
-  // former; with 31 degrees of freedom in each of 64 blocks their ratio would be 1 ± √(2/(31·64)) = 1 ± 0.032.
+  // Variances over seeds of pixels, and of the means of 4 × 4 pixels. Of independent pixels the latter is a sixteenth
+  // of the mean of the former; with 31 degrees of freedom in each of 64 blocks their ratio would be 1 ± √(2/(31·64)) =
+  // 1 ± 0.032.
   constexpr int size = 32, block = 4, seeds = 32;
   const Scene scene(testing::scene_plain());
   const Pinhole camera{testing::scene_plain_pose(), size};

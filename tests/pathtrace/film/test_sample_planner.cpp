@@ -21,13 +21,15 @@ std::vector<std::uint32_t> samples_at_stop(SamplePlanner planner, const std::vec
 }
 
 TEST(SamplePlanner, TilesGetSamplesInProportionToTheirDeviation) {
-  // ⟨σ⟩ = (1·1 + 3·0.1)/4 = 0.325 (tiles of 64 and 192 pixels), r² = 1e-4: 3250 and 325 samples; the next doublings of 32 are 4096 and 512.
+  // ⟨σ⟩ = (1·1 + 3·0.1)/4 = 0.325 (tiles of 64 and 192 pixels), r² = 1e-4: 3250 and 325 samples; the next doublings of
+  // 32 are 4096 and 512.
   EXPECT_EQ(samples_at_stop({{64, 192}, 0.01, true}, {1.0, 0.1}), (std::vector<std::uint32_t>{4096, 512}));
   // The picture: (1/4096 + 3·0.01/512)/4 = 7.6e-5 ≤ 1e-4.
 }
 
 TEST(SamplePlanner, AQuietTileStopsAtOnceAndTheRestGoOn) {
-  EXPECT_EQ(samples_at_stop({{64, 64}, 0.01, true}, {0.0, 1.0}), (std::vector<std::uint32_t>{32, 8192}));  // 0.5/1e-4 = 5000
+  EXPECT_EQ(samples_at_stop({{64, 64}, 0.01, true}, {0.0, 1.0}),
+            (std::vector<std::uint32_t>{32, 8192}));  // 0.5/1e-4 = 5000
 }
 
 TEST(SamplePlanner, WithoutTilesAllStopTogether) {
@@ -40,11 +42,13 @@ TEST(SamplePlanner, GoodEnoughIsGoodEnough) {
 }
 
 TEST(TileError, ByHand) {
-  // Two pixels side by side: means 1 and 3, their neighbourhood 2; half differences 0.1 and 0.2 in one channel, 0 in the others.
+  // Two pixels side by side: means 1 and 3, their neighbourhood 2; half differences 0.1 and 0.2 in one channel, 0 in
+  // the others.
   const std::vector<PixelPair> pixels{{{1.1, 1.0, 1.0}, {0.9, 1.0, 1.0}}, {{3.2, 3.0, 3.0}, {2.8, 3.0, 3.0}}};
   EXPECT_NEAR(tile_squared_error(pixels, 2), (0.01 + 0.04) / 4.01 / 6.0, 1e-15);
   // Of a row of four, the ends do not see each other: 0.01/(2² + 0.01), the mean of 1, 1 and 4 being 2.
-  const std::vector<PixelPair> row{{{1, 0, 0}, {1, 0, 0}}, {{1.1, 0, 0}, {0.9, 0, 0}}, {{4, 0, 0}, {4, 0, 0}}, {{99, 0, 0}, {99, 0, 0}}};
+  const std::vector<PixelPair> row{
+      {{1, 0, 0}, {1, 0, 0}}, {{1.1, 0, 0}, {0.9, 0, 0}}, {{4, 0, 0}, {4, 0, 0}}, {{99, 0, 0}, {99, 0, 0}}};
   EXPECT_NEAR(tile_squared_error(row, 4), 0.01 / 4.01 / 12.0, 1e-15);
   // And of a column of the same.
   EXPECT_NEAR(tile_squared_error(row, 1), 0.01 / 4.01 / 12.0, 1e-15);

@@ -1,5 +1,6 @@
-// Weights of pupil points apply to all that a ray sees. They once left out rays that meet nothing and see the environment: a study of pupil
-// samplings (docs/scenes.md) showed uniform_polar_weighted to be biased by 3 to 6 % before a sky, nearly as much as without weights.
+// Weights of pupil points apply to all that a ray sees. They once left out rays that meet nothing and see the
+// environment: a study of pupil samplings (docs/scenes.md) showed uniform_polar_weighted to be biased by 3 to 6 %
+// before a sky, nearly as much as without weights.
 #include <gtest/gtest.h>
 
 #include "lensmodel/eye.h"
@@ -10,8 +11,9 @@ namespace sturm {
 namespace {
 
 TEST(WeightedRays, AWorldOfRadianceOneIsSeenAsOne) {
-  // Parallel rays from a pupil of radius 10 mm: a glowing sphere of 5 mm fills its inner half (in radius), a sky of the same radiance the
-  // rest. Weighted by 2r/a the inner points count 1/4 and the outer 3/4; with the sky unweighted the sum would be 1/4 + 1/2.
+  // Parallel rays from a pupil of radius 10 mm: a glowing sphere of 5 mm fills its inner half (in radius), a sky of the
+  // same radiance the rest. Weighted by 2r/a the inner points count 1/4 and the outer 3/4; with the sky unweighted the
+  // sum would be 1/4 + 1/2.
   SceneDescription scene;
   Material glow;
   glow.emission = {1.0f, 1.0f, 1.0f};

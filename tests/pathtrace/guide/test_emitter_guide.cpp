@@ -1,5 +1,5 @@
-// Guided camera rays change the noise of what small emitters send into the eye, not its mean: against plain sampling, and against the
-// light that an emitter sends through any pupil.
+// Guided camera rays change the noise of what small emitters send into the eye, not its mean: against plain sampling,
+// and against the light that an emitter sends through any pupil.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,7 +52,8 @@ std::vector<double> block_means(const Image& image, int channel) {
   std::vector<double> means(across * across, 0.0);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
-      means[static_cast<std::size_t>(y / block * across + x / block)] += static_cast<double>(image.at(x, y)[channel]) / (block * block);
+      means[static_cast<std::size_t>(y / block * across + x / block)] +=
+          static_cast<double>(image.at(x, y)[channel]) / (block * block);
   return means;
 }
 
@@ -64,9 +65,10 @@ struct EyeCase {
 std::vector<EyeCase> eyes() {
   return {{"myope", eye({-3.0}, 0.0)},
           {"astigmat", eye({-1.0, -3.0, 30.0}, 0.0)},
-          {"focal line at 0.4 m", eye({-2.5, 4.0, 60.0}, 0.0)},                // I/d + F has the eigenvalue 0 there
-          {"in focus at 0.8 m", eye({-1.25}, 0.0)},                            // X = 0 for one lamp
-          {"sin² rays", eye({-1.0, -3.0, 30.0}, 0.0, RayModel::sin2_radial)},  // the guide's conoid is wrong for them, the mean is not
+          {"focal line at 0.4 m", eye({-2.5, 4.0, 60.0}, 0.0)},  // I/d + F has the eigenvalue 0 there
+          {"in focus at 0.8 m", eye({-1.25}, 0.0)},              // X = 0 for one lamp
+          {"sin² rays", eye({-1.0, -3.0, 30.0}, 0.0,
+                            RayModel::sin2_radial)},  // the guide's conoid is wrong for them, the mean is not
           {"accommodated", eye({1.0, -2.0, 170.0}, 2.0)}};
 }
 
@@ -86,14 +88,15 @@ TEST(EmitterGuide, SlowTheSameMeanAsPlainSampling) {
     for (std::size_t b = 0; b < plain.size(); ++b) {
       const testing::Estimate p = testing::Estimate::of(plain[b]), g = testing::Estimate::of(guided[b]);
       // Welch's t with at least 15 degrees of freedom: |t| > 6.5 has a probability of 1e-5, 216 tests together 0.2 %.
-      EXPECT_LE(std::abs(p.mean - g.mean), 6.5 * std::hypot(p.standard_error, g.standard_error) + 1e-7) << c.name << " block " << b;
+      EXPECT_LE(std::abs(p.mean - g.mean), 6.5 * std::hypot(p.standard_error, g.standard_error) + 1e-7)
+          << c.name << " block " << b;
     }
   }
 }
 
 TEST(EmitterGuide, NothingIsLostWhereverTheFocalLinesLie) {
-  // Whatever the blur, the sum over the image is the light that comes through the pupil: radiance × solid angle, per pixel's solid angle.
-  // A sphere of radius R at d covers π (R/d)² of slope space, but for (R/d)² of that.
+  // Whatever the blur, the sum over the image is the light that comes through the pupil: radiance × solid angle, per
+  // pixel's solid angle. A sphere of radius R at d covers π (R/d)² of slope space, but for (R/d)² of that.
   for (const EyeCase& c : eyes()) {
     SceneDescription d;
     d.materials = {testing::lambertian(Vector3f::Zero(), {1e4f, 1e4f, 1e4f})};
@@ -119,8 +122,10 @@ TEST(EmitterGuide, LessNoiseForTheSameSamples) {
   const auto noise = [&](bool guided) {
     double squares = 0.0;
     for (int pair = 0; pair < 4; ++pair) {
-      const Image a = rendered(scene, rays, guided, 16, 10 + 2 * pair), b = rendered(scene, rays, guided, 16, 11 + 2 * pair);
-      for (std::size_t i = 0; i < a.pixels.size(); ++i) squares += std::pow(static_cast<double>(a.pixels[i] - b.pixels[i]), 2);
+      const Image a = rendered(scene, rays, guided, 16, 10 + 2 * pair),
+                  b = rendered(scene, rays, guided, 16, 11 + 2 * pair);
+      for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        squares += std::pow(static_cast<double>(a.pixels[i] - b.pixels[i]), 2);
     }
     return squares;
   };
@@ -140,7 +145,8 @@ TEST(EmitterGuide, DoesNothingWhereItCannotHelp) {
   const Scene behind(d);
   EXPECT_TRUE(SceneGuide(behind, EyeCamera(pose(), eye({-3.0}, 0.0))).empty());
   RenderCounters counters;
-  EXPECT_EQ(rendered(behind, eye({-3.0}, 0.0), true, 16, 1, &counters).pixels, rendered(behind, eye({-3.0}, 0.0), false, 16, 1).pixels);
+  EXPECT_EQ(rendered(behind, eye({-3.0}, 0.0), true, 16, 1, &counters).pixels,
+            rendered(behind, eye({-3.0}, 0.0), false, 16, 1).pixels);
   EXPECT_EQ(counters.guided_rays, 0u);
 }
 
@@ -172,7 +178,8 @@ TEST(EmitterGuide, DensityIsThatOfTheProposals) {
         ++pixels;
       }
       for (const GuidedTarget& t : targets) {
-        const float qx = camera.slope_x(static_cast<float>(x) + 0.3f), qy = camera.slope_y(static_cast<float>(y) + 0.6f);
+        const float qx = camera.slope_x(static_cast<float>(x) + 0.3f),
+                    qy = camera.slope_y(static_cast<float>(y) + 0.6f);
         for (const float u : {0.01f, 0.5f, 0.99f}) {
           const EmitterGuide::Proposal p = guide.propose(t.cluster, qx, qy, u, 1.0f - u);
           if (!(p.pdf > 0.0f)) continue;

@@ -37,15 +37,17 @@ testing::Estimate radiance_at(const Scene& scene, const Vector3d& point, int cha
     settings.samples_per_pixel = samples;
     settings.max_bounces = bounces;
     settings.seed = seed;
-    values.push_back(static_cast<double>(render(scene, testing::spot_meter(eye, point), settings).radiance.at(0, 0)[channel]));
+    values.push_back(
+        static_cast<double>(render(scene, testing::spot_meter(eye, point), settings).radiance.at(0, 0)[channel]));
   }
   return testing::Estimate::of(values);
 }
 
-/// 4 standard errors, and 1e−4 for two lengths over a distance of half a metre or more: the meter's field of 1e−5 rad seen from 4 m
-/// (40 µm on the floor, centred), and the 15 µm by which a ray starts above the floor, twice for the inverse square.
-void expect_radiance(const Scene& scene, const Vector3d& point, const Vector3d& irradiance, const std::string& what, int bounces = 1,
-                     const Vector3d& eye = {1.7, 2.1, 2.9}) {
+/// 4 standard errors, and 1e−4 for two lengths over a distance of half a metre or more: the meter's field of 1e−5 rad
+/// seen from 4 m (40 µm on the floor, centred), and the 15 µm by which a ray starts above the floor, twice for the
+/// inverse square.
+void expect_radiance(const Scene& scene, const Vector3d& point, const Vector3d& irradiance, const std::string& what,
+                     int bounces = 1, const Vector3d& eye = {1.7, 2.1, 2.9}) {
   for (int k = 0; k < 3; ++k) {
     const testing::Estimate e = radiance_at(scene, point, k, 4096, bounces, eye);
     const double expected = static_cast<double>(albedo[k]) / pi * irradiance[k];
@@ -108,7 +110,8 @@ double polygon_irradiance(const Vector3d& p, const Vector3d& n, const std::vecto
 }
 
 TEST(AreaLight, LambertsFormulaAgreesWithTheTextbookRectangle) {
-  // Element below the corner of a parallel rectangle with sides X = Y = h: F = 0.1385 (any table of configuration factors).
+  // Element below the corner of a parallel rectangle with sides X = Y = h: F = 0.1385 (any table of configuration
+  // factors).
   const std::vector<Vector3d> square{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}};
   const double x = 1.0 / std::sqrt(2.0);
   EXPECT_NEAR(polygon_irradiance({0, 0, 0}, {0, 1, 0}, square) / pi, 2.0 * x * std::atan(x) / (2.0 * pi), 1e-15);
@@ -122,7 +125,8 @@ TEST(AreaLight, ParallelRectangle) {
   const Scene scene(description);
   const Vector3d c = corner.cast<double>(), w = width.cast<double>(), d = depth.cast<double>();
   for (const Vector3d& point : {Vector3d(0, 0, 0), {0.9, 0, 0.2}, {-1.5, 0, 1.5}})
-    expect_radiance(scene, point, polygon_irradiance(point, {0, 1, 0}, {c, c + w, c + w + d, c + d}) * radiance.cast<double>(),
+    expect_radiance(scene, point,
+                    polygon_irradiance(point, {0, 1, 0}, {c, c + w, c + w + d, c + d}) * radiance.cast<double>(),
                     "rectangle");
 }
 
@@ -133,7 +137,8 @@ TEST(AreaLight, TiltedRectangleNearTheFloor) {
   const Scene scene(description);
   const Vector3d c = corner.cast<double>(), a = along.cast<double>(), u = up.cast<double>();
   for (const Vector3d& point : {Vector3d(0, 0, 0.1), {0.3, 0, 0.5}})
-    expect_radiance(scene, point, polygon_irradiance(point, {0, 1, 0}, {c, c + a, c + a + u, c + u}) * radiance.cast<double>(),
+    expect_radiance(scene, point,
+                    polygon_irradiance(point, {0, 1, 0}, {c, c + a, c + a + u, c + u}) * radiance.cast<double>(),
                     "tilted rectangle");
 }
 
@@ -145,12 +150,15 @@ TEST(AreaLight, SeveralLightsAddUp) {
   description.spheres = {{{-1.0f, 0.5f, 0.5f}, 0.2f, 1}};
   description.lights = {{{0.2f, 2.0f, 1.0f}, {0.3f, 0.3f, 0.3f}}};
   const Scene scene(description);
-  const Vector3d p(0.1, 0, 0.2), n(0, 1, 0), to_ball = Vector3d(-1.0, 0.5, 0.5) - p, to_point = Vector3d(0.2, 2.0, 1.0) - p;
+  const Vector3d p(0.1, 0, 0.2), n(0, 1, 0), to_ball = Vector3d(-1.0, 0.5, 0.5) - p,
+                                             to_point = Vector3d(0.2, 2.0, 1.0) - p;
   const double first = polygon_irradiance(p, n, {{-0.4, 1, -0.3}, {0.1, 1, -0.3}, {0.1, 1, 0.2}, {-0.4, 1, 0.2}});
-  const double second = polygon_irradiance(p, n, {{-1.4, 0.7, -1.2}, {-0.5, 0.7, -1.2}, {-0.5, 0.7, -0.3}, {-1.4, 0.7, -0.3}});
+  const double second =
+      polygon_irradiance(p, n, {{-1.4, 0.7, -1.2}, {-0.5, 0.7, -1.2}, {-0.5, 0.7, -0.3}, {-1.4, 0.7, -0.3}});
   const double ball = pi * 0.04 / to_ball.squaredNorm() * to_ball.normalized().y();
   const double bulb = 0.3 * to_point.normalized().y() / to_point.squaredNorm();
-  expect_radiance(scene, p, (first + 0.1 * second + ball) * radiance.cast<double>() + bulb * Vector3d::Ones(), "four lights");
+  expect_radiance(scene, p, (first + 0.1 * second + ball) * radiance.cast<double>() + bulb * Vector3d::Ones(),
+                  "four lights");
 }
 
 /// Irradiance of a convex lamp wholly above the horizon: its faces that look at the point hide nothing of each other.
@@ -178,7 +186,8 @@ TEST(AreaLight, ALampBesideAHiddenBrightOne) {
   // Near the point, and all that the choice of a light sees of brightness, stands a lamp behind a card.
   SceneDescription description = floor_scene();
   description.materials.push_back(testing::lambertian(Vector3f::Zero(), 10.0f * radiance));
-  const Mesh hidden = testing::round_lamp({0.0f, 0.2f, 0.0f}, 0.05f, 3, 3), seen = testing::round_lamp({1.0f, 0.9f, 0.4f}, 0.1f, 3, 1);
+  const Mesh hidden = testing::round_lamp({0.0f, 0.2f, 0.0f}, 0.05f, 3, 3),
+             seen = testing::round_lamp({1.0f, 0.9f, 0.4f}, 0.1f, 3, 1);
   description.meshes.push_back(hidden);
   description.meshes.push_back(seen);
   description.meshes.push_back(testing::parallelogram({-0.1f, 0.1f, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}, 2));
@@ -192,16 +201,19 @@ TEST(AreaLight, ALampBesideAHiddenBrightOne) {
                         p, 0, 16, 1, {0.05, 0.05, 0.5})
                 .mean,
             0.0);
-  expect_radiance(scene, p, lamp_irradiance(p, seen) * radiance.cast<double>(), "beside a hidden lamp", 1, {0.05, 0.05, 0.5});
+  expect_radiance(scene, p, lamp_irradiance(p, seen) * radiance.cast<double>(), "beside a hidden lamp", 1,
+                  {0.05, 0.05, 0.5});
 }
 
 TEST(AreaLight, ALampBehindAnotherIsCountedOnce) {
   // Every direction in the cone of the round lamp meets a luminous panel first, which has its own samples.
   SceneDescription description = floor_scene();
   description.meshes.push_back(testing::round_lamp({0.0f, 0.2f, 0.0f}, 0.05f, 3, 1));
-  description.meshes.push_back(testing::parallelogram({-0.1f, 0.1f, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}, 1));  // x × z = −y: shines down
+  description.meshes.push_back(
+      testing::parallelogram({-0.1f, 0.1f, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}, 1));  // x × z = −y: shines down
   const Vector3d p(0.05, 0, 0.02);
-  const double e = polygon_irradiance(p, {0, 1, 0}, {{-0.1, 0.1, -0.1}, {0.1, 0.1, -0.1}, {0.1, 0.1, 0.1}, {-0.1, 0.1, 0.1}});
+  const double e =
+      polygon_irradiance(p, {0, 1, 0}, {{-0.1, 0.1, -0.1}, {0.1, 0.1, -0.1}, {0.1, 0.1, 0.1}, {-0.1, 0.1, 0.1}});
   expect_radiance(Scene(description), p, e * radiance.cast<double>(), "lamp behind a panel", 1, {0.05, 0.05, 0.5});
 }
 
@@ -223,7 +235,8 @@ TEST(SphereLight, FortyOfThemAddUp) {
 
 TEST(AreaLight, EmitsFromTheSideItsWindingFaces) {
   SceneDescription description = floor_scene();
-  description.meshes.push_back(testing::parallelogram({-0.5f, 1.0f, -0.5f}, {1.0f, 0, 0}, {0, 0, 1.0f}, 1));  // normal −y
+  description.meshes.push_back(
+      testing::parallelogram({-0.5f, 1.0f, -0.5f}, {1.0f, 0, 0}, {0, 0, 1.0f}, 1));  // normal −y
   const Scene scene(description);
   EXPECT_EQ(radiance_at(scene, {0.1, 1.0, 0.1}, 0, 4, 0, {0.3, 0.2, 0.2}).mean, 5.0);  // from below
   EXPECT_EQ(radiance_at(scene, {0.1, 1.0, 0.1}, 0, 4, 0, {0.3, 3.0, 0.2}).mean, 0.0);  // from above

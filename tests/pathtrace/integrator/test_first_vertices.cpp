@@ -28,14 +28,15 @@ Compared compared(const Scene& scene, int count) {
     numbers.begin_block(32, count);
     trace_camera_rays(scene, camera, x, y, 32, count, sequence, hits);
     for (int i = 0; i < count; ++i)
-      if (hits.hit(i)) vertices.at[i] = scene.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
+      if (hits.hit(i))
+        vertices.at[i] = scene.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
     tracer.light(vertices, hits, 32, count, numbers, sum.together);
     EXPECT_TRUE(vertices.lit);
     for (int i = 0; i < count; ++i) {
       if (!hits.hit(i)) continue;
       const std::uint32_t sample = 32 + static_cast<std::uint32_t>(i);
-      const Eigen::Vector3f together =
-          tracer.radiance(vertices.at[i], hits.direction(i), numbers, sample, sum.together, {1.0f, &vertices.direct_light[i]});
+      const Eigen::Vector3f together = tracer.radiance(vertices.at[i], hits.direction(i), numbers, sample, sum.together,
+                                                       {1.0f, &vertices.direct_light[i]});
       const Eigen::Vector3f alone = tracer.radiance(vertices.at[i], hits.direction(i), numbers, sample, sum.alone);
       EXPECT_EQ(together, alone) << "pixel " << x << ", sample " << i;
       ++sum.paths;
@@ -52,7 +53,8 @@ TEST(FirstVertices, LightInPacketsIsThatOfSinglePaths) {
     EXPECT_EQ(c.together.shadow_rays, c.alone.shadow_rays);
     EXPECT_EQ(c.together.bounce_rays, c.alone.bounce_rays);
     EXPECT_GT(c.paths, 60 * count);
-    EXPECT_GT(c.shadowed, c.paths / 50);  // the boxes' shadows on the floor: packets that stop nothing would not be seen otherwise
+    EXPECT_GT(c.shadowed,
+              c.paths / 50);  // the boxes' shadows on the floor: packets that stop nothing would not be seen otherwise
     EXPECT_LT(c.shadowed, c.paths);
   }
 }

@@ -1,5 +1,6 @@
-// Furnace: in a closed room whose walls all have radiance E and albedo ρ, every direction shows the same radiance. A path of at most
-// `max_bounces` reflections collects E ρ^k at its k-th vertex, so the picture is the constant E Σ_{k ≤ max_bounces} ρ^k.
+// Furnace: in a closed room whose walls all have radiance E and albedo ρ, every direction shows the same radiance. A
+// path of at most `max_bounces` reflections collects E ρ^k at its k-th vertex, so the picture is the constant E Σ_{k ≤
+// max_bounces} ρ^k.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +33,8 @@ RenderSettings settings(int samples, int bounces, std::uint64_t seed) {
 }
 
 /// Mean of the picture in each channel over independent seeds, against `expected`.
-void expect_constant(const Scene& scene, const EyeCamera& camera, int bounces, const Eigen::Vector3d& expected, const std::string& what) {
+void expect_constant(const Scene& scene, const EyeCamera& camera, int bounces, const Eigen::Vector3d& expected,
+                     const std::string& what) {
   std::vector<double> means[3];
   for (int seed = 1; seed <= seeds; ++seed) {
     const RenderResult result = render(scene, camera, settings(16, bounces, static_cast<std::uint64_t>(seed)));
@@ -78,19 +80,23 @@ TEST(Furnace, EveryEyeSeesTheSame) {
   const Scene scene(description);
   const Eye eye = Eye::with({-2.0, -1.5, 30.0, 0.0}, 0.04);
   for (RayModel model : {RayModel::thin_lens, RayModel::metalstigmatism, RayModel::sin2_radial, RayModel::power_matrix})
-    expect_constant(scene, EyeCamera(inside_the_room(), {model, eye, 0.5, 2.0}), 4, closed_form(albedo, 4), name_of(model));
+    expect_constant(scene, EyeCamera(inside_the_room(), {model, eye, 0.5, 2.0}), 4, closed_form(albedo, 4),
+                    name_of(model));
 }
 
-// A grey sphere sees only the black room's radiance E and nothing of itself: ρE, unless its rays hit the sphere that they leave.
+// A grey sphere sees only the black room's radiance E and nothing of itself: ρE, unless its rays hit the sphere that
+// they leave.
 TEST(Furnace, ASphereDoesNotShadowItself) {
   struct {
     float room;
     Eigen::Vector3f center;
     float radius;
-  } cases[] = {{2.0f, {0.3f, 0.2f, -0.4f}, 0.5f}, {100.0f, {50.0f, 40.0f, -60.0f}, 3.0f}, {2.0f, {0.01f, 0.0f, 0.02f}, 0.05f}};
+  } cases[] = {
+      {2.0f, {0.3f, 0.2f, -0.4f}, 0.5f}, {100.0f, {50.0f, 40.0f, -60.0f}, 3.0f}, {2.0f, {0.01f, 0.0f, 0.02f}, 0.05f}};
   for (const auto& c : cases) {
     SceneDescription description;
-    description.materials = {testing::lambertian(Eigen::Vector3f::Zero(), emission), testing::lambertian({0.8f, 0.5f, 0.2f})};
+    description.materials = {testing::lambertian(Eigen::Vector3f::Zero(), emission),
+                             testing::lambertian({0.8f, 0.5f, 0.2f})};
     description.meshes = testing::room(c.room, 0);
     description.spheres = {{c.center, c.radius, 1}};
     CameraPose pose = inside_the_room();
@@ -98,7 +104,8 @@ TEST(Furnace, ASphereDoesNotShadowItself) {
     pose.position = pose.look_at + 5.0 * static_cast<double>(c.radius) * Eigen::Vector3d(0.3, 0.1, 0.5).normalized();
     pose.vertical_field = 0.2;  // the sphere fills the picture
     expect_constant(Scene(description), EyeCamera(pose, testing::pinhole_rays()), 1,
-                    emission.cwiseProduct(Eigen::Vector3f(0.8f, 0.5f, 0.2f)).cast<double>(), "room " + std::to_string(c.room));
+                    emission.cwiseProduct(Eigen::Vector3f(0.8f, 0.5f, 0.2f)).cast<double>(),
+                    "room " + std::to_string(c.room));
   }
 }
 

@@ -1,4 +1,5 @@
-// Paths over every surface model against closed forms: furnaces, slabs and mirrors, and the loop without materials against the one with.
+// Paths over every surface model against closed forms: furnaces, slabs and mirrors, and the loop without materials
+// against the one with.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -61,13 +62,14 @@ double albedo_of(const SurfaceModel& model, const Vector3f& out, const Vector3f&
   return sum / n;
 }
 
-// One bounce on a plane under a sky of radiance 2: twice the model's albedo, whether the sky is a colour (no sampling of lights at all) or
-// a picture (lights and surface sampled and weighted). A wrong weight or density shows in the second and not in the first.
+// One bounce on a plane under a sky of radiance 2: twice the model's albedo, whether the sky is a colour (no sampling
+// of lights at all) or a picture (lights and surface sampled and weighted). A wrong weight or density shows in the
+// second and not in the first.
 TEST(Transport, EveryOpaqueModelUnderAConstantSky) {
   const Vector3f albedo(0.8f, 0.8f, 0.8f);
-  for (const SurfaceModel& model : std::vector<SurfaceModel>{Diffuse{}, Conductor{black, white, 0.0f}, Conductor{black, white, 0.3f},
-                                                             Conductor{black, white, 0.8f}, Plastic(1.5f, 0.0f), Plastic(1.5f, 0.4f),
-                                                             SeedDiffuse{}, SeedMetal{0.0f}, SeedMetal{0.5f}, SeedMetal{1.0f}})
+  for (const SurfaceModel& model : std::vector<SurfaceModel>{
+           Diffuse{}, Conductor{black, white, 0.0f}, Conductor{black, white, 0.3f}, Conductor{black, white, 0.8f},
+           Plastic(1.5f, 0.0f), Plastic(1.5f, 0.4f), SeedDiffuse{}, SeedMetal{0.0f}, SeedMetal{0.5f}, SeedMetal{1.0f}})
     for (bool sampled : {false, true})
       for (bool from_behind : {false, true}) {
         SceneDescription description;
@@ -75,15 +77,18 @@ TEST(Transport, EveryOpaqueModelUnderAConstantSky) {
         description.meshes = {testing::parallelogram({-5, 0, -5}, {0, 0, 10}, {10, 0, 0}, 0)};
         description.environment = Environment{2.0f * white, sampled ? constant_picture(1.0f) : nullptr, 0.0f};
         const double up = from_behind ? -0.6 : 0.6;
-        const testing::Estimate e = measured(Scene(description), testing::spot_meter({0.8, up, 0.0}, {0, 0, 0}), 4096, 1);
+        const testing::Estimate e =
+            measured(Scene(description), testing::spot_meter({0.8, up, 0.0}, {0, 0, 0}), 4096, 1);
         const double expected = 2.0 * albedo_of(model, {0.8f, 0.0f, 0.6f}, albedo);
         // … and the reference's own error, 4 · 0.5/√2^20.
-        EXPECT_NEAR(e.mean, expected, 4.0 * e.standard_error + 2.0 * 2e-3) << "model " << model.index() << " sampled " << sampled;
+        EXPECT_NEAR(e.mean, expected, 4.0 * e.standard_error + 2.0 * 2e-3)
+            << "model " << model.index() << " sampled " << sampled;
         EXPECT_LE(e.standard_error, 0.02);
       }
 }
 
-// Whoever looks at clear glass in a furnace sees the furnace: all that is not reflected is refracted, and comes from everywhere too.
+// Whoever looks at clear glass in a furnace sees the furnace: all that is not reflected is refracted, and comes from
+// everywhere too.
 TEST(Transport, AGlassBallIsInvisibleInAFurnace) {
   for (bool sampled : {false, true}) {
     SceneDescription description;
@@ -110,7 +115,8 @@ TEST(Transport, ARoughGlassBallLosesALittle) {
   EXPECT_LT(e.standard_error, 0.01);
 }
 
-// A slab of index 1.5 seen straight on, light only behind it: all orders together transmit (1 − R)/(1 + R) = 0.96/1.04, R = 0.04.
+// A slab of index 1.5 seen straight on, light only behind it: all orders together transmit (1 − R)/(1 + R) = 0.96/1.04,
+// R = 0.04.
 TEST(Transport, ASlabTransmitsAllOrders) {
   auto picture = std::make_shared<Image>(4, 2, 3);
   for (int y = 0; y < 2; ++y)
@@ -123,13 +129,15 @@ TEST(Transport, ASlabTransmitsAllOrders) {
   description.environment = Environment{white, picture, 0.0f};
   const Scene scene(description);
   expect_near(measured(scene, testing::spot_meter({0, 0, 0}, {0, 0, -2}), 4096, 32), 0.96 / 1.04, "ahead");
-  expect_near(measured(scene, testing::spot_meter({0, 0, -9}, {0, 0, -3}), 4096, 32), 0.08 / 1.04, "mirrored");  // 2R/(1 + R)
+  expect_near(measured(scene, testing::spot_meter({0, 0, -9}, {0, 0, -3}), 4096, 32), 0.08 / 1.04,
+              "mirrored");  // 2R/(1 + R)
 }
 
 // A smooth metal shows an emitter as F times its radiance, without noise; a point light never.
 TEST(Transport, AMirrorShowsTheLamp) {
   SceneDescription description;
-  description.materials = {surface(Conductor{{0.2f, 0.2f, 0.2f}, {3.9f, 3.9f, 3.9f}, 0.0f}), testing::lambertian(black, 5.0f * white)};
+  description.materials = {surface(Conductor{{0.2f, 0.2f, 0.2f}, {3.9f, 3.9f, 3.9f}, 0.0f}),
+                           testing::lambertian(black, 5.0f * white)};
   description.meshes = {testing::parallelogram({-5, 0, -5}, {0, 0, 10}, {10, 0, 0}, 0),
                         testing::parallelogram({-2, 2, -2}, {4, 0, 0}, {0, 0, 4}, 1)};  // x × z = −y: shines down
   description.lights = {{{0.0f, 1.0f, 0.0f}, white}};
@@ -166,7 +174,8 @@ TEST(Transport, TheThreeLoopsAgreeOnDiffuseScenes) {
   const testing::Estimate expected = measured(plain, camera, 128, 8);
   SceneDescription smooth = description;  // flat normals, spelt out
   for (Mesh& mesh : smooth.meshes) {
-    const Vector3f n = (mesh.positions[1] - mesh.positions[0]).cross(mesh.positions[2] - mesh.positions[0]).normalized();
+    const Vector3f n =
+        (mesh.positions[1] - mesh.positions[0]).cross(mesh.positions[2] - mesh.positions[0]).normalized();
     mesh.normals.assign(mesh.positions.size(), n);
   }
   const Scene diffuse(smooth);
@@ -188,10 +197,12 @@ TEST(Transport, AWhitePlasticRoomIsAFurnace) {
   wall.emission = white;
   description.materials = {wall};
   description.meshes = testing::room(1.0f, 0);
-  expect_near(measured(Scene(description), EyeCamera(in_the_room(), testing::pinhole_rays()), 64, 3), 4.0, "plastic room");
+  expect_near(measured(Scene(description), EyeCamera(in_the_room(), testing::pinhole_rays()), 64, 3), 4.0,
+              "plastic room");
 }
 
-// A sphere of triangles with smooth normals, 24 × 12: in a furnace it stays as bright as its albedo but for what bends below the facets.
+// A sphere of triangles with smooth normals, 24 × 12: in a furnace it stays as bright as its albedo but for what bends
+// below the facets.
 TEST(SmoothNormals, NoLightLeaksAndLittleIsLost) {
   SceneDescription description;
   description.materials = {testing::lambertian({0.8f, 0.8f, 0.8f})};
@@ -201,7 +212,8 @@ TEST(SmoothNormals, NoLightLeaksAndLittleIsLost) {
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= around; ++i) {
       const double theta = pi * j / rows, phi = 2.0 * pi * i / around;
-      const Vector3f n = Vector3d(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)).cast<float>();
+      const Vector3f n =
+          Vector3d(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)).cast<float>();
       ball.normals.push_back(n);
       ball.positions.push_back(n + Vector3f(0, 0, -3));
     }

@@ -5,7 +5,8 @@
 namespace sturm {
 namespace {
 
-/// Dimensions 2 + 3·bounce: scatter, light, roulette, written out here so that no path may move to other numbers unnoticed.
+/// Dimensions 2 + 3·bounce: scatter, light, roulette, written out here so that no path may move to other numbers
+/// unnoticed.
 void expect_sequence_itself(Sequence kind, std::uint32_t count = 16) {
   const PixelSequence sequence(kind, 7, 1234);
   VertexNumbers numbers(sequence);
@@ -22,7 +23,8 @@ void expect_sequence_itself(Sequence kind, std::uint32_t count = 16) {
         EXPECT_EQ(got.scatter.x, expected.x) << sample << ", " << bounce;
         EXPECT_EQ(got.scatter.y, expected.y) << sample << ", " << bounce;
         EXPECT_EQ(got.scatter.z, expected.z) << sample << ", " << bounce;
-        EXPECT_EQ(numbers.survive(sample, static_cast<int>(bounce)), unit_float(sequence.single(sample, 2 + 3 * bounce + 2)));
+        EXPECT_EQ(numbers.survive(sample, static_cast<int>(bounce)),
+                  unit_float(sequence.single(sample, 2 + 3 * bounce + 2)));
       }
   }
 }

@@ -31,7 +31,8 @@ const Vector3f one(1.0f, 1.0f, 1.0f);
 
 TEST(EnvironmentMap, DirectionsOfThePicture) {
   // A pixel of its own colour each: column + 8 · row.
-  const auto numbered = picture(8, 4, [](int x, int y) { return Vector3f(static_cast<float>(x), static_cast<float>(y), 0.0f); });
+  const auto numbered =
+      picture(8, 4, [](int x, int y) { return Vector3f(static_cast<float>(x), static_cast<float>(y), 0.0f); });
   const EnvironmentMap map(numbered, one, 0.0f);
   EXPECT_EQ(map.radiance({0.1f, 10.0f, 0.1f}).y(), 0.0f);   // up: top row
   EXPECT_EQ(map.radiance({0.1f, -10.0f, 0.1f}).y(), 3.0f);  // down: bottom row
@@ -46,7 +47,8 @@ TEST(EnvironmentMap, DirectionsOfThePicture) {
 TEST(EnvironmentMap, SamplesHaveTheStatedDensityAndRadiance) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> uniform(0.0f, std::nextafter(1.0f, 0.0f));
-  const auto noise = picture(16, 9, [&](int, int) { return Vector3f(uniform(random), uniform(random), std::pow(uniform(random), 8.0f)); });
+  const auto noise = picture(
+      16, 9, [&](int, int) { return Vector3f(uniform(random), uniform(random), std::pow(uniform(random), 8.0f)); });
   const EnvironmentMap map(noise, {1.0f, 2.0f, 3.0f}, 0.4f);
   // E[1/pdf] is the sphere's solid angle and E[L/pdf] the flux density, whatever the density is.
   constexpr int n = 1 << 18;
@@ -64,7 +66,8 @@ TEST(EnvironmentMap, SamplesHaveTheStatedDensityAndRadiance) {
   }
   for (int y = 0; y < 9; ++y)
     for (int x = 0; x < 16; ++x)
-      green_expected += 2.0 * static_cast<double>(noise->at(x, y)[1]) * (std::cos(pi * y / 9) - std::cos(pi * (y + 1) / 9)) * 2.0 * pi / 16;
+      green_expected += 2.0 * static_cast<double>(noise->at(x, y)[1]) *
+                        (std::cos(pi * y / 9) - std::cos(pi * (y + 1) / 9)) * 2.0 * pi / 16;
   EXPECT_NEAR(sphere / n, 4.0 * pi, 4.0 * pi * 0.01);             // 4σ; luminances differ by a factor of 2 or so
   EXPECT_NEAR(green / n, green_expected, green_expected * 2e-3);  // nearly constant weights
 }
@@ -84,7 +87,8 @@ testing::Estimate floor_radiance(const Scene& scene) {
     settings.samples_per_pixel = 1024;
     settings.max_bounces = 1;
     settings.seed = seed;
-    values.push_back(static_cast<double>(render(scene, testing::spot_meter({1, 2, 3}, {0, 0, 0}), settings).radiance.at(0, 0)[0]));
+    values.push_back(
+        static_cast<double>(render(scene, testing::spot_meter({1, 2, 3}, {0, 0, 0}), settings).radiance.at(0, 0)[0]));
   }
   return testing::Estimate::of(values);
 }
@@ -102,10 +106,16 @@ TEST(EnvironmentLight, ConstantSkyIsExact) {
 
 TEST(EnvironmentLight, HalfBrightSkies) {
   // The upper 60°: E = π sin² 60°. The half to the right: π/2, wherever it is turned. Only below the horizon: nothing.
-  expect_irradiance(floor_under(picture(4, 90, [](int, int y) { return Vector3f(y < 30 ? one : 0.0f * one); }), one), 0.75 * pi);
+  expect_irradiance(floor_under(picture(4, 90, [](int, int y) { return Vector3f(y < 30 ? one : 0.0f * one); }), one),
+                    0.75 * pi);
   for (float rotation : {0.0f, 1.0f, -2.5f})
-    expect_irradiance(floor_under(picture(4, 2, [](int x, int) { return Vector3f(x >= 2 ? one : 0.0f * one); }), one, rotation), 0.5 * pi);
-  EXPECT_EQ(floor_radiance(floor_under(picture(4, 2, [](int, int y) { return Vector3f(static_cast<float>(y) * one); }), one)).mean, 0.0);
+    expect_irradiance(
+        floor_under(picture(4, 2, [](int x, int) { return Vector3f(x >= 2 ? one : 0.0f * one); }), one, rotation),
+        0.5 * pi);
+  EXPECT_EQ(
+      floor_radiance(floor_under(picture(4, 2, [](int, int y) { return Vector3f(static_cast<float>(y) * one); }), one))
+          .mean,
+      0.0);
 }
 
 TEST(EnvironmentLight, IsSeenByTheCameraAndSharesTheChoicesWithLamps) {

@@ -19,7 +19,8 @@ using Eigen::Vector3f;
 const Vector3f white(1.0f, 1.0f, 1.0f), any_side(0.0f, 0.0f, 0.0f), up(0.0f, 1.0f, 0.0f);
 
 void add(LightSet& lights, const Mesh& mesh, const Vector3f& radiance) {
-  for (const auto& t : mesh.triangles) lights.add_triangle(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], radiance);
+  for (const auto& t : mesh.triangles)
+    lights.add_triangle(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], radiance);
 }
 
 /// A ceiling panel (normal −y) of two triangles, 1 × 1 m at height 2 m; a round lamp; a sphere; a point light.
@@ -68,7 +69,8 @@ TEST(LightGroups, TwoTrianglesThatCompleteEachOtherAreAParallelogram) {
 // One unit of (u, v) area covers 1/pdf of solid angle, and a scattered ray to the same place is given the same density.
 TEST(LightGroups, AParallelogramsSamplesHaveTheirDensity) {
   LightSet lights;
-  const Vector3f a(-0.4f, 1.5f, 0.2f), b(0.6f, 1.4f, 0.1f), d(-0.5f, 1.7f, 1.0f), c = b + d - a, normal = (b - a).cross(d - a).normalized();
+  const Vector3f a(-0.4f, 1.5f, 0.2f), b(0.6f, 1.4f, 0.1f), d(-0.5f, 1.7f, 1.0f),
+      c = b + d - a, normal = (b - a).cross(d - a).normalized();
   const bool faces = normal.dot(a) < 0.0f;
   const Vector3f p = faces ? b : d, q = faces ? d : b, n = faces ? normal : Vector3f(-normal);
   lights.add_triangle(a, p, c, white);
@@ -78,13 +80,17 @@ TEST(LightGroups, AParallelogramsSamplesHaveTheirDensity) {
   constexpr float h = 1.0f / 256.0f;
   for (float u : {0.1f, 0.5f, 0.9f})
     for (float v : {0.2f, 0.6f, 0.8f}) {
-      const auto direction = [&](float x, float y) { return Vector3f(lights.sample({0, 0, 0}, any_side, x, y).direction); };
+      const auto direction = [&](float x, float y) {
+        return Vector3f(lights.sample({0, 0, 0}, any_side, x, y).direction);
+      };
       const auto unit = [&](float x, float y) { return Vector3d(direction(x, y).cast<double>().normalized()); };
       const Vector3d du = (unit(u + h, v) - unit(u - h, v)) / (2.0 * static_cast<double>(h));
       const Vector3d dv = (unit(u, v + h) - unit(u, v - h)) / (2.0 * static_cast<double>(h));
       const float pdf = lights.sample({0, 0, 0}, any_side, u, v).pdf;
-      EXPECT_NEAR(du.cross(dv).norm() * static_cast<double>(pdf), 1.0, 2e-4);  // O(h²) = 2e−5, and rounding 1e−7/h = 3e−5 twice
-      for (int light : {0, 1}) EXPECT_NEAR(lights.pdf(light, {0, 0, 0}, any_side, direction(u, v), n) / pdf, 1.0f, 1e-5f);
+      EXPECT_NEAR(du.cross(dv).norm() * static_cast<double>(pdf), 1.0,
+                  2e-4);  // O(h²) = 2e−5, and rounding 1e−7/h = 3e−5 twice
+      for (int light : {0, 1})
+        EXPECT_NEAR(lights.pdf(light, {0, 0, 0}, any_side, direction(u, v), n) / pdf, 1.0f, 1e-5f);
     }
 }
 
@@ -147,30 +153,35 @@ TEST(LightGroups, IndependentChoicesPassChiSquared) {
 }
 
 TEST(LightGroups, ChosenByIrradiance) {
-  // Two equal small bulbs above a floor, straight up at 1 m and at 2 m: irradiances 4 : 1. A tenth goes by power, 1 : 1.
-  // 0.9 · 4/5 + 0.1 · 1/2 = 0.77. The bound of the cosine adds R/d to it: 1e−4 and half of that.
+  // Two equal small bulbs above a floor, straight up at 1 m and at 2 m: irradiances 4 : 1. A tenth goes by power, 1
+  // : 1. 0.9 · 4/5 + 0.1 · 1/2 = 0.77. The bound of the cosine adds R/d to it: 1e−4 and half of that.
   LightSet heights;
   heights.add_sphere({0, 1, 0}, 1e-4f, white);
   heights.add_sphere({0, 2, 0}, 1e-4f, white);
   heights.finish();
   EXPECT_NEAR(heights.groups().probability(heights.groups().group_of(0), {0, 0, 0}, up), 0.77, 2e-5);
-  // At one distance, at 0° and at 60° from the normal: 1 : 1/2, so 0.9 · 2/3 + 0.05 = 0.65; without a normal they are equal.
+  // At one distance, at 0° and at 60° from the normal: 1 : 1/2, so 0.9 · 2/3 + 0.05 = 0.65; without a normal they are
+  // equal.
   LightSet angles;
   angles.add_sphere({0, 1, 0}, 1e-4f, white);
   angles.add_sphere({0.86602540f, 0.5f, 0}, 1e-4f, white);
   angles.finish();
   EXPECT_NEAR(angles.groups().probability(angles.groups().group_of(0), {0, 0, 0}, up), 0.65, 2e-5);
   EXPECT_NEAR(angles.groups().probability(angles.groups().group_of(0), {0, 0, 0}, any_side), 0.5, 1e-6);
-  // A panel of 1 cm² and radiance 4π·10⁴ that faces the point from 1 m sends as much as a point light of intensity 4π: equal powers would
-  // be π L A = 4π² against 4π I = 16π², so 0.9/2 + 0.1/5 = 0.47. Its radius of 7 mm adds as much to its cosine.
+  // A panel of 1 cm² and radiance 4π·10⁴ that faces the point from 1 m sends as much as a point light of intensity 4π:
+  // equal powers would be π L A = 4π² against 4π I = 16π², so 0.9/2 + 0.1/5 = 0.47. Its radius of 7 mm adds as much to
+  // its cosine.
   const float radiance = 4e4f * std::numbers::pi_v<float>;
   LightSet panel;
   panel.add_triangle({-0.005f, 1, -0.005f}, {0.005f, 1, -0.005f}, {0.005f, 1, 0.005f}, radiance * white);
   panel.add_triangle({-0.005f, 1, -0.005f}, {0.005f, 1, 0.005f}, {-0.005f, 1, 0.005f}, radiance * white);
-  panel.add_point({0.70710678f, 0.70710678f, 0}, 4.0f * std::numbers::sqrt2_v<float> * std::numbers::pi_v<float> * white);
+  panel.add_point({0.70710678f, 0.70710678f, 0},
+                  4.0f * std::numbers::sqrt2_v<float> * std::numbers::pi_v<float> * white);
   panel.finish();
-  // The point light stands at 45°: its intensity is larger by √2 in turn, and so is its power: 0.9/2 + 0.1/(1 + 4√2) = 0.46502.
-  EXPECT_NEAR(panel.groups().probability(panel.groups().group_of(0), {0, 0, 0}, up), 0.46502, 0.9 * 0.25 * 0.0071 + 1e-4);
+  // The point light stands at 45°: its intensity is larger by √2 in turn, and so is its power: 0.9/2 + 0.1/(1 + 4√2) =
+  // 0.46502.
+  EXPECT_NEAR(panel.groups().probability(panel.groups().group_of(0), {0, 0, 0}, up), 0.46502,
+              0.9 * 0.25 * 0.0071 + 1e-4);
 }
 
 TEST(LightGroups, NothingIsChosenThatCannotShine) {
@@ -178,9 +189,10 @@ TEST(LightGroups, NothingIsChosenThatCannotShine) {
   const int panel = lights.groups().group_of(0);
   EXPECT_EQ(lights.groups().probability(panel, {0.5f, 2.5f, 0.5f}, any_side), 0.0f);  // behind the panel
   EXPECT_EQ(lights.groups().probability(panel, {0, 3, 0}, up), 0.0f);
-  EXPECT_EQ(lights.groups().choose({0, 3, 0}, up, 0.4f).probability, 0.0f);                                       // all lights are below
-  EXPECT_GT(lights.groups().probability(panel, {0.5f, 1.999f, 0.5f}, up), 0.0f);                                  // 1 mm below, facing it
-  EXPECT_GT(lights.groups().probability(panel, {0.0f, 1.9f, -0.2f}, Vector3f(0, 0.02f, -1).normalized()), 0.0f);  // only its rim is above
+  EXPECT_EQ(lights.groups().choose({0, 3, 0}, up, 0.4f).probability, 0.0f);       // all lights are below
+  EXPECT_GT(lights.groups().probability(panel, {0.5f, 1.999f, 0.5f}, up), 0.0f);  // 1 mm below, facing it
+  EXPECT_GT(lights.groups().probability(panel, {0.0f, 1.9f, -0.2f}, Vector3f(0, 0.02f, -1).normalized()),
+            0.0f);  // only its rim is above
 }
 
 TEST(LightGroups, ManyGroupsAreChosenByPower) {
@@ -203,12 +215,14 @@ TEST(LightGroups, DirectionsOfARoundLampFillItsConeEvenly) {
     const auto u = owen_sobol::pair(i, 12);
     const LightSample s = lights.sample({0, 0, 0}, any_side, unit_float(u.x), unit_float(u.y));
     ASSERT_EQ(s.group, 0);
-    ASSERT_NEAR(static_cast<double>(s.pdf) * 2.0 * std::numbers::pi * cap, 1.0, 5e-5);  // the sphere's margin of 1e−5, twice
+    ASSERT_NEAR(static_cast<double>(s.pdf) * 2.0 * std::numbers::pi * cap, 1.0,
+                5e-5);  // the sphere's margin of 1e−5, twice
     const double drop = 1.0 - axis.dot(s.direction.cast<double>().normalized());
     // Equal solid angles between equal drops of the cosine.
     ++rings[std::min<std::size_t>(15, static_cast<std::size_t>(16.0 * std::max(0.0, drop) / cap))];
   }
-  for (const int count : rings) EXPECT_NEAR(count, n / 16, 12);  // a (0,2)-sequence keeps its strata; rounding at the rings' edges
+  for (const int count : rings)
+    EXPECT_NEAR(count, n / 16, 12);  // a (0,2)-sequence keeps its strata; rounding at the rings' edges
 }
 
 TEST(LightGroups, ARoundLampIsPutOnItsSamplesDensity) {
@@ -233,7 +247,8 @@ TEST(LightGroups, InsideItsSphereARoundLampIsSampledByArea) {
   ASSERT_TRUE(lights.groups().group(0).round);
   // Just outside of a face, inside of the sphere.
   const auto& t = lamp.triangles.front();
-  const Vector3f middle = (lamp.positions[t[0]] + lamp.positions[t[1]] + lamp.positions[t[2]]) / 3.0f, point = 1.01f * middle;
+  const Vector3f middle = (lamp.positions[t[0]] + lamp.positions[t[1]] + lamp.positions[t[2]]) / 3.0f,
+                 point = 1.01f * middle;
   ASSERT_LT(point.norm(), 1.0f);
   int valid = 0;
   for (std::uint32_t i = 0; i < 4096; ++i) {

@@ -24,7 +24,8 @@ struct Triangle {
   Vector3f normal() const { return (b - a).cross(c - a).normalized(); }
 };
 
-const Triangle tilted{{-0.4f, 0.9f, 0.1f}, {0.7f, 1.0f, -0.3f}, {0.1f, 1.2f, 0.8f}};  // its normal has y < 0: it faces the origin
+const Triangle tilted{
+    {-0.4f, 0.9f, 0.1f}, {0.7f, 1.0f, -0.3f}, {0.1f, 1.2f, 0.8f}};  // its normal has y < 0: it faces the origin
 const Vector3f ball(0.5f, -1.0f, 1.5f);
 constexpr float ball_radius = 0.6f;
 
@@ -43,12 +44,14 @@ std::optional<double> distance_to(const Triangle& t, const Vector3d& w) {
 
 std::optional<double> distance_to_ball(const Vector3d& w) {
   const Vector3d c = ball.cast<double>();
-  const double b = c.dot(w), discriminant = b * b - c.squaredNorm() + static_cast<double>(ball_radius) * static_cast<double>(ball_radius);
+  const double b = c.dot(w), discriminant = b * b - c.squaredNorm() +
+                                            static_cast<double>(ball_radius) * static_cast<double>(ball_radius);
   if (b < 0 || discriminant < 0) return std::nullopt;
   return b - std::sqrt(discriminant);
 }
 
-// Midpoint rule over the whole sphere of directions; the boundary of the lights costs O(1/N) = a few 1e−4 with N = 1200 × 2400.
+// Midpoint rule over the whole sphere of directions; the boundary of the lights costs O(1/N) = a few 1e−4 with N = 1200
+// × 2400.
 TEST(LightSet, DensityIntegratesToOneOverAllDirections) {
   LightSet lights;
   const int triangle = lights.add_triangle(tilted.a, tilted.b, tilted.c, 3.0f * white);
@@ -62,11 +65,13 @@ TEST(LightSet, DensityIntegratesToOneOverAllDirections) {
       const Vector3d w(s * std::cos(phi), s * std::sin(phi), z);
       const double solid_angle = 4.0 * pi / (static_cast<double>(rows) * columns);
       if (const auto t = distance_to(tilted, w))
-        total +=
-            static_cast<double>(lights.pdf(triangle, Vector3f::Zero(), any_side, (*t * w).cast<float>(), tilted.normal())) * solid_angle;
+        total += static_cast<double>(
+                     lights.pdf(triangle, Vector3f::Zero(), any_side, (*t * w).cast<float>(), tilted.normal())) *
+                 solid_angle;
       if (const auto t = distance_to_ball(w)) {
         const Vector3f at = (*t * w).cast<float>();
-        total += static_cast<double>(lights.pdf(sphere, Vector3f::Zero(), any_side, at, (at - ball) / ball_radius)) * solid_angle;
+        total += static_cast<double>(lights.pdf(sphere, Vector3f::Zero(), any_side, at, (at - ball) / ball_radius)) *
+                 solid_angle;
       }
     }
   EXPECT_NEAR(total, 1.0, 2e-3);
@@ -108,7 +113,7 @@ TEST(LightSet, SamplesLieOnTheLight) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const auto u = owen_sobol::pair(i, 7);
     const Vector3f at = sphere.sample(Vector3f::Zero(), any_side, unit_float(u.x), unit_float(u.y)).direction;
-    EXPECT_NEAR((at - ball).norm(), ball_radius, 1e-3f);                                      // √ε of a float at the limb
+    EXPECT_NEAR((at - ball).norm(), ball_radius, 1e-3f);  // √ε of a float at the limb
     EXPECT_LE(at.norm(), std::sqrt(ball.squaredNorm() - ball_radius * ball_radius) + 1e-3f);  // on the near side
   }
 }
@@ -124,7 +129,8 @@ void expect_jacobian(const LightSet& lights, const Vector3f& point) {
       const Vector3d du = (unit(u + h, v) - unit(u - h, v)) / (2.0 * static_cast<double>(h));
       const Vector3d dv = (unit(u, v + h) - unit(u, v - h)) / (2.0 * static_cast<double>(h));
       // Truncation O(h²): (h/u)²/8 of the square root and (2πh)²/6 of the azimuth, up to 2e−4; rounding 1e−7/h = 3e−5.
-      EXPECT_NEAR(du.cross(dv).norm() * static_cast<double>(lights.sample(point, any_side, u, v).pdf), 1.0, 1e-3) << u << " " << v;
+      EXPECT_NEAR(du.cross(dv).norm() * static_cast<double>(lights.sample(point, any_side, u, v).pdf), 1.0, 1e-3)
+          << u << " " << v;
     }
 }
 
@@ -169,7 +175,8 @@ TEST(LightSet, LightsAtOneDistanceAreChosenByPower) {
     ASSERT_TRUE(s.delta);
     ASSERT_NEAR(s.pdf, static_cast<double>(intensities[k]) / total, 1e-6);
   }
-  for (std::size_t k = 0; k < counts.size(); ++k) EXPECT_NEAR(counts[k], n * static_cast<double>(intensities[k]) / total, 8.0) << k;
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    EXPECT_NEAR(counts[k], n * static_cast<double>(intensities[k]) / total, 8.0) << k;
 }
 
 TEST(LightSet, IndependentChoicesPassChiSquared) {
@@ -185,12 +192,14 @@ TEST(LightSet, IndependentChoicesPassChiSquared) {
     ++counts[static_cast<std::size_t>(
         std::lround(lights.sample(Vector3f::Zero(), any_side, unit_float(owen_sobol::mixed(i)), 0.5f).direction.x()))];
   double sum = 0.0;
-  for (int k = 0; k < 8; ++k) sum += std::pow(counts[static_cast<std::size_t>(k)] - n * (k + 1) / 36.0, 2) / (n * (k + 1) / 36.0);
+  for (int k = 0; k < 8; ++k)
+    sum += std::pow(counts[static_cast<std::size_t>(k)] - n * (k + 1) / 36.0, 2) / (n * (k + 1) / 36.0);
   EXPECT_LT(sum, testing::chi_squared_limit(7));
 }
 
 TEST(LightSet, WhatIsLeftOfTheChoiceIsUniform) {
-  // Two equal spheres side by side, one five times as bright: within each, the drop below the cone's axis is uniform in u.
+  // Two equal spheres side by side, one five times as bright: within each, the drop below the cone's axis is uniform in
+  // u.
   LightSet lights;
   lights.add_sphere({-3.0f, 0, 10.0f}, 1.0f, white);
   lights.add_sphere({+3.0f, 0, 10.0f}, 1.0f, 5.0f * white);
@@ -199,13 +208,15 @@ TEST(LightSet, WhatIsLeftOfTheChoiceIsUniform) {
   const double cap = 1.0 - std::sqrt(1.0 - 1.0 / 109.0);
   std::vector<double> drops[2];
   for (int i = 0; i < (1 << 14); ++i) {
-    const Vector3f w = lights.sample(Vector3f::Zero(), any_side, (static_cast<float>(i) + 0.5f) / (1 << 14), 0.3f).direction;
+    const Vector3f w =
+        lights.sample(Vector3f::Zero(), any_side, (static_cast<float>(i) + 0.5f) / (1 << 14), 0.3f).direction;
     const int k = w.x() > 0.0f;
     drops[k].push_back(0.5 * (w.cast<double>().normalized() - axes[k].cast<double>().normalized()).squaredNorm() / cap);
   }
   for (auto& d : drops) {
     std::sort(d.begin(), d.end());
-    for (std::size_t i = 0; i < d.size(); ++i) ASSERT_NEAR(d[i], (static_cast<double>(i) + 0.5) / static_cast<double>(d.size()), 2e-3);
+    for (std::size_t i = 0; i < d.size(); ++i)
+      ASSERT_NEAR(d[i], (static_cast<double>(i) + 0.5) / static_cast<double>(d.size()), 2e-3);
   }
 }
 

@@ -1,4 +1,5 @@
-// Materials one by one: sampling against density, density against the Jacobian of the sampling map, reciprocity, energy.
+// Materials one by one: sampling against density, density against the Jacobian of the sampling map, reciprocity,
+// energy.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -52,7 +53,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// Upper tail of χ² with k degrees of freedom as a normal deviate (Wilson & Hilferty 1931; error below 0.02 for k > 30).
+/// Upper tail of χ² with k degrees of freedom as a normal deviate (Wilson & Hilferty 1931; error below 0.02 for k >
+/// 30).
 double normal_deviate(double chi_squared, double k) {
   return (std::cbrt(chi_squared / k) - (1.0 - 2.0 / (9.0 * k))) / std::sqrt(2.0 / (9.0 * k));
 }
@@ -63,7 +65,8 @@ TEST(MaterialSampling, SlowFollowsTheDensity) {
   const auto all = cases();
   std::mt19937_64 random(20250801);
   std::uniform_real_distribution<float> uniform(0.0f, std::nextafter(1.0f, 0.0f));
-  // 1 % for the whole family: Šidák's level for each of 84 tests is 1 − 0.99^(1/84) = 1.2e−4, one-sided normal deviate 3.67.
+  // 1 % for the whole family: Šidák's level for each of 84 tests is 1 − 0.99^(1/84) = 1.2e−4, one-sided normal
+  // deviate 3.67.
   ASSERT_EQ(all.size(), 84u);
   constexpr double largest_deviate = 3.67;
   for (const Case& c : all) {
@@ -72,8 +75,8 @@ TEST(MaterialSampling, SlowFollowsTheDensity) {
     for (int i = 0; i < rows * fine; ++i)
       for (int j = 0; j < columns * fine; ++j) {
         const double theta = pi * (i + 0.5) / (rows * fine), phi = 2.0 * pi * (j + 0.5) / (columns * fine) - pi;
-        const double p = static_cast<double>(evaluate(c.model, c.out, direction(theta, phi), grey).pdf) * std::sin(theta) * 2.0 * pi * pi /
-                         (static_cast<double>(rows) * columns * fine * fine);
+        const double p = static_cast<double>(evaluate(c.model, c.out, direction(theta, phi), grey).pdf) *
+                         std::sin(theta) * 2.0 * pi * pi / (static_cast<double>(rows) * columns * fine * fine);
         expected[(i / fine) * columns + j / fine] += p * n;
         mass += p;
       }
@@ -87,8 +90,8 @@ TEST(MaterialSampling, SlowFollowsTheDensity) {
         continue;
       }
       ASSERT_NEAR(s.in.norm(), 1.0f, 1e-5f) << c.name;
-      const double theta =
-          std::atan2(std::hypot(static_cast<double>(s.in.x()), static_cast<double>(s.in.y())), static_cast<double>(s.in.z()));
+      const double theta = std::atan2(std::hypot(static_cast<double>(s.in.x()), static_cast<double>(s.in.y())),
+                                      static_cast<double>(s.in.z()));
       const int row = std::min(rows - 1, static_cast<int>(theta / pi * rows));
       const double turn = (std::atan2(static_cast<double>(s.in.y()), static_cast<double>(s.in.x())) + pi) / (2.0 * pi);
       ++seen[row * columns + std::min(columns - 1, static_cast<int>(turn * columns))];
@@ -108,7 +111,8 @@ TEST(MaterialSampling, SlowFollowsTheDensity) {
       }
     }
     if (pooled_expected >= 20.0) count(pooled_expected, pooled_seen);
-    EXPECT_LT(normal_deviate(chi_squared, bins - 1), largest_deviate) << c.name << ": chi² " << chi_squared << " of " << bins << " bins";
+    EXPECT_LT(normal_deviate(chi_squared, bins - 1), largest_deviate)
+        << c.name << ": chi² " << chi_squared << " of " << bins << " bins";
   }
 }
 
@@ -132,27 +136,32 @@ constexpr float difference = 1e-3f;
 /// |∂in/∂u × ∂in/∂v| by central differences.
 double jacobian(const SurfaceModel& model, const Vector3f& out, float u, float v, float lobe) {
   constexpr float h = difference;
-  const auto at = [&](float du, float dv) { return Vector3d(sample(model, out, {u + du, v + dv, lobe}, grey).in.cast<double>()); };
+  const auto at = [&](float du, float dv) {
+    return Vector3d(sample(model, out, {u + du, v + dv, lobe}, grey).in.cast<double>());
+  };
   const Vector3d along_u = (at(h, 0) - at(-h, 0)) / (2.0 * static_cast<double>(h));
   const Vector3d along_v = (at(0, h) - at(0, -h)) / (2.0 * static_cast<double>(h));
   return along_u.cross(along_v).norm();
 }
 
-// No noise and no seed: where a single lobe maps the unit square to directions, its area element is 1/pdf. For the dielectric the density
-// holds the probability of the lobe, so that area · pdf is F or 1 − F of the facet.
+// No noise and no seed: where a single lobe maps the unit square to directions, its area element is 1/pdf. For the
+// dielectric the density holds the probability of the lobe, so that area · pdf is F or 1 − F of the facet.
 TEST(MaterialSampling, AreaElementIsOneOverTheDensity) {
   const float us[] = {0.12f, 0.37f, 0.81f}, vs[] = {0.23f, 0.55f, 0.71f};
   int checked = 0;
-  const auto check = [&](const SurfaceModel& model, const Vector3f& out, float u, float v, float lobe, const auto& probability) {
+  const auto check = [&](const SurfaceModel& model, const Vector3f& out, float u, float v, float lobe,
+                         const auto& probability) {
     const BsdfSample s = sample(model, out, {u, v, lobe}, grey);
     if (!(s.pdf > 0.0f)) return;
-    for (const auto& [du, dv] : {std::pair{difference, 0.0f}, {-difference, 0.0f}, {0.0f, difference}, {0.0f, -difference}}) {
+    for (const auto& [du, dv] :
+         {std::pair{difference, 0.0f}, {-difference, 0.0f}, {0.0f, difference}, {0.0f, -difference}}) {
       const BsdfSample beside = sample(model, out, {u + du, v + dv, lobe}, grey);
       if (!(beside.pdf > 0.0f) || beside.in.z() * s.in.z() < 0.0f) return;  // the lobe ends here
     }
     const double expected = probability(s.in);
     // O(h²) of the differences with h = 1e−3 (measured below 2e−3), rounding 6e−8/h.
-    EXPECT_NEAR(jacobian(model, out, u, v, lobe) * static_cast<double>(s.pdf), expected, 5e-3 * expected) << u << ' ' << v;
+    EXPECT_NEAR(jacobian(model, out, u, v, lobe) * static_cast<double>(s.pdf), expected, 5e-3 * expected)
+        << u << ' ' << v;
     ++checked;
   };
   const auto certain = [](const Vector3f&) { return 1.0; };
@@ -169,7 +178,8 @@ TEST(MaterialSampling, AreaElementIsOneOverTheDensity) {
               const Vector3f h = (from + in).normalized();
               return static_cast<double>(fresnel_dielectric(std::abs(from.dot(h)), eta).reflectance);
             });
-            // Towards total reflection the derivative of Snell's law grows without bound: no finite difference holds there.
+            // Towards total reflection the derivative of Snell's law grows without bound: no finite difference holds
+            // there.
             const BsdfSample passed = sample(Dielectric{1.5f, roughness}, from, {u, v, 0.999f}, grey);
             if (!(passed.in.dot((from + eta * passed.in).normalized()) * (eta > 1.0f ? -1.0f : 1.0f) < -0.4f) &&
                 passed.in.z() * from.z() < 0.0f)
@@ -189,8 +199,8 @@ TEST(MaterialSampling, AreaElementIsOneOverTheDensity) {
 TEST(Materials, AreReciprocal) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> uniform(0.05, 0.95);
-  const std::vector<SurfaceModel> models{Diffuse{}, Conductor{{0.2f, 0.9f, 1.1f}, {3.9f, 2.4f, 2.1f}, 0.6f}, Dielectric{1.5f, 0.8f},
-                                         Plastic(1.5f, 0.6f), Plastic(1.5f, 0.0f)};
+  const std::vector<SurfaceModel> models{Diffuse{}, Conductor{{0.2f, 0.9f, 1.1f}, {3.9f, 2.4f, 2.1f}, 0.6f},
+                                         Dielectric{1.5f, 0.8f}, Plastic(1.5f, 0.6f), Plastic(1.5f, 0.0f)};
   for (std::size_t m = 0; m < models.size(); ++m) {
     int through = 0;
     for (int k = 0; k < 2000; ++k) {
@@ -201,17 +211,20 @@ TEST(Materials, AreReciprocal) {
       // Radiance over n²: [Veach1997, eq. 5.14].
       const float n2 = std::holds_alternative<Dielectric>(models[m]) ? 2.25f : 1.0f;
       const float left = ab / (a.z() > 0.0f ? 1.0f : n2), right = ba / (b.z() > 0.0f ? 1.0f : n2);
-      EXPECT_NEAR(left, right, 1e-4f * std::max(left, right) + 1e-6f) << m;  // rounding, of half vectors at grazing angles most
+      EXPECT_NEAR(left, right, 1e-4f * std::max(left, right) + 1e-6f)
+          << m;  // rounding, of half vectors at grazing angles most
       through += left > 0.0f && a.z() * b.z() < 0.0f;
     }
     EXPECT_EQ(through > 0, std::holds_alternative<Dielectric>(models[m]));
   }
   // The seed's are not.
   const Vector3f a = direction(0.2, 0.0), b = direction(1.2, pi);
-  EXPECT_GT(evaluate(SeedDiffuse{}, b, a, grey).value[0] / a.z(), 5.0f * evaluate(SeedDiffuse{}, a, b, grey).value[0] / b.z());
+  EXPECT_GT(evaluate(SeedDiffuse{}, b, a, grey).value[0] / a.z(),
+            5.0f * evaluate(SeedDiffuse{}, a, b, grey).value[0] / b.z());
 }
 
-/// Reflected and transmitted share of unit radiance from everywhere (inside a body of index n: n²): the mean weight of 2^18 samples.
+/// Reflected and transmitted share of unit radiance from everywhere (inside a body of index n: n²): the mean weight of
+/// 2^18 samples.
 double furnace(const SurfaceModel& model, const Vector3f& out, const Vector3f& albedo, double index = 1.0) {
   constexpr int n = 1 << 18;
   std::mt19937_64 random(3);
@@ -231,15 +244,18 @@ TEST(MaterialFurnace, SmoothAndDiffuseConserveEnergy) {
     const Vector3f out = direction(theta, 0.3);
     EXPECT_NEAR(furnace(Diffuse{}, out, white), 1.0, 1e-6);
     EXPECT_NEAR(furnace(Conductor{no_eta, white, 0.0f}, out, white), 1.0, 1e-6);
-    // Inside and outside: what is transmitted has n² times the radiance on its side. 1/64: the grid's step of the choice of a lobe.
-    for (const Vector3f& from : {out, Vector3f(-out)}) EXPECT_NEAR(furnace(Dielectric{1.5f, 0.0f}, from, white, 1.5), 1.0, 1e-5) << theta;
+    // Inside and outside: what is transmitted has n² times the radiance on its side. 1/64: the grid's step of the
+    // choice of a lobe.
+    for (const Vector3f& from : {out, Vector3f(-out)})
+      EXPECT_NEAR(furnace(Dielectric{1.5f, 0.0f}, from, white, 1.5), 1.0, 1e-5) << theta;
     // 4σ: the weights of coat and base differ by at most 0.7 near grazing incidence, 0.35/√2^18.
     EXPECT_NEAR(furnace(Plastic(1.5f, 0.0f), out, white), 1.0, 3e-3) << theta;
     EXPECT_NEAR(furnace(SeedDiffuse{}, out, white), 1.0, 1e-6);
   }
 }
 
-/// Directional albedo of white GGX without multiple reflection in double: ∫ D G₂ / (4 cos θ_out) dω_in over the half vector's angles.
+/// Directional albedo of white GGX without multiple reflection in double: ∫ D G₂ / (4 cos θ_out) dω_in over the half
+/// vector's angles.
 double single_scattering_albedo(double alpha, double theta) {
   const Vector3d out(std::sin(theta), 0.0, std::cos(theta));
   const auto lambda = [&](const Vector3d& w) {
@@ -250,7 +266,8 @@ double single_scattering_albedo(double alpha, double theta) {
   constexpr int n = 800, m = 400;
   for (int i = 0; i < n; ++i) {
     // tan θ_h = α √(ξ/(1 − ξ)) has equal shares of D cos θ_h; ξ = 1 − w² makes the tail finite.
-    const double w = (i + 0.5) / n, tangent = alpha * std::sqrt(1.0 - w * w) / w, cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
+    const double w = (i + 0.5) / n, tangent = alpha * std::sqrt(1.0 - w * w) / w,
+                 cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
     for (int j = 0; j < m; ++j) {
       const double phi = 2.0 * pi * (j + 0.5) / m, sine = tangent * cosine;
       const Vector3d h(sine * std::cos(phi), sine * std::sin(phi), cosine);
@@ -267,11 +284,13 @@ double single_scattering_albedo(double alpha, double theta) {
 TEST(MaterialFurnace, RoughMetalLosesWhatWouldScatterTwice) {
   for (float roughness : {0.3f, 0.6f, 0.8f, 1.0f})
     for (double theta : {0.1, 0.8, 1.3}) {
-      const double expected = single_scattering_albedo(static_cast<double>(roughness) * static_cast<double>(roughness), theta);
+      const double expected =
+          single_scattering_albedo(static_cast<double>(roughness) * static_cast<double>(roughness), theta);
       const double measured = furnace(Conductor{no_eta, white, roughness}, direction(theta, 0.3), white);
       EXPECT_NEAR(measured, expected, 4e-3) << roughness << ' ' << theta;  // 4σ = 4 · 0.5/√2^18
       EXPECT_LE(measured, 1.0 + 1e-5);
-      RecordProperty("white_metal_" + std::to_string(roughness) + "_" + std::to_string(theta), std::to_string(measured));
+      RecordProperty("white_metal_" + std::to_string(roughness) + "_" + std::to_string(theta),
+                     std::to_string(measured));
     }
 }
 
@@ -307,14 +326,17 @@ TEST(Fresnel, ConductorAgainstComplexArithmetic) {
       {0.9666628f, 0.8021901f, 0.3240495f}, {0.9621918f, 0.8045416f, 0.3710980f}, {0.9734199f, 0.9195709f, 0.7188285f}};
   const float cosines[] = {1.0f, 0.5f, 0.1f};
   for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(fresnel_conductor(cosines[i], eta, kappa)[k], expected[i][k], 2e-6f) << i << k;
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(fresnel_conductor(cosines[i], eta, kappa)[k], expected[i][k], 2e-6f) << i << k;
   // Without absorption a conductor is a dielectric.
   for (float cosine : {0.1f, 0.5f, 0.9f})
-    EXPECT_NEAR(fresnel_conductor(cosine, Vector3f::Constant(1.5f), no_eta)[0], fresnel_dielectric(cosine, 1.5f).reflectance, 1e-6f);
+    EXPECT_NEAR(fresnel_conductor(cosine, Vector3f::Constant(1.5f), no_eta)[0],
+                fresnel_dielectric(cosine, 1.5f).reflectance, 1e-6f);
 }
 
 TEST(Materials, NamedMetalsLookLikeThemselves) {
-  // Reflectance at normal incidence in air, from tables of polished metals: all of them bright in red, gold and copper dark in blue.
+  // Reflectance at normal incidence in air, from tables of polished metals: all of them bright in red, gold and copper
+  // dark in blue.
   for (const NamedMetal& metal : named_metals) {
     const Vector3f r = fresnel_conductor(1.0f, Vector3f(metal.eta.data()), Vector3f(metal.kappa.data()));
     EXPECT_GT(r.x(), 0.88f) << metal.name;
@@ -325,7 +347,8 @@ TEST(Materials, NamedMetalsLookLikeThemselves) {
 }
 
 TEST(Plastic, InternalReflectance) {
-  EXPECT_NEAR(Plastic(1.5f).internal_reflectance(), 0.5963f, 2e-4f);  // [Walsh1926] in Duntley's table for 1.5: 1 − (1 − 0.0918)/1.5²
+  EXPECT_NEAR(Plastic(1.5f).internal_reflectance(), 0.5963f,
+              2e-4f);  // [Walsh1926] in Duntley's table for 1.5: 1 − (1 − 0.0918)/1.5²
 }
 
 TEST(Dielectric, RefractsBySnellOnTheRightSide) {

@@ -47,7 +47,8 @@ TEST(SimplestModel, WithoutACylinderThePowerMatrixIsTheScalarModelBitByBit) {
     const double accommodation = tenths(0, 40);
     RC_ASSERT(simplest_model(RayModel::power_matrix, eye).model == RayModel::thin_lens);
     RC_ASSERT(simplest_model(RayModel::power_matrix, eye).claim == PlanClaim::same_bits);
-    const EyeRays<float> matrix(RayModel::power_matrix, eye, accommodation), scalar(RayModel::thin_lens, eye, accommodation);
+    const EyeRays<float> matrix(RayModel::power_matrix, eye, accommodation),
+        scalar(RayModel::thin_lens, eye, accommodation);
     const float x = 1e-3f * static_cast<float>(tenths(-40, 40)), y = 1e-3f * static_cast<float>(tenths(-40, 40));
     const auto a = matrix.through(x, y), b = scalar.through(x, y);
     RC_ASSERT(a.sx == b.sx && a.sy == b.sy && a.px == b.px && a.py == b.py);
@@ -56,7 +57,8 @@ TEST(SimplestModel, WithoutACylinderThePowerMatrixIsTheScalarModelBitByBit) {
 
 TEST(SimplestModel, OtherModelsAgreeToRounding) {
   for (const double sphere : {-6.0, -0.25, 0.0, 3.5}) {
-    const Eye spherical = Eye::with({sphere, 0.0, 180.0, 12e-3}, 6e-3), toric = Eye::with({sphere, -1.5, 30.0, 12e-3}, 6e-3);
+    const Eye spherical = Eye::with({sphere, 0.0, 180.0, 12e-3}, 6e-3),
+              toric = Eye::with({sphere, -1.5, 30.0, 12e-3}, 6e-3);
     const auto compare = [](RayModel model, RayModel expected, const Eye& eye) {
       const SimplestModel simplest = simplest_model(model, eye);
       EXPECT_EQ(name_of(simplest.model), name_of(expected));
@@ -64,7 +66,8 @@ TEST(SimplestModel, OtherModelsAgreeToRounding) {
       for (const auto& [x, y] : {std::pair{1e-3f, 0.4e-3f}, {-2.9e-3f, 0.1e-3f}, {0.7e-3f, -1.9e-3f}, {0.0f, 0.0f}}) {
         const auto a = before.through(x, y), b = after.through(x, y);
         // Four roundings of powers up to |P| + |A|, each half a unit of 2^-23, times the offset.
-        const float bound = 4.0f * 0x1p-23f * static_cast<float>(eye.correction.matrix().norm() + 0.5) * std::hypot(x, y);
+        const float bound =
+            4.0f * 0x1p-23f * static_cast<float>(eye.correction.matrix().norm() + 0.5) * std::hypot(x, y);
         EXPECT_NEAR(a.sx, b.sx, bound);
         EXPECT_NEAR(a.sy, b.sy, bound);
       }
@@ -77,11 +80,12 @@ TEST(SimplestModel, OtherModelsAgreeToRounding) {
 
 TEST(SimplestModel, WhatIsNeededStays) {
   const Eye toric = Eye::with({-2.0, -0.25, 45.0}, 4e-3), spherical = Eye::with({-2.0}, 4e-3);
-  for (const RayModel model :
-       {RayModel::pinhole, RayModel::thin_lens, RayModel::metalstigmatism, RayModel::sin2_radial, RayModel::power_matrix})
+  for (const RayModel model : {RayModel::pinhole, RayModel::thin_lens, RayModel::metalstigmatism, RayModel::sin2_radial,
+                               RayModel::power_matrix})
     EXPECT_EQ(simplest_model(model, toric).model, model) << name_of(model);
   EXPECT_EQ(simplest_model(RayModel::metalstigmatism, spherical).model, RayModel::metalstigmatism);
-  const Eye measured = Eye::with(ZernikeWave::of_power(spherical.correction, 3e-3), SecondOrder::Paraxial, std::nullopt, 4e-3);
+  const Eye measured =
+      Eye::with(ZernikeWave::of_power(spherical.correction, 3e-3), SecondOrder::Paraxial, std::nullopt, 4e-3);
   EXPECT_EQ(simplest_model(RayModel::zernike, measured).model, RayModel::zernike);
 }
 
@@ -92,22 +96,24 @@ TEST(ZeroPupil, TheSameBitsWithAndWithoutPointsOverIt) {
   const EyeRays<float> rays(RayModel::power_matrix, Eye::with({-3.0, -1.0, 20.0}, 0.0), 0.0);
   for (const Sequence sequence : {Sequence::Sobol, Sequence::Halton, Sequence::Independent}) {
     const RenderResult without = render(scene, EyeCamera(small_room_pose(), rays), few_samples(sequence));
-    const RenderResult with = render(scene, EyeCamera(small_room_pose(), rays, {false, nullptr}), few_samples(sequence));
+    const RenderResult with =
+        render(scene, EyeCamera(small_room_pose(), rays, {false, nullptr}), few_samples(sequence));
     EXPECT_TRUE(same_bytes(without.radiance, with.radiance));
     EXPECT_TRUE(same_bytes(without.variance, with.variance));
     EXPECT_TRUE(same_bytes(without.depth, with.depth));
   }
 }
 
-/// Panels 1.5 m high at several distances side by side, a sphere, a floor that runs from below the eye to far away: the eye is at the
-/// origin and looks along −z.
+/// Panels 1.5 m high at several distances side by side, a sphere, a floor that runs from below the eye to far away: the
+/// eye is at the origin and looks along −z.
 SceneDescription panels(const std::vector<float>& distances) {
   SceneDescription scene;
   scene.materials = {testing::lambertian({0.5f, 0.5f, 0.5f}, {1.0f, 1.0f, 1.0f})};
   const float step = 0.9f / static_cast<float>(distances.size());
   for (std::size_t i = 0; i < distances.size(); ++i) {
     const float d = distances[i], left = d * (-0.45f + step * static_cast<float>(i));
-    scene.meshes.push_back(testing::parallelogram({left, 0.0f, -d}, {0.8f * step * d, 0.0f, 0.0f}, {0.0f, 0.4f * d, 0.02f * d}, 0));
+    scene.meshes.push_back(
+        testing::parallelogram({left, 0.0f, -d}, {0.8f * step * d, 0.0f, 0.0f}, {0.0f, 0.4f * d, 0.02f * d}, 0));
   }
   scene.meshes.push_back(testing::parallelogram({-40.0f, -1.6f, 3.0f}, {80.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -120.0f}, 0));
   scene.spheres.push_back({{0.0f, -0.3f, -2.0f}, 0.1f, 0});
@@ -130,8 +136,8 @@ Eigen::Vector2d place_of_hit(const CameraPose& pose, const Vector3d& hit) {
 }
 
 /// How far from its own place in the picture [px] the ray of a sample meets something; none where it meets nothing.
-std::optional<double> wandering_px(const Scene& scene, const CameraPose& pose, const EyeCamera& camera, int x, int y, std::uint32_t sample,
-                                   const PixelSequence& sequence) {
+std::optional<double> wandering_px(const Scene& scene, const CameraPose& pose, const EyeCamera& camera, int x, int y,
+                                   std::uint32_t sample, const PixelSequence& sequence) {
   const EyeCamera::SamplePlace at = camera.place_of(x, y, sample, sequence);
   const EyeCamera::SingleRay ray = camera.single(at.film_x, at.film_y, at.px, at.py);
   RTCRayHit hit = ray_from(ray.origin, ray.direction);
@@ -140,8 +146,10 @@ std::optional<double> wandering_px(const Scene& scene, const CameraPose& pose, c
   return (seen - Eigen::Vector2d(at.film_x, at.film_y)).norm();
 }
 
-/// Every ray of a sharp cell meets what it meets within the bound of its own place in the picture; and cells are not blurred for nothing.
-void expect_bound(const SceneDescription& description, const Eye& eye, double accommodation_D, double bound_px, double least_share) {
+/// Every ray of a sharp cell meets what it meets within the bound of its own place in the picture; and cells are not
+/// blurred for nothing.
+void expect_bound(const SceneDescription& description, const Eye& eye, double accommodation_D, double bound_px,
+                  double least_share) {
   const CameraPose pose = ahead(160, 120);
   const Scene scene(description);
   const auto cells = sharp_cells(description, pose, eye, accommodation_D, bound_px);
@@ -162,7 +170,8 @@ void expect_bound(const SceneDescription& description, const Eye& eye, double ac
 }
 
 TEST(SharpCells, RaysStayWithinTheBound) {
-  // Relaxed emmetrope: sharp from a distance on. In focus at 2 m: a range about it. A cylinder that leaves a little blur everywhere.
+  // Relaxed emmetrope: sharp from a distance on. In focus at 2 m: a range about it. A cylinder that leaves a little
+  // blur everywhere.
   expect_bound(panels({2.0f, 8.0f, 20.0f, 60.0f}), Eye::with({}, 2e-3), 0.0, 0.02, 0.05);
   expect_bound(panels({2.0f, 2.05f, 1.9f, 60.0f}), Eye::with({}, 2e-3), 0.5, 0.01, 0.01);
   expect_bound(panels({2.0f, 8.0f, 20.0f, 60.0f}), Eye::with({0.0, -0.05, 30.0}, 3e-3), 0.0, 0.05, 0.05);
@@ -198,13 +207,15 @@ TEST(SharpCells, PropertyRaysStayWithinTheBound) {
 TEST(SharpCells, NoneWhereNothingCanBeSharp) {
   const CameraPose pose = ahead(64, 48);
   const SceneDescription scene = panels({2.0f, 8.0f});
-  EXPECT_FALSE(sharp_cells(scene, pose, Eye::with({-2.0, -1.5, 30.0}, 4e-3), 0.0, 0.02));  // a cylinder blurs every distance
-  EXPECT_FALSE(sharp_cells(scene, pose, Eye::with({3.0}, 4e-3), 0.0, 0.02));               // a hyperope's focus lies behind him
+  EXPECT_FALSE(
+      sharp_cells(scene, pose, Eye::with({-2.0, -1.5, 30.0}, 4e-3), 0.0, 0.02));  // a cylinder blurs every distance
+  EXPECT_FALSE(sharp_cells(scene, pose, Eye::with({3.0}, 4e-3), 0.0, 0.02));      // a hyperope's focus lies behind him
   SceneDescription around = panels({2.0f});
   auto sky = std::make_shared<Image>(2, 1, 3);
   sky->pixels = {1, 1, 1, 2, 2, 2};
   around.environment = Environment{{1.0f, 1.0f, 1.0f}, sky, 0.0f};
-  EXPECT_FALSE(sharp_cells(around, pose, Eye::with({-0.5}, 2e-3), 0.0, 0.02));  // the sky is at infinity, the focus at 2 m
+  EXPECT_FALSE(
+      sharp_cells(around, pose, Eye::with({-0.5}, 2e-3), 0.0, 0.02));  // the sky is at infinity, the focus at 2 m
   around.environment->map = nullptr;
   EXPECT_TRUE(sharp_cells(around, pose, Eye::with({-0.5}, 2e-3), 0.0, 0.02));
 }
@@ -276,7 +287,8 @@ TEST(SimplestEnvironment, OneColourInPlaceOfAPictureOfIt) {
 }
 
 /// Mean of a picture's green over replicates with different seeds.
-testing::Estimate mean_of_picture(const Scene& scene, const EyeCamera& camera, RenderSettings settings, int replicates = 16) {
+testing::Estimate mean_of_picture(const Scene& scene, const EyeCamera& camera, RenderSettings settings,
+                                  int replicates = 16) {
   std::vector<double> means;
   for (int r = 0; r < replicates; ++r) {
     settings.seed = static_cast<std::uint64_t>(100 + r);
@@ -339,8 +351,11 @@ TEST(UnseenEmitters, TheMeanStaysAndNoiseFalls) {
   const EyeCamera camera(small_room_pose(), testing::pinhole_rays());
   const auto a = mean_of_picture(all, camera, few_samples()), b = mean_of_picture(fewer, camera, few_samples());
   EXPECT_NEAR(a.mean, b.mean, 4.0 * std::hypot(a.standard_error, b.standard_error));  // 4σ
-  // Nearly every choice was a hidden panel; the weights then rely on light that is met by chance. Measured: 0.71, of 11520 paths each.
-  const auto variance = [&](const Scene& scene) { return testing::image_mean(render(scene, camera, few_samples()).variance, 1); };
+  // Nearly every choice was a hidden panel; the weights then rely on light that is met by chance. Measured: 0.71, of
+  // 11520 paths each.
+  const auto variance = [&](const Scene& scene) {
+    return testing::image_mean(render(scene, camera, few_samples()).variance, 1);
+  };
   EXPECT_LT(variance(fewer), 0.85 * variance(all));
 }
 
@@ -365,9 +380,11 @@ TEST(UnseenEmitters, SlowWhatAPathMeetsOfThemCountsInFull) {
 
 TEST(LeastKind, ScenesSeenFromTheFrontHaveTheSameBitsWithAllMaterialModels) {
   SceneDescription description;
-  description.materials = {testing::lambertian({0.7f, 0.6f, 0.5f}), testing::lambertian({0.5f, 0.5f, 0.5f}, {4.0f, 4.0f, 4.0f})};
+  description.materials = {testing::lambertian({0.7f, 0.6f, 0.5f}),
+                           testing::lambertian({0.5f, 0.5f, 0.5f}, {4.0f, 4.0f, 4.0f})};
   description.meshes = testing::room(1.0f, 0);
-  description.meshes.push_back(testing::parallelogram({-0.3f, 0.99f, -0.3f}, {0.6f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.6f}, 1));
+  description.meshes.push_back(
+      testing::parallelogram({-0.3f, 0.99f, -0.3f}, {0.6f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.6f}, 1));
   const Scene scene(description);
   ASSERT_EQ(scene.kind(), Scene::Kind::plain);
   const EyeCamera camera(ahead(16, 16), testing::pinhole_rays());

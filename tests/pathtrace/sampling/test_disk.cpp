@@ -91,7 +91,8 @@ TEST(ConcentricDisk, AgreesWithTheLibrarysSineAndCosine) {
 }
 
 TEST(TangentFrame, IsRightHandedAndOrthonormal) {
-  for (const Eigen::Vector3f& direction : {Eigen::Vector3f(0, 0, 1), {0, 0, -1}, {1, 0, 0}, {-0.3f, 0.8f, -0.2f}, {1e-4f, -1e-4f, -1.0f}}) {
+  for (const Eigen::Vector3f& direction :
+       {Eigen::Vector3f(0, 0, 1), {0, 0, -1}, {1, 0, 0}, {-0.3f, 0.8f, -0.2f}, {1e-4f, -1e-4f, -1.0f}}) {
     const Eigen::Vector3f n = direction.normalized();
     const TangentFrame frame(n);
     Eigen::Matrix3f m;
@@ -108,13 +109,16 @@ TEST(CosineDirection, JacobianIsPiOverCosine) {
   for (float u : {0.12f, 0.33f, 0.62f, 0.85f})
     for (float v : {0.2f, 0.43f, 0.72f, 0.9f}) {
       const Eigen::Vector3d du =
-          (direction_about(n, cosine_local(u + h, v)) - direction_about(n, cosine_local(u - h, v))).cast<double>() / (2.0 * h);
+          (direction_about(n, cosine_local(u + h, v)) - direction_about(n, cosine_local(u - h, v))).cast<double>() /
+          (2.0 * h);
       const Eigen::Vector3d dv =
-          (direction_about(n, cosine_local(u, v + h)) - direction_about(n, cosine_local(u, v - h))).cast<double>() / (2.0 * h);
+          (direction_about(n, cosine_local(u, v + h)) - direction_about(n, cosine_local(u, v - h))).cast<double>() /
+          (2.0 * h);
       const Eigen::Vector3f w = direction_about(n, cosine_local(u, v));
       EXPECT_NEAR(w.norm(), 1.0f, 1e-6f);
       const double solid_angle = std::sqrt(du.squaredNorm() * dv.squaredNorm() - std::pow(du.dot(dv), 2));
-      EXPECT_NEAR(solid_angle * static_cast<double>(n.dot(w)) / std::numbers::pi, 1.0, 0.01) << u << " " << v;  // O(h²) near the horizon
+      EXPECT_NEAR(solid_angle * static_cast<double>(n.dot(w)) / std::numbers::pi, 1.0, 0.01)
+          << u << " " << v;  // O(h²) near the horizon
     }
 }
 

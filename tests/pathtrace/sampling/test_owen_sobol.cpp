@@ -17,7 +17,8 @@ std::uint32_t cell(std::uint32_t x, int bits) {
   return bits == 0 ? 0u : x >> (32 - bits);
 }
 
-/// Whether samples first … first + 2^k − 1 hit every elementary interval of area 2^−k exactly once, in all k + 1 shapes.
+/// Whether samples first … first + 2^k − 1 hit every elementary interval of area 2^−k exactly once, in all k + 1
+/// shapes.
 bool is_net(std::uint32_t key, std::uint32_t first, int k) {
   const std::uint32_t count = 1u << k;
   for (int x_bits = 0; x_bits <= k; ++x_bits) {
@@ -64,8 +65,8 @@ TEST(OwenSobol, EachSampleIsUniformOverTheKeys) {
   }
 }
 
-// … and two samples are tied by nothing but their strata: 0 and 1 lie in different halves of x, and the next four bits know nothing of each
-// other.
+// … and two samples are tied by nothing but their strata: 0 and 1 lie in different halves of x, and the next four bits
+// know nothing of each other.
 TEST(OwenSobol, NeighboursAreIndependentWithinTheirStrata) {
   std::vector<int> counts(256, 0);
   for (std::uint32_t key = 0; key < (1u << 16); ++key) {
@@ -105,7 +106,8 @@ TEST(OwenSobol, PixelsAndDimensionsAreDecorrelated) {
       }
   // 1431 pairs; the standard deviation of a correlation is 1/√4096.
   for (std::size_t i = 0; i < columns.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) ASSERT_LT(std::abs(correlation(columns[i], columns[j])), 5.0 / 64.0) << i << " " << j;
+    for (std::size_t j = 0; j < i; ++j)
+      ASSERT_LT(std::abs(correlation(columns[i], columns[j])), 5.0 / 64.0) << i << " " << j;
 }
 
 RC_GTEST_PROP(PixelSequence, ASampleIsAFunctionOfItsAddressAlone, ()) {

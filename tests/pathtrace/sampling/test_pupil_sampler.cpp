@@ -61,7 +61,8 @@ TEST(PupilSampler, RingsAreWangAndXiaos) {
 
 TEST(PupilSampler, ApodizationIsTheSameWhetherByDensityOrByWeights) {
   for (const double q : {1e-3, 0.7, 4.0}) {
-    const Means disc = means_of(sampler(PupilSampling::UniformDisk, q)), polar = means_of(sampler(PupilSampling::UniformPolarWeighted, q));
+    const Means disc = means_of(sampler(PupilSampling::UniformDisk, q)),
+                polar = means_of(sampler(PupilSampling::UniformPolarWeighted, q));
     EXPECT_NEAR(disc.weight, 1.0, 1e-10);  // 10⁶ roundings
     EXPECT_NEAR(polar.weight, 1.0, midpoint);
     // The map of the radii is steepest at the rim, by (e^q − 1)/q.
@@ -81,7 +82,8 @@ TEST(PupilSampler, StilesAndCrawfordAtThreeMillimetres) {
 
 TEST(Halton, EveryDimensionIsStratified) {
   // A scrambled radical inverse in base b has one of its first bᵏ points in each of the bᵏ intervals.
-  for (const auto& [dimension, x_base, y_base] : {std::tuple(0u, 2u, 3u), std::tuple(1u, 5u, 7u), std::tuple(2u, 11u, 13u)}) {
+  for (const auto& [dimension, x_base, y_base] :
+       {std::tuple(0u, 2u, 3u), std::tuple(1u, 5u, 7u), std::tuple(2u, 11u, 13u)}) {
     const PixelSequence sequence(Sequence::Halton, 7, 42);
     for (const auto& [base, second] : {std::pair(x_base, false), std::pair(y_base, true)}) {
       const std::uint32_t n = base * base * (base < 4 ? base * base : 1);

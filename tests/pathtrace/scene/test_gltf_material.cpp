@@ -34,8 +34,8 @@ std::string glb(std::string json, std::string binary) {
   while (json.size() % 4) json += ' ';
   while (binary.size() % 4) binary += '\0';
   const auto size = static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + binary.size());
-  return "glTF" + little_endian(2) + little_endian(size) + little_endian(static_cast<std::uint32_t>(json.size())) + "JSON" + json +
-         little_endian(static_cast<std::uint32_t>(binary.size())) + std::string("BIN\0", 4) + binary;
+  return "glTF" + little_endian(2) + little_endian(size) + little_endian(static_cast<std::uint32_t>(json.size())) +
+         "JSON" + json + little_endian(static_cast<std::uint32_t>(binary.size())) + std::string("BIN\0", 4) + binary;
 }
 
 std::string float_bytes(std::initializer_list<float> values) {
@@ -61,12 +61,16 @@ std::string png(const Vector3f& left, const Vector3f& right) {
 
 class GltfMaterial : public ::testing::Test {
  protected:
-  GltfMaterial() : folder_(fs::temp_directory_path() / ("sturm_gltf_" + std::to_string(::getpid()))) { fs::create_directories(folder_); }
+  GltfMaterial() : folder_(fs::temp_directory_path() / ("sturm_gltf_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
   ~GltfMaterial() override { fs::remove_all(folder_); }
 
   /// A triangle with that material; `picture` is image and texture 0.
-  fs::path write(const std::string& material, const std::string& picture = "", std::size_t stated_picture_view = 2) const {
-    const std::string positions = float_bytes({0, 0, 0, 1, 0, 0, 0, 1, 0}), coordinates = float_bytes({0, 0, 1, 0, 0, 1});
+  fs::path write(const std::string& material, const std::string& picture = "",
+                 std::size_t stated_picture_view = 2) const {
+    const std::string positions = float_bytes({0, 0, 0, 1, 0, 0, 0, 1, 0}),
+                      coordinates = float_bytes({0, 0, 1, 0, 0, 1});
     std::string json = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
       "meshes": [{"name": "leaf", "primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
       "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
@@ -74,10 +78,11 @@ class GltfMaterial : public ::testing::Test {
       "materials": [)" +
                        material + "],";
     if (!picture.empty())
-      json += R"("textures": [{"source": 0}], "images": [{"mimeType": "image/png", "bufferView": )" + std::to_string(stated_picture_view) +
-              "}],";
+      json += R"("textures": [{"source": 0}], "images": [{"mimeType": "image/png", "bufferView": )" +
+              std::to_string(stated_picture_view) + "}],";
     json += R"("bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24})";
-    if (!picture.empty()) json += R"(, {"buffer": 0, "byteOffset": 60, "byteLength": )" + std::to_string(picture.size()) + "}";
+    if (!picture.empty())
+      json += R"(, {"buffer": 0, "byteOffset": 60, "byteLength": )" + std::to_string(picture.size()) + "}";
     json += R"(], "buffers": [{"byteLength": )" + std::to_string(60 + picture.size()) + "}]}";
     const fs::path file = folder_ / "leaf.glb";
     std::ofstream(file, std::ios::binary) << glb(json, positions + coordinates + picture);
@@ -113,8 +118,9 @@ TEST_F(GltfMaterial, AMetalReflectsItsBaseColourStraightOn) {
   ASSERT_TRUE(metal);
   EXPECT_EQ(metal->roughness, 0.4f);  // GGX α = roughness² in both
   EXPECT_EQ(metal->eta, Vector3f::Ones());
-  EXPECT_NEAR(metal->kappa.y(), 2.6667f, 1e-4f);                                                                // 2 √(0.64/0.36) = 8/3
-  EXPECT_LT((fresnel_conductor(1.0f, metal->eta, metal->kappa) - Vector3f(0.9f, 0.64f, 0.25f)).norm(), 1e-5f);  // rounding of float
+  EXPECT_NEAR(metal->kappa.y(), 2.6667f, 1e-4f);  // 2 √(0.64/0.36) = 8/3
+  EXPECT_LT((fresnel_conductor(1.0f, metal->eta, metal->kappa) - Vector3f(0.9f, 0.64f, 0.25f)).norm(),
+            1e-5f);  // rounding of float
   EXPECT_EQ(gold.left_out, "");
 }
 
@@ -146,20 +152,23 @@ TEST_F(GltfMaterial, FactorsComeFromTheFile) {
 }
 
 TEST_F(GltfMaterial, TheBaseColoursPictureMayStandInTheFile) {
-  const Material material =
-      material_of(load(write(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0, "roughnessFactor": 0.5}})",
-                             png({1, 0, 0}, {0, 0, 1}))));
+  const Material material = material_of(load(write(
+      R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0, "roughnessFactor": 0.5}})",
+      png({1, 0, 0}, {0, 0, 1}))));
   ASSERT_TRUE(material.albedo_texture);
   EXPECT_EQ(material.albedo_texture->width, 2);
-  EXPECT_THAT(std::vector<float>(material.albedo_texture->at(0, 0), material.albedo_texture->at(0, 0) + 3), ElementsAre(1, 0, 0));
-  EXPECT_THAT(std::vector<float>(material.albedo_texture->at(1, 0), material.albedo_texture->at(1, 0) + 3), ElementsAre(0, 0, 1));
+  EXPECT_THAT(std::vector<float>(material.albedo_texture->at(0, 0), material.albedo_texture->at(0, 0) + 3),
+              ElementsAre(1, 0, 0));
+  EXPECT_THAT(std::vector<float>(material.albedo_texture->at(1, 0), material.albedo_texture->at(1, 0) + 3),
+              ElementsAre(0, 0, 1));
   EXPECT_TRUE(std::holds_alternative<Plastic>(material.surface));
 }
 
 TEST_F(GltfMaterial, AMetallicRoughnessTextureCountsWithItsMean) {
   // Roughness in green: mean of 0.2 and 0.6 as stored, no sRGB curve; metallic in blue: 1. Red is left alone.
-  const SceneDescription scene = load(
-      write(R"({"name": "worn", "pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}}})", png({0, 0.2f, 1}, {1, 0.6f, 1})));
+  const SceneDescription scene =
+      load(write(R"({"name": "worn", "pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}}})",
+                 png({0, 0.2f, 1}, {1, 0.6f, 1})));
   const Material worn = material_of(scene);
   ASSERT_TRUE(std::holds_alternative<Conductor>(worn.surface));
   EXPECT_NEAR(std::get<Conductor>(worn.surface).roughness, 0.4f, 0.5f / 255.0f);  // 8-bit rounding
@@ -169,7 +178,8 @@ TEST_F(GltfMaterial, AMetallicRoughnessTextureCountsWithItsMean) {
 
 TEST_F(GltfMaterial, AMetalsTextureCountsWithItsMean) {
   const SceneDescription scene =
-      load(write(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "roughnessFactor": 0.5}})", png({1, 1, 1}, {0, 0, 0})));
+      load(write(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "roughnessFactor": 0.5}})",
+                 png({1, 1, 1}, {0, 0, 0})));
   const Material metal = material_of(scene);
   EXPECT_FALSE(metal.albedo_texture);
   EXPECT_NEAR(metal.albedo.x(), 0.5f, 1e-5f);  // rounding of float
@@ -178,13 +188,16 @@ TEST_F(GltfMaterial, AMetalsTextureCountsWithItsMean) {
 }
 
 TEST_F(GltfMaterial, WrongFilesAreRefused) {
-  const std::string textured = R"({"name": "m", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0}})";
-  EXPECT_THAT(error_of(write(textured, "this is no picture at all, but as long as one")), HasSubstr("neither a PNG nor a JPEG"));
+  const std::string textured =
+      R"({"name": "m", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0}})";
+  EXPECT_THAT(error_of(write(textured, "this is no picture at all, but as long as one")),
+              HasSubstr("neither a PNG nor a JPEG"));
   std::string broken = png({1, 0, 0}, {0, 0, 1});
   broken.resize(40);
   EXPECT_THAT(error_of(write(textured, broken)), HasSubstr("material \"m\""));
   EXPECT_THAT(error_of(write(textured, png({1, 0, 0}, {0, 0, 1}), 7)), HasSubstr("/images/0/bufferView"));
-  EXPECT_THAT(error_of(write(R"({"name": "m", "pbrMetallicRoughness": {"roughnessFactor": 1.5}})")), HasSubstr("a factor from 0 to 1"));
+  EXPECT_THAT(error_of(write(R"({"name": "m", "pbrMetallicRoughness": {"roughnessFactor": 1.5}})")),
+              HasSubstr("a factor from 0 to 1"));
 }
 
 }  // namespace

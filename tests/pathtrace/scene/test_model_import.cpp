@@ -24,7 +24,9 @@ namespace fs = std::filesystem;
 /// A folder that goes away with the test.
 class ModelImport : public ::testing::Test {
  protected:
-  ModelImport() : folder_(fs::temp_directory_path() / ("sturm_model_" + std::to_string(::getpid()))) { fs::create_directories(folder_); }
+  ModelImport() : folder_(fs::temp_directory_path() / ("sturm_model_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
   ~ModelImport() override { fs::remove_all(folder_); }
 
   fs::path write(const std::string& name, const std::string& text) const {
@@ -51,11 +53,14 @@ class ModelImport : public ::testing::Test {
 };
 
 /// The triangle (0,0,0) (1,0,0) (0,1,0) as glTF; `nodes`, `scene_nodes` and what else differs.
-std::string gltf(const std::string& nodes, const std::string& roots, const std::string& count = "3", const std::string& bytes = "36") {
+std::string gltf(const std::string& nodes, const std::string& roots, const std::string& count = "3",
+                 const std::string& bytes = "36") {
   return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": )" + roots + R"(}], "nodes": )" + nodes +
          R"(, "meshes": [{"name": "leaf", "primitives": [{"attributes": {"POSITION": 0}}]}],
   "accessors": [{"bufferView": 0, "componentType": 5126, "count": )" +
-         count + R"(, "type": "VEC3"}], "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": )" + bytes +
+         count +
+         R"(, "type": "VEC3"}], "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": )" +
+         bytes +
          R"(, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 }
 
@@ -110,7 +115,8 @@ TEST_F(ModelImport, InstancesThatEmitBecomeLightsInPlace) {
 TEST_F(ModelImport, AModelIsTurnedThenPutInItsPlace) {
   // A quarter turn to the left, seen from above, takes +x to −z; the mirrored instance at x = 3 … 5 moves along.
   SceneSpec spec;
-  spec.models.push_back({.file = write("leaves.gltf", gltf(two_leaves, "[0, 1]")), .turn = 0.5 * M_PI, .position = {10.0, 2.0, -1.0}});
+  spec.models.push_back(
+      {.file = write("leaves.gltf", gltf(two_leaves, "[0, 1]")), .turn = 0.5 * M_PI, .position = {10.0, 2.0, -1.0}});
   const Scene scene(build_scene(spec));
   EXPECT_NEAR(scene.lower().z(), -6.0f, 1e-5f);  // rounding of float
   EXPECT_NEAR(scene.upper().z(), -1.0f, 1e-5f);
@@ -120,7 +126,8 @@ TEST_F(ModelImport, AModelIsTurnedThenPutInItsPlace) {
   const Vector3f origin(12.0f, 2.2f, -1.2f), direction(-1.0f, 0.0f, 0.0f);
   RTCRayHit ray = ray_from(origin, direction);
   ASSERT_TRUE(intersect(scene.embree(), ray));
-  EXPECT_GT(scene.surface_point(ray.hit, origin, direction, ray.ray.tfar).normal.x(), 0.999f);  // the front was towards +z
+  EXPECT_GT(scene.surface_point(ray.hit, origin, direction, ray.ray.tfar).normal.x(),
+            0.999f);  // the front was towards +z
 }
 
 TEST_F(ModelImport, VertexNormalsTurnWithTheirModel) {
@@ -139,7 +146,8 @@ TEST_F(ModelImport, OverridesReplaceTheMaterialOfOneMesh) {
   gold.surface = ConductorSpec{.metal = "gold", .roughness = 0.2};
   const SceneDescription description = load(file, {{"two", gold}});
   for (const Mesh& mesh : description.meshes)
-    EXPECT_EQ(std::holds_alternative<Conductor>(description.materials[mesh.material].surface), mesh.name == "two") << mesh.name;
+    EXPECT_EQ(std::holds_alternative<Conductor>(description.materials[mesh.material].surface), mesh.name == "two")
+        << mesh.name;
   EXPECT_THAT(error_of(file, {{"twp", gold}}), HasSubstr("two"));
 }
 
@@ -148,7 +156,8 @@ TEST_F(ModelImport, NormalsAreKeptWhereTheyBend) {
   const SceneDescription flat = load(write("flat.obj", corners + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
   EXPECT_TRUE(flat.meshes[0].normals.empty());
   EXPECT_EQ(Scene(flat).kind(), Scene::Kind::plain);
-  const SceneDescription bent = load(write("bent.obj", corners + "vn 0 0 1\nvn 0.6 0 0.8\nvn 0 0.6 0.8\nf 1//1 2//2 3//3\n"));
+  const SceneDescription bent =
+      load(write("bent.obj", corners + "vn 0 0 1\nvn 0.6 0 0.8\nvn 0 0.6 0.8\nf 1//1 2//2 3//3\n"));
   ASSERT_EQ(bent.meshes[0].normals.size(), 3u);
   const Scene scene(bent);
   EXPECT_EQ(scene.kind(), Scene::Kind::diffuse);
@@ -160,21 +169,27 @@ TEST_F(ModelImport, NormalsAreKeptWhereTheyBend) {
 
 TEST_F(ModelImport, WhatIsLeftOutIsNoted) {
   write("glass.mtl", "newmtl glass\nKd 1 1 1\nd 0.3\n");
-  const SceneDescription description = load(write("glass.obj", "mtllib glass.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n"));
+  const SceneDescription description =
+      load(write("glass.obj", "mtllib glass.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n"));
   ASSERT_EQ(description.notes.size(), 1u);
-  EXPECT_THAT(description.notes[0], ::testing::AllOf(HasSubstr("glass.obj"), HasSubstr("\"glass\""), HasSubstr("transparency")));
+  EXPECT_THAT(description.notes[0],
+              ::testing::AllOf(HasSubstr("glass.obj"), HasSubstr("\"glass\""), HasSubstr("transparency")));
 }
 
 TEST_F(ModelImport, FilesThatLieAreNamed) {
   EXPECT_EQ(error_of(write("good.gltf", gltf(R"([{"mesh": 0}])", "[0]"))), "no InputError");
   EXPECT_THAT(error_of(write("cycle.gltf", gltf(R"([{"children": [1]}, {"children": [0], "mesh": 0}])", "[0]"))),
               HasSubstr("its own ancestor"));
-  EXPECT_THAT(error_of(write("self.gltf", gltf(R"([{"children": [0], "mesh": 0}])", "[0]"))), HasSubstr("its own ancestor"));
-  EXPECT_THAT(error_of(write("two_parents.gltf", gltf(R"([{"children": [1, 2]}, {"children": [2]}, {"mesh": 0}])", "[0]"))),
-              HasSubstr("one parent"));
-  EXPECT_THAT(error_of(write("count.gltf", gltf(R"([{"mesh": 0}])", "[0]", "4000000000"))), HasSubstr("/accessors/0/count"));
+  EXPECT_THAT(error_of(write("self.gltf", gltf(R"([{"children": [0], "mesh": 0}])", "[0]"))),
+              HasSubstr("its own ancestor"));
+  EXPECT_THAT(
+      error_of(write("two_parents.gltf", gltf(R"([{"children": [1, 2]}, {"children": [2]}, {"mesh": 0}])", "[0]"))),
+      HasSubstr("one parent"));
+  EXPECT_THAT(error_of(write("count.gltf", gltf(R"([{"mesh": 0}])", "[0]", "4000000000"))),
+              HasSubstr("/accessors/0/count"));
   EXPECT_THAT(error_of(write("count4.gltf", gltf(R"([{"mesh": 0}])", "[0]", "4"))), HasSubstr("/accessors/0/count"));
-  EXPECT_THAT(error_of(write("bytes.gltf", gltf(R"([{"mesh": 0}])", "[0]", "3", "4294967295"))), HasSubstr("/buffers/0/byteLength"));
+  EXPECT_THAT(error_of(write("bytes.gltf", gltf(R"([{"mesh": 0}])", "[0]", "3", "4294967295"))),
+              HasSubstr("/buffers/0/byteLength"));
   const std::string claim("glTF\x02\0\0\0\xF0\xFF\xFF\xFF\x10\0\0\0JSON{}              ", 36);
   EXPECT_THAT(error_of(write("claim.glb", claim)), HasSubstr("4294967280 bytes"));
   EXPECT_THAT(error_of(write("short.glb", "glTF")), HasSubstr("short.glb"));
@@ -185,9 +200,9 @@ TEST_F(ModelImport, FilesThatLieAreNamed) {
 }
 
 TEST_F(ModelImport, TrianglesWithoutAreaAreNotSeenAndDoNoHarm) {
-  const Scene scene(
-      load(write("degenerate.obj",
-                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 2\nf 1 2 4\nf 1 2 3\nv 0 0 0.5\nv 1e-12 0 0.5\nv 0 1e-12 0.5\nf 5 6 7\n")));
+  const Scene scene(load(write("degenerate.obj",
+                               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 2\nf 1 2 4\nf 1 2 3\nv 0 0 0.5\nv 1e-12 0 "
+                               "0.5\nv 0 1e-12 0.5\nf 5 6 7\n")));
   const auto point = seen_at(scene, 0.25f, 0.25f);
   ASSERT_TRUE(point);
   EXPECT_EQ(point->normal, Vector3f(0, 0, 1));

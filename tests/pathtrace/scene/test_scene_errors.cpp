@@ -49,7 +49,8 @@ TEST(SceneErrors, NumbersThatCannotBeTraced) {
 }
 
 TEST(SceneErrors, IndicesOutOfRange) {
-  EXPECT_THAT(message_of([](auto& d) { d.meshes[0].triangles[1][2] = 4; }), AllOf(HasSubstr("vertex index 4"), HasSubstr("less than 4")));
+  EXPECT_THAT(message_of([](auto& d) { d.meshes[0].triangles[1][2] = 4; }),
+              AllOf(HasSubstr("vertex index 4"), HasSubstr("less than 4")));
   EXPECT_THAT(message_of([](auto& d) { d.meshes[0].material = 1; }), HasSubstr("material 1"));
   EXPECT_THAT(message_of([](auto& d) { d.meshes[0].material = -1; }), HasSubstr("material -1"));
   EXPECT_THAT(message_of([](auto& d) { d.spheres[0].material = 7; }), HasSubstr("material 7"));

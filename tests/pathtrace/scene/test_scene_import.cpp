@@ -22,14 +22,18 @@ namespace fs = std::filesystem;
 const fs::path source_dir = STURM_SOURCE_DIR;
 
 SceneDescription import_linear(const fs::path& file, double scale = 1.0) {
-  return import_model(
-      {.file = file, .scale = scale, .texture_encoding = TextureEncoding::Linear, .texture_filter = TextureFilter::Nearest});
+  return import_model({.file = file,
+                       .scale = scale,
+                       .texture_encoding = TextureEncoding::Linear,
+                       .texture_filter = TextureFilter::Nearest});
 }
 
 /// A folder of small files that goes away with the test.
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / ("sturm_import_" + std::to_string(::getpid()) + "_" + std::to_string(++count_))) {
+  Folder()
+      : path_(fs::temp_directory_path() /
+              ("sturm_import_" + std::to_string(::getpid()) + "_" + std::to_string(++count_))) {
     fs::create_directories(path_);
   }
   ~Folder() { fs::remove_all(path_); }
@@ -45,7 +49,8 @@ class Folder {
 };
 
 const Mesh& mesh_named(const SceneDescription& scene, const std::string& name) {
-  const auto found = std::find_if(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& m) { return m.name == name; });
+  const auto found =
+      std::find_if(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& m) { return m.name == name; });
   if (found == scene.meshes.end()) throw std::out_of_range("no mesh " + name);
   return *found;
 }
@@ -102,7 +107,8 @@ TEST(SceneImport, PlainRoomEqualsItsAuthoritativeDescription) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k)
         for (int axis = 0; axis < 3; ++axis)  // 2 ulp: Assimp parses numbers on its own
-          EXPECT_NEAR(corner(mesh, t, k)[axis], expected["positions"][expected["faces"][t][k].get<int>()][axis].get<double>(), 1.2e-7);
+          EXPECT_NEAR(corner(mesh, t, k)[axis],
+                      expected["positions"][expected["faces"][t][k].get<int>()][axis].get<double>(), 1.2e-7);
     triangles += mesh.triangles.size();
   }
   EXPECT_EQ(triangles, 38u);
@@ -111,7 +117,8 @@ TEST(SceneImport, PlainRoomEqualsItsAuthoritativeDescription) {
 TEST(SceneImport, TexturesThatNothingUsesAreNotLoaded) {
   Folder folder;
   folder.write("a.mtl", "newmtl plain\nKd 1 0 0\nnewmtl chart\nKd 1 1 1\nmap_Kd gone.png\n");
-  const SceneDescription scene = import_linear(folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\n"));
+  const SceneDescription scene =
+      import_linear(folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\n"));
   EXPECT_EQ(scene.materials[scene.meshes[0].material].name, "plain");
 }
 
@@ -123,9 +130,10 @@ TEST(SceneImport, ScaleIsMetresPerUnit) {
 TEST(SceneImport, TexturesAreReadDecodedAndShared) {
   Folder folder;
   fs::copy(source_dir / "tests/reference/scene_plain/chart.png", folder.path());
-  const fs::path obj = folder.write("a.obj",
-                                    "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0\nvt 1 0\nvt 1 1\nvt 0 0.75\n"
-                                    "o one\nusemtl chart\nf 1/1 2/2 3/3\no two\nusemtl tinted\nf 1/1 3/3 4/4\n");
+  const fs::path obj =
+      folder.write("a.obj",
+                   "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0\nvt 1 0\nvt 1 1\nvt 0 0.75\n"
+                   "o one\nusemtl chart\nf 1/1 2/2 3/3\no two\nusemtl tinted\nf 1/1 3/3 4/4\n");
   folder.write("a.mtl", "newmtl chart\nKd 1 1 1\nmap_Kd chart.png\nnewmtl tinted\nKd 0.5 0.25 1\nmap_Kd chart.png\n");
   const SceneDescription linear = import_linear(obj);
   const SceneDescription srgb = import_model({.file = obj});
@@ -156,7 +164,8 @@ TEST(SceneImport, TexturesAreReadDecodedAndShared) {
 
 TEST(SceneImport, QuadsKeepTheirWindingAndNearVerticesStayApart) {
   Folder folder;
-  const fs::path obj = folder.write("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.000001 0 0\nf 1 2 3 4\nf 5 4 3\n");
+  const fs::path obj =
+      folder.write("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.000001 0 0\nf 1 2 3 4\nf 5 4 3\n");
   const SceneDescription scene = import_linear(obj);
   ASSERT_EQ(scene.meshes.size(), 1u);
   ASSERT_EQ(scene.meshes[0].triangles.size(), 3u);
@@ -184,7 +193,8 @@ TEST(SceneImport, GltfNodesAreAppliedAndMirrorsKeepSurfacesFacingTheirWay) {
   const Eigen::Vector3d area = area_vector(scene.meshes[0]);
   EXPECT_NEAR(area.z(), 1.0, 1e-6);  // ½ · 2, still facing +z
   double least_x = 0.0, least_y = 9.0;
-  for (const auto& p : scene.meshes[0].positions) least_x = std::min<double>(least_x, p.x()), least_y = std::min<double>(least_y, p.y());
+  for (const auto& p : scene.meshes[0].positions)
+    least_x = std::min<double>(least_x, p.x()), least_y = std::min<double>(least_y, p.y());
   EXPECT_FLOAT_EQ(least_x, -2.0);
   EXPECT_FLOAT_EQ(least_y, 5.0);
   const Material& material = scene.materials[scene.meshes[0].material];
@@ -202,12 +212,16 @@ TEST(SceneImport, WrongModelsAreNamed) {
   expect_error(folder.write("noise.dae", "this is no model"), {"Assimp"});
   expect_error(folder.write("other.xyzzy", "this is no model"), {"Assimp"});
   expect_error(folder.write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), {"not finite"});
-  expect_error(folder.write("no_library.obj", "mtllib gone.mtl\n" + triangle + "usemtl red\nf 1 2 3\n"), {"no_library.obj:1", "gone.mtl"});
+  expect_error(folder.write("no_library.obj", "mtllib gone.mtl\n" + triangle + "usemtl red\nf 1 2 3\n"),
+               {"no_library.obj:1", "gone.mtl"});
   folder.write("lib.mtl", "newmtl red\nKd 1 0 0\nnewmtl textured\nKd 1 1 1\nmap_Kd gone.png\n");
-  expect_error(folder.write("no_texture.obj", "mtllib lib.mtl\n" + triangle + "usemtl textured\nf 1 2 3\n"), {"textured", "gone.png"});
-  expect_error(folder.write("no_material.obj", "mtllib lib.mtl\n" + triangle + "usemtl blue\nf 1 2 3\n"), {"no_material.obj:5", "blue"});
+  expect_error(folder.write("no_texture.obj", "mtllib lib.mtl\n" + triangle + "usemtl textured\nf 1 2 3\n"),
+               {"textured", "gone.png"});
+  expect_error(folder.write("no_material.obj", "mtllib lib.mtl\n" + triangle + "usemtl blue\nf 1 2 3\n"),
+               {"no_material.obj:5", "blue"});
   folder.write("bright.mtl", "newmtl white\nKd 1 1.5 1\n");
-  expect_error(folder.write("bright.obj", "mtllib bright.mtl\n" + triangle + "usemtl white\nf 1 2 3\n"), {"white", "1.5"});
+  expect_error(folder.write("bright.obj", "mtllib bright.mtl\n" + triangle + "usemtl white\nf 1 2 3\n"),
+               {"white", "1.5"});
 }
 
 TEST(SceneImport, InPlaceThingsComeBeforeModels) {
@@ -216,12 +230,14 @@ TEST(SceneImport, InPlaceThingsComeBeforeModels) {
   spec.meshes = {{"m", 1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}};
   spec.spheres = {{{1, 2, 3}, 0.5, 0}};
   spec.lights = {{{7, 8, 9}, {1, 1, 2}}};
-  spec.models = {{source_dir / "tests/reference/scene_plain/scene.obj", 1.0, TextureEncoding::Linear, TextureFilter::Nearest}};
+  spec.models = {
+      {source_dir / "tests/reference/scene_plain/scene.obj", 1.0, TextureEncoding::Linear, TextureFilter::Nearest}};
   const SceneDescription scene = build_scene(spec);
   ASSERT_EQ(scene.meshes.size(), 12u);
   EXPECT_EQ(scene.meshes[0].material, 1);
   EXPECT_EQ(scene.materials[1].emission, Eigen::Vector3f(4, 5, 6));
-  EXPECT_EQ(scene.materials[mesh_named(scene, "left_red").material].name, "red");  // numbers shifted past those in place
+  EXPECT_EQ(scene.materials[mesh_named(scene, "left_red").material].name,
+            "red");  // numbers shifted past those in place
   ASSERT_EQ(scene.spheres.size(), 1u);
   EXPECT_EQ(scene.spheres[0].center, Eigen::Vector3f(1, 2, 3));
   EXPECT_EQ(scene.spheres[0].radius, 0.5f);
@@ -235,7 +251,8 @@ SceneDescription cornell_box() {
 
 TEST(CornellBox, HasTheMeasuredAreasAndFacesTheRoom) {
   const SceneDescription box = cornell_box();
-  // Trapezium (552.8 + 549.6)/2 · 559.2 mm², facing up; the light 130 · 105 mm², facing down. float vertices: 1e-7 relative.
+  // Trapezium (552.8 + 549.6)/2 · 559.2 mm², facing up; the light 130 · 105 mm², facing down. float vertices: 1e-7
+  // relative.
   EXPECT_NEAR(area_vector(mesh_named(box, "floor")).y(), 0.5512 * 0.5592, 1e-7);
   EXPECT_NEAR(area_vector(mesh_named(box, "light")).y(), -0.130 * 0.105, 1e-8);
   double ceiling = 0.0;
@@ -281,13 +298,14 @@ TEST(CornellBox, RedIsOnTheImagesLeft) {
 TEST(CornellBox, ColoursAreThoseOfTheMeasuredSpectraUnderTheMeasuredLight) {
   const SceneDescription box = cornell_box();
   const Eigen::Vector3f white = box.materials[mesh_named(box, "floor").material].albedo;
-  // The white paint measures 0.70 to 0.78 from 430 nm on: so must every channel, which are weighted means of it but for Rec. 709's small
-  // negative parts.
+  // The white paint measures 0.70 to 0.78 from 430 nm on: so must every channel, which are weighted means of it but for
+  // Rec. 709's small negative parts.
   EXPECT_GT(white.minCoeff(), 0.70f);
   EXPECT_LT(white.maxCoeff(), 0.78f);
   const Material& light = box.materials[mesh_named(box, "light").material];
   EXPECT_EQ(light.albedo, Eigen::Vector3f::Constant(0.78f));
-  // Luminance relative to a spectrum of 1: the lamp's value where the eye's sensitivity is centred, 8 + 0.076 (λ − 500) at 560 ± 5 nm.
+  // Luminance relative to a spectrum of 1: the lamp's value where the eye's sensitivity is centred, 8 + 0.076 (λ − 500)
+  // at 560 ± 5 nm.
   EXPECT_NEAR(light.emission.dot(Eigen::Vector3f(0.2126f, 0.7152f, 0.0722f)), 12.56f, 0.4f);
 }
 

@@ -6,7 +6,8 @@
 
 namespace sturm::test {
 
-/// What is wrong with `page` as well-formed markup: tags that do not match, attributes without quotes, ids that occur twice. "" if nothing.
+/// What is wrong with `page` as well-formed markup: tags that do not match, attributes without quotes, ids that occur
+/// twice. "" if nothing.
 inline std::string markup_defects(const std::string& page) {
   std::vector<std::string> open;
   std::set<std::string> ids;
@@ -36,7 +37,8 @@ inline std::string markup_defects(const std::string& page) {
     // Pictures are long and need no regular expression.
     const bool picture = tag.find("data:image/") != std::string::npos;
     if (!picture && !std::regex_match(tag, match, whole)) defects += "not a tag: <" + tag.substr(0, 80) + ">\n";
-    if (!picture && std::regex_search(tag, match, id) && !ids.insert(match[1]).second) defects += "id twice: " + match[1].str() + "\n";
+    if (!picture && std::regex_search(tag, match, id) && !ids.insert(match[1]).second)
+      defects += "id twice: " + match[1].str() + "\n";
     if (!empty) open.push_back(tag.substr(0, tag.find_first_of(" \t\r\n")));
   }
   for (const std::string& tag : open) defects += "<" + tag + "> stays open\n";

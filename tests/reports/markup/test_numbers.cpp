@@ -68,7 +68,8 @@ RC_GTEST_PROP(ReportNumbers, WhatIsShownIsWithinHalfADigit, (double mantissa, in
   replace("−", "-");
   replace(" × 10<sup>", "e");
   replace("</sup>", "");
-  RC_ASSERT(std::abs(std::stod(text) - value) <= 0.5001e-3 * std::abs(value));  // four digits: at most half of 1 in 1000
+  RC_ASSERT(std::abs(std::stod(text) - value) <=
+            0.5001e-3 * std::abs(value));  // four digits: at most half of 1 in 1000
 }
 
 }  // namespace

@@ -16,13 +16,15 @@ double lightness(const DisplayColour& c) {
 }
 
 TEST(FalseColour, SequentialMapGetsLighterAllTheWay) {
-  for (int i = 0; i < 255; ++i) EXPECT_LT(lightness(sequential_colour(i / 256.0)), lightness(sequential_colour((i + 4) / 256.0))) << i;
+  for (int i = 0; i < 255; ++i)
+    EXPECT_LT(lightness(sequential_colour(i / 256.0)), lightness(sequential_colour((i + 4) / 256.0))) << i;
   EXPECT_EQ(sequential_colour(-1.0), sequential_colour(0.0));
   EXPECT_EQ(sequential_colour(2.0), sequential_colour(1.0));
 }
 
 TEST(FalseColour, SequentialMapIsInferno) {  // entries 0, 65 and 255 of matplotlib's table, which are among those kept
-  const DisplayColour low = sequential_colour(0.0), quarter = sequential_colour(65.0 / 255.0), high = sequential_colour(1.0);
+  const DisplayColour low = sequential_colour(0.0), quarter = sequential_colour(65.0 / 255.0),
+                      high = sequential_colour(1.0);
   EXPECT_THAT(low, testing::ElementsAre(0.0f, 0.0f, 4.0f / 255));
   EXPECT_THAT(quarter, testing::ElementsAre(0x59 / 255.0f, 0x10 / 255.0f, 0x6e / 255.0f));
   EXPECT_THAT(high, testing::ElementsAre(0xfc / 255.0f, 1.0f, 0xa4 / 255.0f));
@@ -76,7 +78,8 @@ TEST(EllipseDrawing, MinusThirtyDegreesFallsToTheRight) {
 }
 
 TEST(EllipseDrawing, CircleIsNotTurnedAndAFocalLineIsStillDrawn) {
-  EXPECT_THAT(svg_ellipse({5.0, 5.0, std::nullopt}, 1.0, 48.0, 48.0, "measured"), testing::Not(testing::HasSubstr("rotate")));
+  EXPECT_THAT(svg_ellipse({5.0, 5.0, std::nullopt}, 1.0, 48.0, 48.0, "measured"),
+              testing::Not(testing::HasSubstr("rotate")));
   EXPECT_THAT(svg_ellipse({5.0, 0.0, 90.0}, 1.0, 48.0, 48.0, "measured"), testing::HasSubstr("ry=\"0.01\""));
 }
 

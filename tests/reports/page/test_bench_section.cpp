@@ -23,20 +23,26 @@ constexpr double rounding = 1e-11;  // logarithms of numbers up to 128, a few op
 
 const std::vector<ErrorLevel> levels = {{"rmse", 0.25}, {"one_minus_ssim", 0.005}};
 
-/// A report with the section of two methods, and a third that is a filtered picture: as fast as "a", with a sixteenth of its squared error.
+/// A report with the section of two methods, and a third that is a filtered picture: as fast as "a", with a sixteenth
+/// of its squared error.
 Json report_with_bench() {
   MeasuredView view = test::two_methods();
   for (const int n : {4, 16})
-    view.settings.push_back(
-        {"filtered", static_cast<std::uint64_t>(n), {test::sample(n, n, 0.0625 / n), test::sample(n, n, 0.0625 / n)}, ""});
+    view.settings.push_back({"filtered",
+                             static_cast<std::uint64_t>(n),
+                             {test::sample(n, n, 0.0625 / n), test::sample(n, n, 0.0625 / n)},
+                             ""});
   Json of_view = evaluated(view, {{"a", "A"}, {"b", "B"}, {"filtered", "<F>", true}}, levels);
   of_view["id"] = "v";
   of_view["title"] = "a view";
   of_view["resolution"] = {2, 1};
-  const Json broken = {{"id", "steep"}, {"view", "v"}, {"passed", false}}, kept = {{"id", "flat"}, {"view", "v"}, {"passed", true}};
-  return {
-      {"bench",
-       {{"title", "A race"}, {"machine", {{"cpu", "Abacus"}, {"threads", 2}}}, {"views", {of_view}}, {"requirements", {broken, kept}}}}};
+  const Json broken = {{"id", "steep"}, {"view", "v"}, {"passed", false}},
+             kept = {{"id", "flat"}, {"view", "v"}, {"passed", true}};
+  return {{"bench",
+           {{"title", "A race"},
+            {"machine", {{"cpu", "Abacus"}, {"threads", 2}}},
+            {"views", {of_view}},
+            {"requirements", {broken, kept}}}}};
 }
 
 /// The ratio of `method` to the baseline in RMSE.
@@ -61,7 +67,8 @@ TEST(BenchSection, AFilteredPictureHasRowsAndNothingElse) {
   EXPECT_EQ(view["methods"][2]["points"].size(), 2u);
   EXPECT_NEAR(view["methods"][2]["times"][0]["seconds"].get<double>(), 4.0, rounding);
   // It would be the whole front if it counted.
-  for (const char* list : {"pareto", "crossovers", "ratios"}) EXPECT_THAT(view[list].dump(), Not(HasSubstr("filtered"))) << list;
+  for (const char* list : {"pareto", "crossovers", "ratios"})
+    EXPECT_THAT(view[list].dump(), Not(HasSubstr("filtered"))) << list;
   EXPECT_EQ(view["pareto"]["rmse"].size(), 4u);
 }
 
@@ -104,12 +111,14 @@ TEST(BenchSection, StatisticsOfGates) {
   EXPECT_NEAR(s.at("bench/v/b/error/rmse").value.value(), 0.0625, rounding);
   EXPECT_NEAR(s.at("bench/v/b/error_ratio/rmse").value.value(), 0.5, rounding);
   EXPECT_NEAR(s.at("bench/v/b/time_ratio/rmse").value.value(), 0.5, rounding);
-  // Each error: relative standard error of the mean square 0.1·√(2/6), of its root half of that; two of them; twice as much of a time.
+  // Each error: relative standard error of the mean square 0.1·√(2/6), of its root half of that; two of them; twice as
+  // much of a time.
   EXPECT_NEAR(s.at("bench/v/b/error_ratio/rmse").uncertainty.value(), 0.5 * 0.05 * std::sqrt(4.0 / 6.0), rounding);
   EXPECT_NEAR(s.at("bench/v/b/time_ratio/rmse").uncertainty.value(), 0.05 * std::sqrt(4.0 / 6.0), rounding);
   EXPECT_NEAR(s.at("bench/v/a/seconds/rmse/0.25").value.value(), 16.0, rounding);
   EXPECT_FALSE(s.at("bench/v/b/times_faster/rmse").value);
-  EXPECT_FALSE(s.at("bench/v/b/seconds/one_minus_ssim/0.005").value.has_value() && s.at("bench/v/a/seconds/one_minus_ssim/0.005").value);
+  EXPECT_FALSE(s.at("bench/v/b/seconds/one_minus_ssim/0.005").value.has_value() &&
+               s.at("bench/v/a/seconds/one_minus_ssim/0.005").value);
   EXPECT_EQ(s.at("bench/broken_requirements").value, 1.0);
   EXPECT_EQ(s.at("bench/broken_requirements").cases, 2u);
   EXPECT_EQ(s.at("bench/broken_requirements").worst_case, "steep, v");
@@ -139,7 +148,8 @@ TEST(BenchSection, TheLastSlopeIsThatOfTheLastTwoSettings) {
 TEST(BenchSection, TheSentenceNamesWhoIsFirst) {
   const Json sentence = bench_sentence(report_with_bench()["bench"]);
   ASSERT_TRUE(sentence.is_string());
-  // The filtered picture would be first. Both have the error 1/4 for the first time at 8 s (b, its cheapest) and 16 s (a).
+  // The filtered picture would be first. Both have the error 1/4 for the first time at 8 s (b, its cheapest) and 16 s
+  // (a).
   EXPECT_THAT(sentence.get<std::string>(), HasSubstr("v: RMSE 0.25: b within 8 s, a in 16 s"));
   EXPECT_THAT(sentence.get<std::string>(), HasSubstr("1 − SSIM 0.005: b in 100 s, a never"));
   EXPECT_TRUE(bench_sentence(Json::object()).is_null());
@@ -148,8 +158,8 @@ TEST(BenchSection, TheSentenceNamesWhoIsFirst) {
 TEST(BenchSection, ThePageShowsIt) {
   const std::string html = bench_section(report_with_bench(), std::filesystem::temp_directory_path());
   EXPECT_EQ(test::markup_defects(html), "");
-  for (const char* text :
-       {"Abacus", "A race", "a view", "SSIM 0.995", "not reached", "filtered: biased", "passes 64", "Each method at its least error"})
+  for (const char* text : {"Abacus", "A race", "a view", "SSIM 0.995", "not reached", "filtered: biased", "passes 64",
+                           "Each method at its least error"})
     EXPECT_THAT(html, HasSubstr(text));
   EXPECT_EQ(bench_section(Json::object(), ""), "");
 }

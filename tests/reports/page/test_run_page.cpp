@@ -67,7 +67,8 @@ Json* ReportHtml::report_ = nullptr;
 std::string* ReportHtml::page_ = nullptr;
 
 TEST_F(ReportHtml, IsDrawnFromAReportThatFollowsTheSchema) {
-  for (const bool failing : {false, true}) EXPECT_NO_THROW(validate(test::synthetic_report(failing), "report", "synthetic"));
+  for (const bool failing : {false, true})
+    EXPECT_NO_THROW(validate(test::synthetic_report(failing), "report", "synthetic"));
 }
 
 TEST_F(ReportHtml, IsWellFormed) {
@@ -101,12 +102,14 @@ TEST_F(ReportHtml, LoadsNothingFromOutside) {
 }
 
 TEST_F(ReportHtml, ShowsEveryGateFailuresFirst) {
-  std::size_t failed = page_->find("<code>matrix_equals_conoid</code>"), passed = page_->find("<code>conoid_reference</code>"),
+  std::size_t failed = page_->find("<code>matrix_equals_conoid</code>"),
+              passed = page_->find("<code>conoid_reference</code>"),
               must_fail = page_->find("<code>mirrored_axis_fails</code>");
   ASSERT_NE(failed, std::string::npos);
   EXPECT_LT(failed, passed);
   EXPECT_LT(passed, must_fail);
-  for (const Json& gate : (*report_)["gates"]) EXPECT_THAT(*page_, HasSubstr("<code>" + gate["id"].get<std::string>() + "</code>"));
+  for (const Json& gate : (*report_)["gates"])
+    EXPECT_THAT(*page_, HasSubstr("<code>" + gate["id"].get<std::string>() + "</code>"));
 }
 
 TEST_F(ReportHtml, ComesInReadingOrder) {
@@ -120,8 +123,10 @@ TEST_F(ReportHtml, ComesInReadingOrder) {
 }
 
 TEST_F(ReportHtml, DrawsBothEllipsesOverEachPointSpreadFunction) {
-  // AXIS 30 in the examiner's frame is the meridian 150° of the wearer; the larger error lies across it, at +60°, and y is down here.
-  EXPECT_THAT(*page_, HasSubstr("<ellipse class=\"predicted\" cx=\"48\" cy=\"48\" rx=\"30\" "));  // 96 px are 3.2 semi-axes
+  // AXIS 30 in the examiner's frame is the meridian 150° of the wearer; the larger error lies across it, at +60°, and y
+  // is down here.
+  EXPECT_THAT(*page_,
+              HasSubstr("<ellipse class=\"predicted\" cx=\"48\" cy=\"48\" rx=\"30\" "));  // 96 px are 3.2 semi-axes
   EXPECT_THAT(*page_, HasSubstr("transform=\"rotate(-60 48 48)\""));
   EXPECT_THAT(*page_, HasSubstr("<ellipse class=\"measured\""));
 }
@@ -159,8 +164,8 @@ TEST_F(ReportHtml, NeverShowsANumberThatIsNone) {
   report["images"][0]["metrics"]["ssim_display"]["value"] = std::numeric_limits<double>::infinity();
   const std::string page = render_report_html(report, folder_);
   EXPECT_EQ(test::markup_defects(page), "");
-  EXPECT_FALSE(
-      std::regex_search(visible_text(page), std::regex(R"(\b(nan|inf|null)\b(?!\|))", std::regex::icase)));  // "|inf|" is part of an id
+  EXPECT_FALSE(std::regex_search(
+      visible_text(page), std::regex(R"(\b(nan|inf|null)\b(?!\|))", std::regex::icase)));  // "|inf|" is part of an id
 }
 
 TEST_F(ReportHtml, EscapesHostileTexts) {
@@ -221,7 +226,8 @@ TEST_F(ReportHtml, MissingAndBrokenPicturesLeaveANote) {
 TEST_F(ReportHtml, SlowStaysSmallWithLargeNoisyImages) {
   Image noise(700, 700, 3);
   unsigned state = 1;
-  for (float& value : noise.pixels) value = static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0f;
+  for (float& value : noise.pixels)
+    value = static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0f;
   LayeredImage file;
   file.layers[""] = noise;
   write_exr(folder_ / "noise.exr", file);
@@ -229,16 +235,18 @@ TEST_F(ReportHtml, SlowStaysSmallWithLargeNoisyImages) {
   for (int i = 0; i < 3; ++i)
     report["images"].push_back({{"id", "n"}, {"files", {{"path_traced", "noise.exr"}, {"predicted", "noise.exr"}}}});
   const std::string page = render_report_html(report, folder_);
-  // Stills: see below. Viewer: 3 × (2 × 3 + 7) numbers of 2 bytes in base64 for 700² pixels are 51 MB, over 9 after shrinking to a
-  // third 5.7.
+  // Stills: see below. Viewer: 3 × (2 × 3 + 7) numbers of 2 bytes in base64 for 700² pixels are 51 MB, over 9 after
+  // shrinking to a third 5.7.
   EXPECT_LT(page.size(), 12'000'000u);
-  EXPECT_THAT(page, HasSubstr("shown at 1/2 of its size"));  // 9 pictures of 700² px at 4 bytes: 17.6 MB, 4.4 MB after halving
+  EXPECT_THAT(
+      page, HasSubstr("shown at 1/2 of its size"));  // 9 pictures of 700² px at 4 bytes: 17.6 MB, 4.4 MB after halving
 }
 
 TEST_F(ReportHtml, AllCasesStandInOneTableFailuresFirst) {
   const std::size_t table = page_->find("All cases, failures first");
   ASSERT_NE(table, std::string::npos);
-  const std::string rows = page_->substr(page_->find("<tbody>", table), page_->find("</tbody>", table) - page_->find("<tbody>", table));
+  const std::string rows =
+      page_->substr(page_->find("<tbody>", table), page_->find("</tbody>", table) - page_->find("<tbody>", table));
   std::size_t rays = 0, count = 0;
   for (const Json& item : (*report_)["ellipses"]["cases"]) rays += item["rays"].size();
   for (std::size_t at = rows.find("<tr"); at != std::string::npos; at = rows.find("<tr", at + 1)) ++count;

@@ -88,7 +88,8 @@ TEST_F(AgreementPictures, FilesThatDoNotFitAreANote) {
 
 TEST_F(AgreementPictures, SlowLeavesOutMapsBeforeItShrinks) {
   const Json entry = entry_with_files(folder_, 480, 480);
-  // All maps: 480² × (3 + 3 × (3 + 7)) numbers of 2 bytes in base64 are 20.3 MB; with one map less 18.4 MB, which fit 18.5.
+  // All maps: 480² × (3 + 3 × (3 + 7)) numbers of 2 bytes in base64 are 20.3 MB; with one map less 18.4 MB, which
+  // fit 18.5.
   ViewerPayload payload;
   const auto places = agreement_pictures(Json::array({entry}), folder_, payload);
   const Json shown = case_in(payload);

@@ -34,7 +34,8 @@ TEST(ReportCases, APredictionIsHeldAgainstThePathTracersNoise) {
 
 TEST(ReportCases, ABiasIsToldFromNoiseAtTheLevelOfAllTogether) {
   std::vector<ReportCase> cases;
-  // Eight pictures make 28 pairs: t with 27 degrees of freedom. Three cases at 1 % together are 0.33 % each, two-sided: t = 3.22.
+  // Eight pictures make 28 pairs: t with 27 degrees of freedom. Three cases at 1 % together are 0.33 % each, two-sided:
+  // t = 3.22.
   add_sampling_cases(testing::sampling_report(1e-5, 3.0, 0.1), cases);
   EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Agrees, CaseStatus::Differs, CaseStatus::Agrees));
   EXPECT_NEAR(*cases[1].value, 0.04, 1e-12);  // √4e-4 over 0.5
@@ -60,17 +61,20 @@ TEST(ReportCases, ChecksNameTheirWorstCaseAndPointSpreadsTheirNoise) {
 }
 
 TEST(ReportCases, SpectaclesHaveARowPerLensAndMethod) {
-  Json study = {{"lenses", {{{"id", "A"}}, {{"id", "B"}}}},
-                {"views", {test::study_view("A", 0.0, 0.01), test::study_view("A", 20.0, 0.3), test::study_view("B", 20.0, 0.0, false)}}};
+  Json study = {
+      {"lenses", {{{"id", "A"}}, {{"id", "B"}}}},
+      {"views",
+       {test::study_view("A", 0.0, 0.01), test::study_view("A", 20.0, 0.3), test::study_view("B", 20.0, 0.0, false)}}};
   study["views"][1]["pupils"][1]["ray_transfer"] = nullptr;  // rays lost
   std::vector<ReportCase> cases;
   add_lens_study_cases({{"lens_study", study}}, cases);
   ASSERT_EQ(cases.size(), 6u);
-  EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Agrees, CaseStatus::Differs, CaseStatus::Differs, CaseStatus::Agrees,
-                                         CaseStatus::NoResult, CaseStatus::Differs));
+  EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Agrees, CaseStatus::Differs, CaseStatus::Differs,
+                                         CaseStatus::Agrees, CaseStatus::NoResult, CaseStatus::Differs));
   EXPECT_EQ(cases[0].ray_model, "ray_transfer");
   EXPECT_DOUBLE_EQ(*cases[0].value, 0.036);  // 1e-3 D/mm² at 6 mm, straight ahead
-  EXPECT_THAT(cases[0].measure, HasSubstr("(0°|0.5 m, pupil 6 mm); above 0.05 D in 0 of 3 views and pupils; none in 1"));
+  EXPECT_THAT(cases[0].measure,
+              HasSubstr("(0°|0.5 m, pupil 6 mm); above 0.05 D in 0 of 3 views and pupils; none in 1"));
   EXPECT_EQ(cases[1].ray_model, "published");
   EXPECT_EQ(*cases[1].value, 0.3);
   EXPECT_THAT(cases[1].measure, HasSubstr("(20° 0°|0.5 m, pupil 1 mm); above 0.05 D in 2 of 4 views and pupils"));
@@ -85,23 +89,26 @@ TEST(ReportCases, TheCaseThatDecidedAFailedGateComesFirst) {
     const std::size_t row = page.find("<tr", page.find("<tbody>"));
     return page.substr(row, page.find("</tr>", row) - row);
   };
-  const std::string prediction = first_row(testing::agreement_report(0.9, 4e-4), "agreement_ssim_display_min/layered", "box");
+  const std::string prediction =
+      first_row(testing::agreement_report(0.9, 4e-4), "agreement_ssim_display_min/layered", "box");
   EXPECT_THAT(prediction, HasSubstr("data-status=\"failed\""));
   EXPECT_THAT(first_row(testing::agreement_report(0.9, 4e-4), "agreement_ssim_display_min/multipass", "box"),
               HasSubstr("data-status=\"differs\""));  // a gate about another prediction
-  const std::string sampling =
-      first_row(testing::sampling_report(1e-5, 9.0, 0.1), "sampling_unbiased_max_z", "lens|uniform_polar_weighted|halton");
+  const std::string sampling = first_row(testing::sampling_report(1e-5, 9.0, 0.1), "sampling_unbiased_max_z",
+                                         "lens|uniform_polar_weighted|halton");
   EXPECT_THAT(sampling, HasSubstr("data-status=\"failed\""));
   EXPECT_THAT(sampling, HasSubstr("uniform_polar_weighted"));
-  const std::string check = first_row(testing::sin2_report(1.0, 0.4), "sin2_study/matrix_vs_theory_max", "A|1 m|4 mm|relaxed|power_matrix");
+  const std::string check =
+      first_row(testing::sin2_report(1.0, 0.4), "sin2_study/matrix_vs_theory_max", "A|1 m|4 mm|relaxed|power_matrix");
   EXPECT_THAT(check, HasSubstr("data-status=\"failed\""));
   EXPECT_THAT(check, HasSubstr("matrix_vs_theory_max"));
-  const std::string spread = first_row(testing::sin2_report(1e-15, 0.4), "sin2_study/gallery_repaired_over_noise_max", "circle");
+  const std::string spread =
+      first_row(testing::sin2_report(1e-15, 0.4), "sin2_study/gallery_repaired_over_noise_max", "circle");
   EXPECT_THAT(spread, HasSubstr("data-status=\"failed\""));
   EXPECT_THAT(spread, HasSubstr("repaired"));
-  const Json lenses = {
-      {"lens_study",
-       {{"lenses", {{{"id", "A"}}, {{"id", "A2"}}}}, {"views", {test::study_view("A", 20.0, 0.3), test::study_view("A2", 0.0, 0.3)}}}}};
+  const Json lenses = {{"lens_study",
+                        {{"lenses", {{{"id", "A"}}, {{"id", "A2"}}}},
+                         {"views", {test::study_view("A", 20.0, 0.3), test::study_view("A2", 0.0, 0.3)}}}}};
   const std::string lens = first_row(lenses, "lens_order_max_deviation", "A2|0°|0.5 m");
   EXPECT_THAT(lens, HasSubstr("data-status=\"failed\""));
   EXPECT_THAT(lens, HasSubstr("A2"));

@@ -42,7 +42,8 @@ TEST(MutatedReport, PatchesOneMutationAndForgetsTheOthers) {
   EXPECT_EQ(longer["psfs"], healthy_report()["psfs"]);
   EXPECT_EQ(moved["ellipses"], healthy_report()["ellipses"]);
   EXPECT_NEAR(*statistics_of(moved).at("psf_matrix_centroid_max_z").value, 13.0, 1e-12);
-  EXPECT_EQ(moved["psfs"][0]["measured"]["semi_axes_arcmin"], healthy_report()["psfs"][0]["measured"]["semi_axes_arcmin"]);
+  EXPECT_EQ(moved["psfs"][0]["measured"]["semi_axes_arcmin"],
+            healthy_report()["psfs"][0]["measured"]["semi_axes_arcmin"]);
   EXPECT_EQ(mutated_report(report, "unheard of"), healthy_report());
   Json dropped = report;
   drop_mutated(dropped);
@@ -51,13 +52,16 @@ TEST(MutatedReport, PatchesOneMutationAndForgetsTheOthers) {
 
 TEST(MutatedReport, OfAnEmptyReportIsEmpty) {
   EXPECT_EQ(mutated_report(Json::object(), "long"), Json::object());
-  EXPECT_EQ(mutated_report(Json{{"psfs", "none"}, {"images", {1, nullptr}}}, "long"), (Json{{"psfs", "none"}, {"images", {1, nullptr}}}));
+  EXPECT_EQ(mutated_report(Json{{"psfs", "none"}, {"images", {1, nullptr}}}, "long"),
+            (Json{{"psfs", "none"}, {"images", {1, nullptr}}}));
 }
 
 TEST(GatePower, NamesTheGatesThatNotice) {
-  const std::vector<GateSpec> gates = {at_most("z", "matrix_vs_conoid_max_z", 5.0, 1e-3), at_most("shift", "image_shift_max_px", 0.1, 2e-3),
+  const std::vector<GateSpec> gates = {at_most("z", "matrix_vs_conoid_max_z", 5.0, 1e-3),
+                                       at_most("shift", "image_shift_max_px", 0.1, 2e-3),
                                        at_most("fails anyway", "image_shift_max_px", 0.0, 0.0)};
-  const std::vector<MutationName> mutations = {{"long", "an axis"}, {"moved", "a picture"}, {"nothing", "no patch at all"}};
+  const std::vector<MutationName> mutations = {
+      {"long", "an axis"}, {"moved", "a picture"}, {"nothing", "no patch at all"}};
   const Json power = gate_power(gates, with_patches(), mutations, Json(nullptr));
   EXPECT_EQ(power["gates"], 3);
   EXPECT_NEAR(power["false_alarms_per_run"].get<double>(), 3e-3, 1e-15);

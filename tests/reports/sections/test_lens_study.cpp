@@ -32,7 +32,8 @@ Json mutant(const char* id, double value) {
 }
 
 Json healthy() {
-  return {{"lens_study", test::synthetic_lens_study()}, {"must_fail", {mutant("published_as_exact", 1.9), mutant("mirrored_gaze", 1.8)}}};
+  return {{"lens_study", test::synthetic_lens_study()},
+          {"must_fail", {mutant("published_as_exact", 1.9), mutant("mirrored_gaze", 1.8)}}};
 }
 
 std::vector<std::string> failures_of(const Json& report) {
@@ -82,7 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Spoilt{"/lens_study/views/3/relative_order", "order_of_relative_error", 2.06},
                     Spoilt{"/lens_study/views/0/limit_relative", "real_rays_tend_to_first_order", 1e-4},
                     Spoilt{"/lens_study/views/1/first_order/published/defocus_D", "published_is_told_apart", 0.01},
-                    Spoilt{"/lens_study/views/3/first_order/published/defocus_D", "published_is_exact_without_cylinder", 1e-6},
+                    Spoilt{"/lens_study/views/3/first_order/published/defocus_D", "published_is_exact_without_cylinder",
+                           1e-6},
                     Spoilt{"/lens_study/views/2/first_order/published", "published_is_exact_without_cylinder", nullptr},
                     Spoilt{"/lens_study/views/0/previous_unscaled_error", "previous_is_exact_inside", 1e-6},
                     Spoilt{"/must_fail/0/value", "published_cannot_pass_as_exact", 0.04},
@@ -103,8 +105,9 @@ TEST(LensStudyGates, AMutantStudyOfOrderTwoFails) {
     view["relative_order"] = 0.0;
     view["limit_relative"] = 0.02;
   }
-  EXPECT_THAT(failures_of(report), testing::ElementsAre("order_of_absolute_error", "order_of_relative_error",
-                                                        "real_rays_tend_to_first_order", "real_rays_tend_to_first_order_through_splines"));
+  EXPECT_THAT(failures_of(report),
+              testing::ElementsAre("order_of_absolute_error", "order_of_relative_error",
+                                   "real_rays_tend_to_first_order", "real_rays_tend_to_first_order_through_splines"));
 }
 
 TEST(LensStudyErrors, TakesTheWorstOfDirectionsAndDistances) {
@@ -188,8 +191,8 @@ TEST_F(LensStudyReport, CountsTheFailuresOfEquation11) {
 
 TEST_F(LensStudyReport, HoldsEveryFigureAndNamesItsFile) {
   const std::string html = page();
-  for (const char* id :
-       {"lens_study_convergence", "lens_study_field", "lens_study_field_ellipses", "lens_study_heat_toric", "lens_study_heat_round"})
+  for (const char* id : {"lens_study_convergence", "lens_study_field", "lens_study_field_ellipses",
+                         "lens_study_heat_toric", "lens_study_heat_round"})
     EXPECT_THAT(html, HasSubstr(figure_file(id)));
   EXPECT_EQ(count(html, "src=\"data:image/svg+xml;base64,"), 6);
   EXPECT_THAT(html, Not(HasSubstr("<section id=\"figures\"")));  // all belong to the study
@@ -197,9 +200,10 @@ TEST_F(LensStudyReport, HoldsEveryFigureAndNamesItsFile) {
 
 TEST_F(LensStudyReport, DrawsEllipsesTheRightWayUp) {
   const auto figures = lens_study_figures(report_["lens_study"]);
-  EXPECT_THAT(figures[2].svg, HasSubstr("rotate(-30 "));     // +30° of the wearer frame with y down
-  EXPECT_EQ(count(figures[2].svg, "<ellipse"), 3 * 3 + 11);  // real rays behind three methods; 12 outlines but for one that is missing
-  EXPECT_THAT(figures[3].svg, HasSubstr(">0.20<"));          // the heat map's number
+  EXPECT_THAT(figures[2].svg, HasSubstr("rotate(-30 "));  // +30° of the wearer frame with y down
+  EXPECT_EQ(count(figures[2].svg, "<ellipse"),
+            3 * 3 + 11);  // real rays behind three methods; 12 outlines but for one that is missing
+  EXPECT_THAT(figures[3].svg, HasSubstr(">0.20<"));  // the heat map's number
 }
 
 TEST_F(LensStudyReport, ASectionWithoutNumbersIsDrawnToo) {
@@ -221,7 +225,10 @@ TEST_F(LensStudyReport, CsvHasOneLinePerViewPupilAndMethod) {
   for (std::size_t at = 0; at < csv.size(); at = csv.find("\r\n", at) + 2)
     EXPECT_EQ(count(csv.substr(at, csv.find("\r\n", at) - at), ","), static_cast<int>(columns));
   EXPECT_THAT(csv, HasSubstr("toric,20,0,0.5,2,1,4.01,1.99,1e-06,2e-14,ok,6,0,20.4,10.2,published,0.1,0.2,0.1,"));
-  EXPECT_THAT(csv, HasSubstr("toric,0,,0.5,2,1,4.01,1.99,1e-06,2e-14,ok,6,0,20.4,10.2,published,,,,,,,\r\n"));  // no ellipse, no numbers
+  EXPECT_THAT(
+      csv,
+      HasSubstr(
+          "toric,0,,0.5,2,1,4.01,1.99,1e-06,2e-14,ok,6,0,20.4,10.2,published,,,,,,,\r\n"));  // no ellipse, no numbers
   EXPECT_THAT(csv, HasSubstr("round,45,0,,,,,,,,missed_lens,,"));
 }
 

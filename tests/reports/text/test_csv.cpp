@@ -37,7 +37,8 @@ Rows parse(const std::string& csv) {
 
 std::string at(const Rows& rows, std::size_t row, const std::string& heading) {
   const auto column = std::find(rows[0].begin(), rows[0].end(), heading);
-  return column == rows[0].end() ? "no column " + heading : rows[row][static_cast<std::size_t>(column - rows[0].begin())];
+  return column == rows[0].end() ? "no column " + heading
+                                 : rows[row][static_cast<std::size_t>(column - rows[0].begin())];
 }
 
 TEST(EllipsesCsv, OneRowPerCaseAndRayModel) {

@@ -19,7 +19,8 @@ Image truth() {
   Image image(side, side, 3);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
-      for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>(0.5 + 0.2 * std::sin(0.6 * x + c) * std::cos(0.5 * y));
+      for (int c = 0; c < 3; ++c)
+        image.at(x, y)[c] = static_cast<float>(0.5 + 0.2 * std::sin(0.6 * x + c) * std::cos(0.5 * y));
   return image;
 }
 
@@ -68,19 +69,22 @@ TEST(AgreementMeasures, SquaresAreSplitIntoNoiseAndMethod) {
   const ErrorParts left = errors.within(&mask);
   EXPECT_EQ(left.pixels, static_cast<std::size_t>(side * side / 4));
   EXPECT_NEAR(left.method(), offset * offset, 4.0 * 0.01 * 1.3e-3);  // a quarter of the pixels, twice the error
-  // The offset times the mean noise of the reference in 6912 values, twice: 2 · 0.02 · 0.02/83 = 1e-5 of 2 · 0.036 · RMSE; 4σ.
+  // The offset times the mean noise of the reference in 6912 values, twice: 2 · 0.02 · 0.02/83 = 1e-5 of 2 · 0.036 ·
+  // RMSE; 4σ.
   EXPECT_NEAR(left.rmse.value, std::sqrt(own_sigma * own_sigma + offset * offset), 6e-4);
 }
 
 TEST(AgreementMeasures, SimilarityIsSplitAsPicturesWithoutNoiseWouldHaveIt) {
   const double reference_sigma = 0.03, own_sigma = 0.015;
   const Image distorted = off_on_the_left(0.05);
-  const ReplicatePictures reference(replicates(truth(), reference_sigma, 6, 1)), predicted(replicates(distorted, own_sigma, 6, 100));
+  const ReplicatePictures reference(replicates(truth(), reference_sigma, 6, 1)),
+      predicted(replicates(distorted, own_sigma, 6, 100));
   const SimilarityLoss loss = PredictionErrors(reference, predicted).similarity_loss();
   const double clean = ssim(distorted, truth()).mean;
   double own = 0.0;
   for (const Image& image : predicted.images()) own += ssim(image, truth()).mean / 6.0;
-  // Extrapolation is linear in the variance v/V over that of the picture, 2e-4/2e-2 at the most: v²/V² is left of it, 1 % of the loss.
+  // Extrapolation is linear in the variance v/V over that of the picture, 2e-4/2e-2 at the most: v²/V² is left of it, 1
+  // % of the loss.
   EXPECT_NEAR(loss.method, 1.0 - clean, 0.02 * loss.total);
   EXPECT_NEAR(loss.prediction_noise, clean - own, 0.02 * loss.total);
   EXPECT_NEAR(loss.reference_noise, loss.total - (1.0 - own), 0.02 * loss.total);
@@ -102,18 +106,23 @@ TEST(EqualError, FollowsThePowerLawAndTheLineOfTime) {
 }
 
 nlohmann::json prediction(double ssim, double faster) {
-  return {{"kind", "layered"},
-          {"parts", {{{"name", "whole"}, {"ssim_display", {{"value", ssim}}}}}},
-          {"similarity_loss", {{"total", 1.0 - ssim}, {"reference_noise", 0.004}, {"prediction_noise", 0.02}, {"method", 0.006}}},
-          {"squared_error", {{"total", 1e-4}, {"prediction_noise", 6e-5}, {"method", 4e-5}}},
-          {"times_faster", faster},
-          {"cost_in_paths", 25.0},
-          {"samples_of_equal_error", 200.0},
-          {"rmse_needed", 0.0061},
-          {"causes",
-           {{{"name", "lamp_rims"}, {"pixels", 100}, {"share_of_squared_error", 0.62}, {"share_of_similarity_loss", 0.05}},
-            {{"name", "occlusion_edges"}, {"pixels", 1900}, {"share_of_squared_error", 0.33}, {"share_of_similarity_loss", 0.15}},
-            {{"name", "blurred"}, {"pixels", 8000}, {"share_of_squared_error", 0.05}, {"share_of_similarity_loss", 0.8}}}}};
+  return {
+      {"kind", "layered"},
+      {"parts", {{{"name", "whole"}, {"ssim_display", {{"value", ssim}}}}}},
+      {"similarity_loss",
+       {{"total", 1.0 - ssim}, {"reference_noise", 0.004}, {"prediction_noise", 0.02}, {"method", 0.006}}},
+      {"squared_error", {{"total", 1e-4}, {"prediction_noise", 6e-5}, {"method", 4e-5}}},
+      {"times_faster", faster},
+      {"cost_in_paths", 25.0},
+      {"samples_of_equal_error", 200.0},
+      {"rmse_needed", 0.0061},
+      {"causes",
+       {{{"name", "lamp_rims"}, {"pixels", 100}, {"share_of_squared_error", 0.62}, {"share_of_similarity_loss", 0.05}},
+        {{"name", "occlusion_edges"},
+         {"pixels", 1900},
+         {"share_of_squared_error", 0.33},
+         {"share_of_similarity_loss", 0.15}},
+        {{"name", "blurred"}, {"pixels", 8000}, {"share_of_squared_error", 0.05}, {"share_of_similarity_loss", 0.8}}}}};
 }
 
 TEST(AgreementReasons, SayWhatIsReached) {
@@ -128,20 +137,25 @@ TEST(AgreementReasons, SayWhatIsMissingAndWhere) {
   const nlohmann::json entry = {{"samples_per_pixel", 256}, {"replicates", 4}, {"sharp_samples_per_pixel", 16}};
   const auto reasons = agreement_reasons(entry, prediction(0.97, 8.0));
   ASSERT_EQ(reasons.size(), 2u);
-  EXPECT_NE(reasons[0].find("0.0300 that are missing to 1, 0.0040 are noise of the reference (1024 paths per pixel), 0.0200 noise of the "
-                            "prediction (sharp view of 16), 0.0060 the method. By place: 80 % elsewhere in blur (80 % of the pixels), 15 % "
-                            "at edges of depth (19 % of the pixels)."),
-            std::string::npos)
-      << reasons[0];
   EXPECT_NE(
-      reasons[1].find("20 × needed the RMSE 0.0061 that path tracing has after 20 times as many; it has 0.01. Of its squared error 60 %"),
+      reasons[0].find(
+          "0.0300 that are missing to 1, 0.0040 are noise of the reference (1024 paths per pixel), 0.0200 noise of the "
+          "prediction (sharp view of 16), 0.0060 the method. By place: 80 % elsewhere in blur (80 % of the pixels), 15 "
+          "% "
+          "at edges of depth (19 % of the pixels)."),
       std::string::npos)
-      << reasons[1];
-  EXPECT_NE(reasons[1].find("62 % in the blur of lamps' rims (1 % of the pixels), 33 % at edges of depth (19 % of the pixels)."),
+      << reasons[0];
+  EXPECT_NE(reasons[1].find("20 × needed the RMSE 0.0061 that path tracing has after 20 times as many; it has 0.01. Of "
+                            "its squared error 60 %"),
             std::string::npos)
       << reasons[1];
-  EXPECT_NE(agreement_reasons(entry, prediction(0.978, 8.0))[0].find("without the reference's noise the bar is reached"),
-            std::string::npos);
+  EXPECT_NE(reasons[1].find(
+                "62 % in the blur of lamps' rims (1 % of the pixels), 33 % at edges of depth (19 % of the pixels)."),
+            std::string::npos)
+      << reasons[1];
+  EXPECT_NE(
+      agreement_reasons(entry, prediction(0.978, 8.0))[0].find("without the reference's noise the bar is reached"),
+      std::string::npos);
 }
 
 TEST(AgreementReasons, AreSilentWithoutNumbers) {

@@ -15,7 +15,8 @@ constexpr double rounding = 1e-12;  // a few operations in double
 
 std::vector<CostPoint> points_of(std::initializer_list<std::pair<double, double>> seconds_and_errors) {
   std::vector<CostPoint> points;
-  for (const auto& [seconds, error] : seconds_and_errors) points.push_back({100.0 * seconds, seconds, error, std::nullopt});
+  for (const auto& [seconds, error] : seconds_and_errors)
+    points.push_back({100.0 * seconds, seconds, error, std::nullopt});
   return points;
 }
 
@@ -29,8 +30,8 @@ TEST(BenchCurve, APowerLawGivesItsOwnSlope) {
 }
 
 TEST(BenchCurve, SlopeAndScatterByHand) {
-  // log₂ x = 0, 1, 2 and log₂ y = 0, −1, −1: least squares gives slope −1/2, residuals (−1/6, 1/3, −1/6), Σ = 1/6, Σ(x − x̄)² = 2,
-  // standard error √(1/6/1/2) = 0.288675.
+  // log₂ x = 0, 1, 2 and log₂ y = 0, −1, −1: least squares gives slope −1/2, residuals (−1/6, 1/3, −1/6), Σ = 1/6, Σ(x
+  // − x̄)² = 2, standard error √(1/6/1/2) = 0.288675.
   const std::vector<CostPoint> points = {{1.0, 1.0, 1.0, {}}, {2.0, 1.0, 0.5, {}}, {4.0, 1.0, 0.5, {}}};
   const auto law = fit_power_law(points);
   ASSERT_TRUE(law);

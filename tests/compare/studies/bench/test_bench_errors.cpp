@@ -56,7 +56,8 @@ TEST(ReferenceImage, EqualsTheMetricsOfCompare) {
 }
 
 TEST(ReferenceImage, BrightNeighbourhoodsAreLeftOut) {
-  // One pixel of radiance 90 in a picture of 0: the mean over 9 pixels is 10, over the 6 of an edge 15, over the 4 of a corner 22.5.
+  // One pixel of radiance 90 in a picture of 0: the mean over 9 pixels is 10, over the 6 of an edge 15, over the 4 of a
+  // corner 22.5.
   Image bright = constant(0.0f);
   for (int c = 0; c < 3; ++c) bright.at(5, 5)[c] = 90.0f;
   EXPECT_EQ(ReferenceImage(bright, bright, 9.99, 1.0).pixels_left_out(), 9u);
@@ -83,7 +84,8 @@ TEST(ReferenceImage, TheFloorIsAQuarterOfTheHalvesDifference) {
 }
 
 TEST(ReferenceImage, WhatIsLeftAfterTheFloorIsTheTrueError) {
-  // Reference halves with σ = 0.2 (their mean: variance v = 0.02), test pictures with σ = 0.3 and a bias of 0.1: the true error is 0.10.
+  // Reference halves with σ = 0.2 (their mean: variance v = 0.02), test pictures with σ = 0.3 and a bias of 0.1: the
+  // true error is 0.10.
   std::mt19937_64 random(11);
   constexpr int trials = 300;
   double sum = 0.0, squares = 0.0, relative = 0.0, raw = 0.0;
@@ -124,14 +126,16 @@ TEST(BenchEvaluation, EstimatesByHand) {
   EXPECT_NEAR(median_seconds(setting), 2.5, rounding);
   PictureErrors floor;
   floor.mse = floor.relative_mse = floor.relative_mse_trimmed = floor.one_minus_ssim = 0.015;
-  // Mean 0.04, deviations −0.01, 0.01, 0, 0: standard error √(2e-4/12) = 0.00408248; left after the floor 0.025, its root 0.158114.
+  // Mean 0.04, deviations −0.01, 0.01, 0, 0: standard error √(2e-4/12) = 0.00408248; left after the floor 0.025, its
+  // root 0.158114.
   const ErrorEstimate root = estimate(setting, floor, error_kind("rmse"));
   EXPECT_NEAR(root.raw, 0.2, rounding);
   EXPECT_NEAR(root.value.value(), 0.15811388300841897, rounding);
   EXPECT_NEAR(root.standard_error.value(), 0.004082482904638630 / (2.0 * 0.15811388300841897), rounding);
   EXPECT_EQ(root.status, FloorStatus::Clear);
   EXPECT_NEAR(estimate(setting, floor, error_kind("relative_mse")).value.value(), 0.025, rounding);
-  EXPECT_NEAR(estimate(setting, floor, error_kind("relative_mse_trimmed")).value.value(), 0.04, rounding);  // nothing taken off
+  EXPECT_NEAR(estimate(setting, floor, error_kind("relative_mse_trimmed")).value.value(), 0.04,
+              rounding);  // nothing taken off
   EXPECT_NEAR(estimate(setting, floor, error_kind("one_minus_ssim")).value.value(), 0.04, rounding);
   floor.mse = 0.025;
   EXPECT_EQ(estimate(setting, floor, error_kind("rmse")).status, FloorStatus::Near);
@@ -178,7 +182,8 @@ TEST(BenchEvaluation, BoundsAreInclusiveAndNothingKeepsNone) {
 }
 
 TEST(BenchEvaluation, AReportOfTheView) {
-  const Json view = evaluated(two_methods(), {{"a", "A"}, {"b", "B"}, {"c", "not used"}}, {{"rmse", 0.25}, {"rmse", 0.01}});
+  const Json view =
+      evaluated(two_methods(), {{"a", "A"}, {"b", "B"}, {"c", "not used"}}, {{"rmse", 0.25}, {"rmse", 0.01}});
   ASSERT_EQ(view["methods"].size(), 2u);
   EXPECT_NEAR(view["methods"][0]["slopes"]["rmse"]["slope"].get<double>(), -0.5, rounding);
   EXPECT_EQ(view["methods"][0]["points"][1]["seconds"]["longest"], 48.0);
@@ -187,7 +192,8 @@ TEST(BenchEvaluation, AReportOfTheView) {
   EXPECT_NEAR(view["methods"][0]["times"][0]["seconds"].get<double>(), 16.0, 100 * rounding);
   EXPECT_EQ(view["methods"][1]["times"][0]["status"], "at_once");
   EXPECT_TRUE(view["methods"][1]["times"][1]["seconds"].is_null());
-  // a at 4 s, then b at 8, 32 and 128 s: a at 16 s (error 1/4) is beaten by b at 8 s (error 1/4), a at 64 s by b at 32 s.
+  // a at 4 s, then b at 8, 32 and 128 s: a at 16 s (error 1/4) is beaten by b at 8 s (error 1/4), a at 64 s by b at 32
+  // s.
   ASSERT_EQ(view["pareto"]["rmse"].size(), 4u);
   EXPECT_EQ(view["pareto"]["rmse"][0]["method"], "a");
   EXPECT_EQ(view["pareto"]["rmse"][3]["method"], "b");

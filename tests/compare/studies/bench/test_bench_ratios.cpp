@@ -38,7 +38,8 @@ TEST(BenchRatios, ErrorsAreComparedAtTheLargestNumberOfSamplesOfBoth) {
 }
 
 TEST(BenchRatios, TimesAreAsUncertainAsTheLeastCertainPoint) {
-  // Slope −1 in time; the baseline's 0.25 after 8 s is reached after 4 s. Relative errors 3 % here (of three points the largest) and 4 %.
+  // Slope −1 in time; the baseline's 0.25 after 8 s is reached after 4 s. Relative errors 3 % here (of three points the
+  // largest) and 4 %.
   const MethodCurve method = curve({{4, 1.0, 1.0, 0.01}, {16, 2.0, 0.5, 0.015}, {64, 8.0, 0.125, 0.0}}),
                     baseline = curve({{4, 8.0, 0.25, 0.01}});
   const StatisticValue ratio = time_ratio(method, baseline);
@@ -47,7 +48,8 @@ TEST(BenchRatios, TimesAreAsUncertainAsTheLeastCertainPoint) {
 }
 
 TEST(BenchRatios, TheCostOfARootDoublesItsRelativeError) {
-  const MethodCurve method = curve({{4, 1.0, 9.0, 0.0}, {16, 2.0, 0.5, 0.015}}), baseline = curve({{4, 8.0, 0.25, 0.01}});
+  const MethodCurve method = curve({{4, 1.0, 9.0, 0.0}, {16, 2.0, 0.5, 0.015}}),
+                    baseline = curve({{4, 8.0, 0.25, 0.01}});
   // RMSE: 0.25·2/(0.0625·8) = 1 ± 2·5 %; a mean of squares: 0.5·2/(0.25·8) = 0.5 ± 5 %.
   const StatisticValue root = cost_ratio(method, baseline, error_kind("rmse")),
                        square = cost_ratio(method, baseline, error_kind("relative_mse"));
@@ -72,7 +74,8 @@ TEST(BenchRatios, OfSettingsThatTakeEquallyLongTheBestCounts) {
 }
 
 TEST(BenchRatios, SamplesAreTheMeanOfTheRounds) {
-  const MeasuredSetting setting{"m", 4, {test::sample(1.0, 8.0, 0.03), test::sample(1.0, 10.0, 0.03), test::sample(1.0, 15.0, 0.03)}, ""};
+  const MeasuredSetting setting{
+      "m", 4, {test::sample(1.0, 8.0, 0.03), test::sample(1.0, 10.0, 0.03), test::sample(1.0, 15.0, 0.03)}, ""};
   EXPECT_NEAR(mean_samples(setting), 11.0, rounding);
 }
 
@@ -80,7 +83,8 @@ TEST(BenchRatios, ReportsSayWhoIsAheadAfterACrossing) {
   // 1/t against 1/(2√t) in squared error: equal at 4 s; "steep" is ahead afterwards.
   MeasuredView view{"v", {}, {}};
   for (const double t : {1.0, 16.0}) {
-    view.settings.push_back({"flat", static_cast<std::uint64_t>(t), std::vector(2, test::sample(t, t, 0.5 / std::sqrt(t))), ""});
+    view.settings.push_back(
+        {"flat", static_cast<std::uint64_t>(t), std::vector(2, test::sample(t, t, 0.5 / std::sqrt(t))), ""});
   }
   for (const double t : {1.0, 16.0})
     view.settings.push_back({"steep", static_cast<std::uint64_t>(t), std::vector(2, test::sample(t, t, 1.0 / t)), ""});
@@ -110,7 +114,8 @@ TEST(BenchRatios, SimilarityIsThatOfDisplayedPictures) {
   EXPECT_NEAR(reference.noise_floor().one_minus_ssim, dissimilarity(first, second), rounding);
   // The numbers can tell: without the exposure, or against the mean of the halves, they are others.
   EXPECT_GT(std::abs(dissimilarity(first, second) - dissimilarity(first, reference.mean())), 1e-3);
-  EXPECT_GT(std::abs(dissimilarity(test, reference.mean()) - (1.0 - ssim(to_display(test, 1.0), to_display(reference.mean(), 1.0)).mean)),
+  EXPECT_GT(std::abs(dissimilarity(test, reference.mean()) -
+                     (1.0 - ssim(to_display(test, 1.0), to_display(reference.mean(), 1.0)).mean)),
             1e-3);
 }
 

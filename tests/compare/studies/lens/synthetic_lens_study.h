@@ -1,7 +1,8 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-/// A section "lens_study" with numbers made by hand: two lenses and a spline, straight ahead and 20° to the right, two pupils.
+/// A section "lens_study" with numbers made by hand: two lenses and a spline, straight ahead and 20° to the right, two
+/// pupils.
 namespace sturm::test {
 
 inline nlohmann::json pupil_error(double relative, double defocus_D, double pupil_mm) {
@@ -23,7 +24,8 @@ inline nlohmann::json study_pupil(double pupil_mm, double published_D, double pr
           {"previous", pupil_error(0.3, previous_D, pupil_mm)}};
 }
 
-inline nlohmann::json study_view(const char* lens, double eccentricity_deg, double published_D, bool published_exists = true) {
+inline nlohmann::json study_view(const char* lens, double eccentricity_deg, double published_D,
+                                 bool published_exists = true) {
   nlohmann::json view = {
       {"lens", lens},
       {"eccentricity_deg", eccentricity_deg},
@@ -36,13 +38,16 @@ inline nlohmann::json study_view(const char* lens, double eccentricity_deg, doub
       {"previous_unscaled_error", 2e-14},
       {"mutant_orders", {{"published_as_exact", 2.1}, {"mirrored_gaze", 2.2}}},
       {"first_order",
-       {{"published", published_exists ? nlohmann::json{{"relative_frobenius", 0.1}, {"defocus_D", published_D}} : nlohmann::json(nullptr)},
+       {{"published", published_exists ? nlohmann::json{{"relative_frobenius", 0.1}, {"defocus_D", published_D}}
+                                       : nlohmann::json(nullptr)},
         {"previous", {{"relative_frobenius", 0.3}, {"defocus_D", 0.4}}}}}};
-  for (const double pupil : {1.0, 6.0}) view["pupils"].push_back(study_pupil(pupil, published_D, 0.4, published_exists));
+  for (const double pupil : {1.0, 6.0})
+    view["pupils"].push_back(study_pupil(pupil, published_D, 0.4, published_exists));
   return view;
 }
 
-inline nlohmann::json study_gaze(const char* lens, double eccentricity_deg, const char* principal, const char* incidence) {
+inline nlohmann::json study_gaze(const char* lens, double eccentricity_deg, const char* principal,
+                                 const char* incidence) {
   return {{"lens", lens},
           {"eccentricity_deg", eccentricity_deg},
           {"direction_deg", eccentricity_deg > 0.0 ? nlohmann::json(0.0) : nlohmann::json(nullptr)},
@@ -67,14 +72,17 @@ inline nlohmann::json synthetic_lens_study() {
     return nlohmann::json{{"semi_axes_arcmin", {major, minor}}, {"orientation_deg", 30.0}};
   };
   nlohmann::json section;
-  section["conditions"] = {{"radial", 10}, {"azimuthal", 40}, {"order_pupils_mm", {0.5, 1.0}}, {"rotation_center_mm", 13.5}};
-  section["lenses"] = {study_lens("toric", false, -2.0), study_lens("round", true, 0.0), study_lens("free form", false, 0.0)};
+  section["conditions"] = {
+      {"radial", 10}, {"azimuthal", 40}, {"order_pupils_mm", {0.5, 1.0}}, {"rotation_center_mm", 13.5}};
+  section["lenses"] = {study_lens("toric", false, -2.0), study_lens("round", true, 0.0),
+                       study_lens("free form", false, 0.0)};
   section["lenses"][2]["analytic_surfaces"] = false;
   section["gazes"] = {study_gaze("toric", 0.0, "free_axes", "free_axes"), study_gaze("toric", 20.0, "ok", "negative"),
                       study_gaze("round", 0.0, "ok", "ok"), study_gaze("round", 20.0, "ok", "ok"),
                       study_gaze("free form", 20.0, "ok", "ok")};
-  section["views"] = {study_view("toric", 0.0, 0.0, false), study_view("toric", 20.0, 0.2), study_view("round", 0.0, 1e-14),
-                      study_view("round", 20.0, 2e-14), study_view("free form", 20.0, 0.01)};
+  section["views"] = {study_view("toric", 0.0, 0.0, false), study_view("toric", 20.0, 0.2),
+                      study_view("round", 0.0, 1e-14), study_view("round", 20.0, 2e-14),
+                      study_view("free form", 20.0, 0.01)};
   section["views"][4]["order"] = 3.0;
   section["views"][4]["relative_order"] = 1.1;
   section["field"] = {{"lens", "toric"}, {"distance_m", "inf"}, {"pupil_mm", 4.0}};

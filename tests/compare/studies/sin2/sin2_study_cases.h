@@ -5,7 +5,8 @@
 
 #include "compare/studies/sin2/study_case.h"
 
-/// A study of sin² with four eyes, made by hand: a grid of three (no correction, 0 −2 × 30 and 0 −2 × 90) and two real ones.
+/// A study of sin² with four eyes, made by hand: a grid of three (no correction, 0 −2 × 30 and 0 −2 × 90) and two real
+/// ones.
 namespace sturm::testing {
 
 inline constexpr std::size_t round_eye = 0, toric_eye = 1, same_toric_eye = 2, first_real_eye = 3, second_real_eye = 4;
@@ -24,7 +25,8 @@ inline Sin2StudySpec sin2_spec() {
   spec.cylinders_D = {0.0, -2.0};
   spec.distances_m = {1.0, 0.5, std::numeric_limits<double>::infinity()};
   spec.pupil_diameters_m = {2e-3, 4e-3};
-  spec.accommodations = {RelaxedAccommodation{}, FixedAccommodation{.focus_distance_m = 1.0}, FixedAccommodation{.focus_distance_m = 0.5},
+  spec.accommodations = {RelaxedAccommodation{}, FixedAccommodation{.focus_distance_m = 1.0},
+                         FixedAccommodation{.focus_distance_m = 0.5},
                          FixedAccommodation{.focus_distance_m = std::numeric_limits<double>::infinity()}};
   spec.rings.rings = 4;
   spec.reference_pupil = 1;

@@ -37,9 +37,15 @@ TEST(Sin2Checks, EachTakesTheLargestOfItsOwnModel) {
       study_case(power_matrix, round_eye, {{theory_deviation, 1e-15}, {closed_form_deviation, 0.7}}),
       study_case(power_matrix, toric_eye, {{theory_deviation, 3e-15}, {closed_form_deviation, 0.7}}),
       study_case(sin2_radial, round_eye,
-                 {{theory_deviation, 2e-16}, {closed_form_deviation, 4e-14}, {radial_deviation_D, 5e-13}, {repaired_deviation, 8e-15}}),
+                 {{theory_deviation, 2e-16},
+                  {closed_form_deviation, 4e-14},
+                  {radial_deviation_D, 5e-13},
+                  {repaired_deviation, 8e-15}}),
       study_case(sin2_radial, round_eye,
-                 {{theory_deviation, 1e-16}, {closed_form_deviation, 2e-14}, {radial_deviation_D, 6e-13}, {repaired_deviation, 9e-15}}),
+                 {{theory_deviation, 1e-16},
+                  {closed_form_deviation, 2e-14},
+                  {radial_deviation_D, 6e-13},
+                  {repaired_deviation, 9e-15}}),
       study_case(metalstigmatism, round_eye, {{theory_deviation, 0.8}, {closed_form_deviation, 7e-9}})};
   const Json checks = study_checks(sin2_spec(), cases);
   EXPECT_EQ(checks["cases"]["value"], 5);
@@ -115,11 +121,14 @@ TEST(Sin2Checks, LineFocusIsWhereOnePrincipalValueVanishes) {
   const Numbers measured = {{true_major_arcmin, 10.0}, {major_arcmin, 7.8}, {minor_arcmin, 3.6}};
   const double length = 0.7905694150420949 - 0.78, width = 0.36 - 0.3535533905932738;
   for (const auto& [high, low] : {std::pair{2.0, 0.0}, {0.0, -2.0}, {2.0, 1e-9}, {-1e-9, -2.0}}) {
-    EXPECT_NEAR(value_of("line_focus_length_max_deviation", {astigmatic(high, low, measured)}), length, rounding) << high << " " << low;
-    EXPECT_NEAR(value_of("line_focus_width_max_deviation", {astigmatic(high, low, measured)}), width, rounding) << high << " " << low;
+    EXPECT_NEAR(value_of("line_focus_length_max_deviation", {astigmatic(high, low, measured)}), length, rounding)
+        << high << " " << low;
+    EXPECT_NEAR(value_of("line_focus_width_max_deviation", {astigmatic(high, low, measured)}), width, rounding)
+        << high << " " << low;
   }
   for (const auto& [high, low] : {std::pair{2.0, 1.0}, {2.0, 1e-8}, {1e-8, -2.0}, {0.0, 0.0}, {1.0, -1.0}})
-    EXPECT_EQ(check("line_focus_length_max_deviation", {astigmatic(high, low, measured)})["cases"], 0) << high << " " << low;
+    EXPECT_EQ(check("line_focus_length_max_deviation", {astigmatic(high, low, measured)})["cases"], 0)
+        << high << " " << low;
   // Longer than it should be counts as much.
   EXPECT_NEAR(value_of("line_focus_length_max_deviation",
                        {astigmatic(2.0, 0.0, {{true_major_arcmin, 10.0}, {major_arcmin, 8.0}, {minor_arcmin, 3.6}})}),
@@ -131,7 +140,8 @@ TEST(Sin2Checks, CircleOfLeastConfusionIsWherePrincipalValuesAreOpposite) {
   const std::vector<StudyCase> circle = {astigmatic(1.5, -1.5, measured)};
   EXPECT_NEAR(value_of("circle_radius_max_deviation", circle), 0.7071067811865476 - 0.7, rounding);
   for (const auto& [high, low] : {std::pair{1.5, 1.5}, {1.5, -1.4}, {-1.5, -1.5}, {0.0, 0.0}})
-    EXPECT_EQ(check("circle_radius_max_deviation", {astigmatic(high, low, measured)})["cases"], 0) << high << " " << low;
+    EXPECT_EQ(check("circle_radius_max_deviation", {astigmatic(high, low, measured)})["cases"], 0)
+        << high << " " << low;
   EXPECT_TRUE(check("circle_radius_max_deviation", {astigmatic(1.5, -1.5, {{major_arcmin, 7.0}})})["value"].is_null());
 }
 
@@ -148,18 +158,20 @@ TEST(Sin2Checks, EmmetropeFocusedAsPrintedSeesInfinity) {
   toric.eye = toric_eye;
   sphere.eye = second_real_eye;
   other.model = sin2_radial;
-  EXPECT_EQ(check("emmetrope_focused_at_infinity_max_deviation",
-                  {seen(near, at_half_a_metre, focus_1_m), seen(near, at_1_m, relaxed), seen(near, far, focus_far),
-                   seen(toric, at_1_m, focus_1_m), seen(sphere, at_1_m, focus_1_m), seen(other, at_1_m, focus_1_m)})["cases"],
-            0);
+  EXPECT_EQ(
+      check("emmetrope_focused_at_infinity_max_deviation",
+            {seen(near, at_half_a_metre, focus_1_m), seen(near, at_1_m, relaxed), seen(near, far, focus_far),
+             seen(toric, at_1_m, focus_1_m), seen(sphere, at_1_m, focus_1_m), seen(other, at_1_m, focus_1_m)})["cases"],
+      0);
 }
 
 TEST(Sin2Checks, SamplingsOfThePupil) {
   // √(2/3) = 0.816497, 1, and √(5/4) = 1.118034 for four rings.
-  const std::vector<StudyCase> cases = {study_case(sin2_radial, toric_eye, {{polar_rms, 0.82}, {weighted_rms, 0.99}, {rings_rms, 1.12}}),
-                                        study_case(power_matrix, toric_eye, {{polar_rms, 0.81}, {weighted_rms, 1.005}, {rings_rms, 1.115}}),
-                                        study_case(power_matrix, round_eye, {}),  // in perfect focus: no ratio
-                                        study_case(metalstigmatism, toric_eye, {{polar_rms, 2.0}, {weighted_rms, 2.0}, {rings_rms, 2.0}})};
+  const std::vector<StudyCase> cases = {
+      study_case(sin2_radial, toric_eye, {{polar_rms, 0.82}, {weighted_rms, 0.99}, {rings_rms, 1.12}}),
+      study_case(power_matrix, toric_eye, {{polar_rms, 0.81}, {weighted_rms, 1.005}, {rings_rms, 1.115}}),
+      study_case(power_matrix, round_eye, {}),  // in perfect focus: no ratio
+      study_case(metalstigmatism, toric_eye, {{polar_rms, 2.0}, {weighted_rms, 2.0}, {rings_rms, 2.0}})};
   EXPECT_NEAR(value_of("polar_rms_max_deviation", cases), 0.8164965809277260 - 0.81, rounding);
   EXPECT_NEAR(value_of("polar_weighted_rms_max_deviation", cases), 0.01, rounding);
   EXPECT_NEAR(value_of("rings_rms_max_deviation", cases), 1.118033988749895 - 1.115, rounding);
@@ -169,8 +181,10 @@ TEST(Sin2Checks, SamplingsOfThePupil) {
 
 TEST(Sin2Checks, MutantsAreWrongByTheirLargestNumber) {
   const std::vector<StudyCase> cases = {
-      study_case(sin2_radial, toric_eye, {{mutant_repaired_as_sin2, 0.1}, {mutant_wrong_coefficient, 0.2}, {mutant_sin2_as_matrix, 0.3}}),
-      study_case(sin2_radial, round_eye, {{mutant_repaired_as_sin2, 0.0}, {mutant_wrong_coefficient, 0.5}, {mutant_sin2_as_matrix, 0.0}}),
+      study_case(sin2_radial, toric_eye,
+                 {{mutant_repaired_as_sin2, 0.1}, {mutant_wrong_coefficient, 0.2}, {mutant_sin2_as_matrix, 0.3}}),
+      study_case(sin2_radial, round_eye,
+                 {{mutant_repaired_as_sin2, 0.0}, {mutant_wrong_coefficient, 0.5}, {mutant_sin2_as_matrix, 0.0}}),
       study_case(power_matrix, toric_eye, {{mutant_mirrored_axis, 0.4}})};
   const Json checks = study_checks(sin2_spec(), cases);
   EXPECT_EQ(checks["mutant_repaired_as_sin2"]["value"], 0.1);

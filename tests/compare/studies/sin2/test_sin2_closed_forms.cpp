@@ -23,7 +23,8 @@ Eigen::Matrix2d by_sums(const Eigen::Matrix2d& f, double target_vergence_D, doub
 }
 
 TEST(MetalstigmatismClosedForm, IsTheMeanOfItsRays) {
-  for (const Eigen::Matrix2d& f : {Eigen::Matrix2d{{3.0, 0.7}, {0.7, 2.0}}, Eigen::Matrix2d{{-4.0, -1.1}, {-1.1, -2.5}}})
+  for (const Eigen::Matrix2d& f :
+       {Eigen::Matrix2d{{3.0, 0.7}, {0.7, 2.0}}, Eigen::Matrix2d{{-4.0, -1.1}, {-1.1, -2.5}}})
     for (const double focus : {1.0, 0.4, 2.0})
       for (const double target : {0.0, 1.0, 2.5}) {
         const auto closed = metalstigmatism_covariance(f, target, focus, 2e-3);
@@ -32,7 +33,8 @@ TEST(MetalstigmatismClosedForm, IsTheMeanOfItsRays) {
           continue;
         }
         const Eigen::Matrix2d sums = by_sums(f, target, focus, 2e-3);
-        EXPECT_LT((*closed - sums).norm(), 1e-11 * sums.norm()) << f << " " << focus << " " << target;  // rounding of 2e5 terms
+        EXPECT_LT((*closed - sums).norm(), 1e-11 * sums.norm())
+            << f << " " << focus << " " << target;  // rounding of 2e5 terms
       }
 }
 

@@ -14,9 +14,11 @@ using enum Quantity;
 using enum StudyModel;
 
 /// The row of a table for one model (and view; null: the worst view of each eye).
-Json row_of_population(const std::vector<StudyCase>& cases, const char* model, const Json& accommodation, const Json& distance_m) {
+Json row_of_population(const std::vector<StudyCase>& cases, const char* model, const Json& accommodation,
+                       const Json& distance_m) {
   for (const Json& row : population_table(sin2_spec(), cases))
-    if (row["ray_model"] == model && row["accommodation"] == accommodation && row["distance_m"] == distance_m) return row;
+    if (row["ray_model"] == model && row["accommodation"] == accommodation && row["distance_m"] == distance_m)
+      return row;
   return nullptr;
 }
 
@@ -25,7 +27,8 @@ StudyCase real_eye(double error, std::size_t eye = first_real_eye) {
 }
 
 TEST(Sin2Population, RanksByHand) {
-  // Errors 0.1 … 1.0 in any order: at least half of them do not exceed 0.5, nine in ten not 0.9; above a quarter dioptre are eight.
+  // Errors 0.1 … 1.0 in any order: at least half of them do not exceed 0.5, nine in ten not 0.9; above a quarter
+  // dioptre are eight.
   std::vector<StudyCase> cases;
   for (const int tenths : {7, 1, 9, 3, 10, 2, 8, 5, 4, 6}) cases.push_back(real_eye(0.1 * tenths));
   const Json row = row_of_population(cases, "sin2_radial", "relaxed", 1.0);
@@ -62,8 +65,8 @@ TEST(Sin2Population, OneRowPerViewAndOneForTheWorstViewOfEachEye) {
   const StudyCase pole = study_case(metalstigmatism, first_real_eye, {}, StudyStatus::pole);
   StudyCase printed = real_eye(0.6);
   printed.model = metalstigmatism;
-  const std::vector<StudyCase> cases = {real_eye(0.1), seen(real_eye(0.4), far, focus_1_m), seen(real_eye(0.2), at_half_a_metre, focus_1_m),
-                                        real_eye(0.3, second_real_eye),
+  const std::vector<StudyCase> cases = {real_eye(0.1), seen(real_eye(0.4), far, focus_1_m),
+                                        seen(real_eye(0.2), at_half_a_metre, focus_1_m), real_eye(0.3, second_real_eye),
                                         // A pole is worse than any error, whichever comes first.
                                         printed, seen(pole, far, focus_1_m), seen(printed, at_half_a_metre, focus_1_m)};
   EXPECT_EQ(row_of_population(cases, "sin2_radial", "focus 1 m", "inf")["error_D"]["max"], 0.4);
@@ -83,10 +86,13 @@ TEST(Sin2Population, OneRowPerViewAndOneForTheWorstViewOfEachEye) {
 
 TEST(Sin2Models, CountAndName) {
   const std::vector<StudyCase> cases = {
-      study_case(metalstigmatism, round_eye, {{rays, 100.0}, {rays_dropped, 3.0}, {rays_negative_focus, 40.0}, {error_D, 1.5}}),
-      study_case(metalstigmatism, toric_eye, {{rays, 100.0}, {rays_dropped, 100.0}, {rays_negative_focus, 0.0}}, StudyStatus::pole),
+      study_case(metalstigmatism, round_eye,
+                 {{rays, 100.0}, {rays_dropped, 3.0}, {rays_negative_focus, 40.0}, {error_D, 1.5}}),
+      study_case(metalstigmatism, toric_eye, {{rays, 100.0}, {rays_dropped, 100.0}, {rays_negative_focus, 0.0}},
+                 StudyStatus::pole),
       study_case(metalstigmatism, toric_eye, {}, StudyStatus::undefined),
-      study_case(metalstigmatism, first_real_eye, {{rays, 100.0}, {rays_dropped, 0.0}, {rays_negative_focus, 1.0}, {error_D, 2.5}}),
+      study_case(metalstigmatism, first_real_eye,
+                 {{rays, 100.0}, {rays_dropped, 0.0}, {rays_negative_focus, 1.0}, {error_D, 2.5}}),
       study_case(sin2_radial, toric_eye, {{error_D, 7.0}})};
   const Json table = model_table(sin2_spec(), cases);
   ASSERT_EQ(table.size(), 3u);
@@ -109,14 +115,15 @@ TEST(Sin2Models, CountAndName) {
 TEST(Sin2ReferenceView, MapsRunByCylinderThenSphereAndTakeTheFirstAxis) {
   StudyCase other_pupil = study_case(sin2_radial, round_eye, {{error_D, 9.0}});
   other_pupil.pupil = 0;
-  const std::vector<StudyCase> cases = {study_case(sin2_radial, round_eye, {{error_D, 0.0}, {true_major_arcmin, 6.0}, {major_arcmin, 5.0}}),
-                                        study_case(sin2_radial, toric_eye, {{error_D, 0.7}, {true_major_arcmin, 8.0}, {major_arcmin, 7.0}}),
-                                        study_case(sin2_radial, same_toric_eye, {{error_D, 0.9}}),
-                                        study_case(sin2_radial, second_real_eye, {{error_D, 0.4}}),
-                                        study_case(sin2_radial, first_real_eye, {{error_D, 0.2}}),
-                                        other_pupil,
-                                        seen(study_case(sin2_radial, round_eye, {{error_D, 9.0}}), far, relaxed),
-                                        seen(study_case(sin2_radial, round_eye, {{error_D, 9.0}}), at_1_m, focus_1_m)};
+  const std::vector<StudyCase> cases = {
+      study_case(sin2_radial, round_eye, {{error_D, 0.0}, {true_major_arcmin, 6.0}, {major_arcmin, 5.0}}),
+      study_case(sin2_radial, toric_eye, {{error_D, 0.7}, {true_major_arcmin, 8.0}, {major_arcmin, 7.0}}),
+      study_case(sin2_radial, same_toric_eye, {{error_D, 0.9}}),
+      study_case(sin2_radial, second_real_eye, {{error_D, 0.4}}),
+      study_case(sin2_radial, first_real_eye, {{error_D, 0.2}}),
+      other_pupil,
+      seen(study_case(sin2_radial, round_eye, {{error_D, 9.0}}), far, relaxed),
+      seen(study_case(sin2_radial, round_eye, {{error_D, 9.0}}), at_1_m, focus_1_m)};
   const Json views = reference_views(sin2_spec(), cases);
   EXPECT_EQ(views["maps"][1]["ray_model"], "sin2_radial");
   // Rows: no cylinder, −2 D; columns: 0 D, +1 D, of which no eye is there.

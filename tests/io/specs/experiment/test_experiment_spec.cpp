@@ -85,7 +85,8 @@ TEST_F(ExperimentSpecTest, ErrorsNameTheirPlace) {
   EXPECT_THAT(error_with("/gates=none.json"), HasSubstr("/gates: got \"none.json\""));
   EXPECT_THAT(error_with("/images/0/accommodation={\"mode\": \"best\", \"amplitude_D\": 1}"),
               HasSubstr("/images/0/accommodation: got mode \"best\""));
-  EXPECT_THAT(error_with("/images/0/ray_models/0=metalstigmatism"), HasSubstr("/images/0/accommodation: got no \"focus_distance_m\""));
+  EXPECT_THAT(error_with("/images/0/ray_models/0=metalstigmatism"),
+              HasSubstr("/images/0/accommodation: got no \"focus_distance_m\""));
   EXPECT_THAT(error_with("/ellipses/rays/replicates=1"), HasSubstr("/ellipses/rays/replicates: got 1"));
   EXPECT_THAT(error_with("/images/0/replicates=1"), HasSubstr("/images/0/replicates: got 1"));
   EXPECT_THAT(error_with("/ellipses/prescriptions/0={\"id\": \"a\", \"sphere_D\": 40, \"vertex_distance_mm\": 25}"),
@@ -95,8 +96,9 @@ TEST_F(ExperimentSpecTest, ErrorsNameTheirPlace) {
 class LensStudySpecTest : public ExperimentSpecTest {
  protected:
   LensStudySpecTest() {
-    write_text(folder_ / "lenses/l.json",
-               R"({"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.6}})");
+    write_text(
+        folder_ / "lenses/l.json",
+        R"({"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.6}})");
     write_text(folder_ / "map.svg", "<svg xmlns='http://www.w3.org/2000/svg'></svg>");
     for (const char* part : {"ellipses", "psfs", "images"}) document_.erase(part);
     document_["lens_study"] = parse_json(R"({
@@ -132,8 +134,8 @@ TEST_F(LensStudySpecTest, IsRead) {
   EXPECT_EQ(study.field->lens, 1u);
   EXPECT_EQ(study.field->azimuths_deg.back(), 50);
   EXPECT_EQ(std::get<FigureFile>(spec.figures[0].drawing).file, folder_ / "map.svg");
-  EXPECT_THAT(spec.input_files,
-              ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "lenses/l.json").string(), (folder_ / "map.svg").string()));
+  EXPECT_THAT(spec.input_files, ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "lenses/l.json").string(),
+                                            (folder_ / "map.svg").string()));
   EXPECT_EQ((*spec.resolved)["lens_study"]["quadrature"]["radial"], 10);
   EXPECT_EQ(*read_experiment(*spec.resolved, file_).resolved, *spec.resolved);
 }
@@ -148,26 +150,31 @@ TEST_F(LensStudySpecTest, FiguresThatTheRunDraws) {
     return read_experiment(document, file_).figures.at(0);
   };
   const auto conoid = std::get<SturmConoidFigure>(
-      figure(R"(, "sturm_conoid": {"eye": {"prescription": {"sphere_D": -2}, "pupil_diameter_mm": 4}, "gaze_deg": [0, 30], "to_m": 0.7})")
+      figure(
+          R"(, "sturm_conoid": {"eye": {"prescription": {"sphere_D": -2}, "pupil_diameter_mm": 4}, "gaze_deg": [0, 30], "to_m": 0.7})")
           .drawing);
   EXPECT_NEAR(conoid.elevation, 0.52359877559829887, 1e-16);
   EXPECT_EQ(conoid.end_m, 0.7);
   EXPECT_FALSE(conoid.spectacles);
-  const auto maps =
-      std::get<DefocusMapsFigure>(figure(R"(, "defocus_maps": {"lenses": ["../lenses/made.json"], "distance_m": "inf"})").drawing);
+  const auto maps = std::get<DefocusMapsFigure>(
+      figure(R"(, "defocus_maps": {"lenses": ["../lenses/made.json"], "distance_m": "inf"})").drawing);
   EXPECT_EQ(maps.names, std::vector<std::string>{"made"});
   EXPECT_TRUE(std::isinf(maps.distance_m));
   EXPECT_THAT(input_error([&] { figure(""); }), HasSubstr("/figures/0: got"));
   EXPECT_THAT(input_error([&] { figure(R"(, "file": "map.svg", "lens_maps": {"lens": "../lenses/made.json"})"); }),
               HasSubstr("exactly one of"));
   EXPECT_THAT(input_error([&] { figure(R"(, "lens_maps": {"lens": "../lenses/l.json"})"); }), HasSubstr("no eye here"));
-  EXPECT_THAT(input_error([&] { figure(R"(, "ellipse_layers": "none.json")"); }), HasSubstr("/figures/0/ellipse_layers"));
+  EXPECT_THAT(input_error([&] { figure(R"(, "ellipse_layers": "none.json")"); }),
+              HasSubstr("/figures/0/ellipse_layers"));
 }
 
 TEST_F(LensStudySpecTest, ErrorsNameTheirPlace) {
-  EXPECT_THAT(error_with("/lens_study/field/lens=c"), AllOf(HasSubstr("/lens_study/field/lens: got \"c\""), HasSubstr("\"a\", \"b\"")));
-  EXPECT_THAT(error_with("/lens_study/pupil_diameters_mm=[1, 0.5]"), HasSubstr("/lens_study/pupil_diameters_mm/1: got 0.5"));
-  EXPECT_THAT(error_with("/lens_study/order_pupil_diameters_mm=[0.5, 3]"), HasSubstr("/lens_study/order_pupil_diameters_mm/1: got 3"));
+  EXPECT_THAT(error_with("/lens_study/field/lens=c"),
+              AllOf(HasSubstr("/lens_study/field/lens: got \"c\""), HasSubstr("\"a\", \"b\"")));
+  EXPECT_THAT(error_with("/lens_study/pupil_diameters_mm=[1, 0.5]"),
+              HasSubstr("/lens_study/pupil_diameters_mm/1: got 0.5"));
+  EXPECT_THAT(error_with("/lens_study/order_pupil_diameters_mm=[0.5, 3]"),
+              HasSubstr("/lens_study/order_pupil_diameters_mm/1: got 3"));
   EXPECT_THAT(error_with("/lens_study/accommodation={\"mode\": \"best\", \"amplitude_D\": 1}"),
               HasSubstr("/lens_study/accommodation: got"));
   EXPECT_THAT(error_with("/lens_study/lenses/1/lens=null"), HasSubstr("/lens_study/lenses/1/lens: got null"));
@@ -189,7 +196,8 @@ TEST(GateSpec, ReadsAllComparisons) {
   EXPECT_EQ(gates[0].unit, "σ");
   EXPECT_EQ(gates[1].bound, 0.5);
   EXPECT_EQ(gates[1].unit, "");
-  for (std::size_t i = 0; i < gates.size(); ++i) EXPECT_EQ(to_string(gates[i].comparison), document["gates"][i]["comparison"]);
+  for (std::size_t i = 0; i < gates.size(); ++i)
+    EXPECT_EQ(to_string(gates[i].comparison), document["gates"][i]["comparison"]);
   Json twice = document;
   twice["gates"][3]["id"] = "a";
   EXPECT_THAT(input_error([&] { read_gates(twice, "g.json"); }), HasSubstr("g.json: /gates/3/id: got \"a\""));
@@ -197,9 +205,10 @@ TEST(GateSpec, ReadsAllComparisons) {
 
 /// A gate with what its bound was calibrated on; `changes` is a merge patch.
 Json calibrated_gates(const char* changes = "{}") {
-  Json gate = parse_json(R"({"id": "a", "title": "t", "statistic": "s", "comparison": "at_most", "bound": 4, "reason": "r",
+  Json gate =
+      parse_json(R"({"id": "a", "title": "t", "statistic": "s", "comparison": "at_most", "bound": 4, "reason": "r",
                              "level": 1e-4, "tolerance": {"value": 0.5, "reason": "edges"}, "noise": {"standard_deviation": 0.25, "source": "20 seeds"}})",
-                         "g.json");
+                 "g.json");
   gate.merge_patch(parse_json(changes, "g.json"));
   return {{"format", "sturm.gates/1"}, {"gates", {gate}}};
 }
@@ -229,15 +238,19 @@ TEST(GateSpec, WhatNobodyMeasuredIsNull) {
 }
 
 TEST(GateSpec, RefusesHalfACalibrationAndChanceWithoutNoise) {
-  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"noise": null})"), "g.json"); }), HasSubstr("g.json: /gates/0: got"));
+  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"noise": null})"), "g.json"); }),
+              HasSubstr("g.json: /gates/0: got"));
   EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"noise": {"standard_deviation": 0}})"), "g.json"); }),
               HasSubstr("g.json: /gates/0/level: got"));
   EXPECT_NO_THROW(read_gates(calibrated_gates(R"({"level": 0, "noise": {"standard_deviation": 0}})"), "g.json"));
-  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"level": 1})"), "g.json"); }), HasSubstr("/gates/0/level: got 1"));
+  EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"level": 1})"), "g.json"); }),
+              HasSubstr("/gates/0/level: got 1"));
   EXPECT_THAT(input_error([] { read_gates(calibrated_gates(R"({"tolerance": {"value": -1}})"), "g.json"); }),
               HasSubstr("/gates/0/tolerance/value: got -1"));
-  const Json plain = calibrated_gates(R"({"level": null, "tolerance": null, "noise": null})");  // RFC 7396: takes them away
-  EXPECT_THAT(input_error([&] { require_calibrated(read_gates(plain, "g.json"), "g.json"); }), HasSubstr("g.json: /gates/0: got \"a\""));
+  const Json plain =
+      calibrated_gates(R"({"level": null, "tolerance": null, "noise": null})");  // RFC 7396: takes them away
+  EXPECT_THAT(input_error([&] { require_calibrated(read_gates(plain, "g.json"), "g.json"); }),
+              HasSubstr("g.json: /gates/0: got \"a\""));
 }
 
 TEST(GateSpec, EveryShippedGateSaysWhatItWasCalibratedOn) {

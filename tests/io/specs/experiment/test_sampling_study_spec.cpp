@@ -50,9 +50,11 @@ TEST_F(SamplingStudySpecTest, ReadsEverything) {
 }
 
 TEST_F(SamplingStudySpecTest, WrongValuesNameTheirPlace) {
-  EXPECT_THAT(error_with("/sampling_study/configurations/1/id=sharp"), HasSubstr("/sampling_study/configurations/1/id"));
+  EXPECT_THAT(error_with("/sampling_study/configurations/1/id=sharp"),
+              HasSubstr("/sampling_study/configurations/1/id"));
   EXPECT_THAT(error_with(R"(/sampling_study/accommodation={"mode": "relaxed"})"), HasSubstr("focus_distance_m"));
-  EXPECT_THAT(error_with(R"(/sampling_study/accommodation={"mode": "best", "amplitude_D": 3})"), HasSubstr("camera gaze"));
+  EXPECT_THAT(error_with(R"(/sampling_study/accommodation={"mode": "best", "amplitude_D": 3})"),
+              HasSubstr("camera gaze"));
   EXPECT_THAT(error_with("/sampling_study/replicates=2"), HasSubstr("/sampling_study/replicates"));
   EXPECT_THAT(error_with("/sampling_study/samplings/0=disk"), HasSubstr("/sampling_study/samplings/0"));
   EXPECT_THAT(error_with("/sampling_study/scene=none.json"), HasSubstr("/sampling_study/scene"));
