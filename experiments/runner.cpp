@@ -157,7 +157,7 @@ std::vector<std::string> output_folders(const ExperimentSpec& spec) {
 std::vector<GateSpec> with_requirements(std::vector<GateSpec> gates, const ExperimentSpec& spec) {
   if (spec.bench && !spec.bench->requirements.empty())
     gates.push_back({"bench_requirements", "The benchmark's own requirements hold", "bench/broken_requirements",
-                     Comparison::AtMost, 0.0, "", "Each has its own bound and reason in the benchmark."});
+                     GateKind::AtMost, 0.0, "", "Each has its own bound and reason in the benchmark."});
   return gates;
 }
 
