@@ -20,20 +20,20 @@ namespace {
 
 /// The gates that a report was judged by, read back from it.
 std::vector<GateSpec> gates_in(const Json& report, const std::string& file) {
-  static const std::map<std::string, Comparison> comparisons = {{"upper_bound", Comparison::AtMost},
-                                                                {"lower_bound", Comparison::AtLeast},
-                                                                {"must_differ", Comparison::Differs},
-                                                                {"baseline", Comparison::Baseline},
-                                                                {"must_fail", Comparison::MustFail}};
+  static const std::map<std::string, GateKind> kinds = {{"upper_bound", GateKind::AtMost},
+                                                        {"lower_bound", GateKind::AtLeast},
+                                                        {"must_differ", GateKind::Differs},
+                                                        {"baseline", GateKind::Baseline},
+                                                        {"must_fail", GateKind::MustFail}};
   std::vector<GateSpec> gates;
   for (const Json& g : report.at("gates")) {
-    const auto comparison = comparisons.find(g.at("kind"));
-    if (comparison == comparisons.end() || !g.at("bound").is_number())
+    const auto kind = kinds.find(g.at("kind"));
+    if (kind == kinds.end() || !g.at("bound").is_number())
       throw InputError(file, "/gates/" + std::to_string(gates.size()), g.dump(), "a gate of known kind with a bound");
     gates.push_back({.id = g.at("id"),
                      .title = g.at("title"),
                      .statistic = g.at("statistic"),
-                     .comparison = comparison->second,
+                     .kind = kind->second,
                      .bound = g.at("bound"),
                      .unit = g.at("unit"),
                      .reason = g.at("reason"),

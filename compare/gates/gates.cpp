@@ -58,13 +58,13 @@ Statistic deviation(const std::string& name, const Statistics& now, const Statis
       std::nullopt, a.cases, where};
 }
 
-bool larger_is_worse(Comparison c) {
-  return c == Comparison::AtMost || c == Comparison::Baseline;
+bool larger_is_worse(GateKind c) {
+  return c == GateKind::AtMost || c == GateKind::Baseline;
 }
 
 /// The statistic that decides a gate.
 Statistic deciding(const GateSpec& gate, const Statistics& now, const Statistics* before) {
-  const bool needs_baseline = gate.comparison == Comparison::Baseline;
+  const bool needs_baseline = gate.kind == GateKind::Baseline;
   if (needs_baseline && !before) return {std::nullopt, std::nullopt, 0, "no baseline"};
   std::set<std::string> names = names_for(gate.statistic, now);
   if (needs_baseline) names.merge(names_for(gate.statistic, *before));
@@ -74,38 +74,37 @@ Statistic deciding(const GateSpec& gate, const Statistics& now, const Statistics
     const Statistic s = needs_baseline ? deviation(name, now, *before, gate.unit) : find(name, now);
     if (!s.value || s.cases == 0) return {std::nullopt, std::nullopt, s.cases, s.worst_case};
     cases += s.cases;
-    if (!worst.value || (larger_is_worse(gate.comparison) ? *s.value > *worst.value : *s.value < *worst.value))
-      worst = s;
+    if (!worst.value || (larger_is_worse(gate.kind) ? *s.value > *worst.value : *s.value < *worst.value)) worst = s;
   }
   worst.cases = cases;
   return worst;
 }
 
 bool passes(const GateSpec& gate, double value) {
-  switch (gate.comparison) {
-    case Comparison::AtMost:
-    case Comparison::Baseline:
+  switch (gate.kind) {
+    case GateKind::AtMost:
+    case GateKind::Baseline:
       return value <= gate.bound;
-    case Comparison::AtLeast:
-    case Comparison::Differs:
+    case GateKind::AtLeast:
+    case GateKind::Differs:
       return value >= gate.bound;
-    case Comparison::MustFail:
+    case GateKind::MustFail:
       return value > gate.bound;
   }
   return false;
 }
 
-std::string kind_of(Comparison comparison) {
-  switch (comparison) {
-    case Comparison::AtMost:
+std::string kind_of(GateKind kind) {
+  switch (kind) {
+    case GateKind::AtMost:
       return "upper_bound";
-    case Comparison::AtLeast:
+    case GateKind::AtLeast:
       return "lower_bound";
-    case Comparison::Differs:
+    case GateKind::Differs:
       return "must_differ";
-    case Comparison::Baseline:
+    case GateKind::Baseline:
       return "baseline";
-    case Comparison::MustFail:
+    case GateKind::MustFail:
       return "must_fail";
   }
   return "";
@@ -119,7 +118,7 @@ Json evaluate_gates(std::span<const GateSpec> gates, const Statistics& now, cons
     const Statistic s = deciding(gate, now, before);
     results.push_back({{"id", gate.id},
                        {"title", gate.title},
-                       {"kind", kind_of(gate.comparison)},
+                       {"kind", kind_of(gate.kind)},
                        {"passed", s.value && passes(gate, *s.value)},
                        {"statistic", gate.statistic},
                        {"value", number_or_null(s.value)},

@@ -49,7 +49,7 @@ void append_number(std::string& csv, double value) {
 }
 
 /// What the checks on wrong inputs read is no finding about a case.
-constexpr std::size_t quantities_in_csv = static_cast<std::size_t>(Quantity::mutant_repaired_as_sin2);
+constexpr std::size_t quantities_in_csv = static_cast<std::size_t>(StudyQuantity::mutant_repaired_as_sin2);
 
 }  // namespace
 
@@ -75,7 +75,7 @@ const char* title_of(StudyModel model) {
   }
 }
 
-const char* name_of(Quantity quantity) {
+const char* name_of(StudyQuantity quantity) {
   return quantity_names[static_cast<std::size_t>(quantity)];
 }
 

@@ -19,7 +19,7 @@ std::string name_of(StudyModel model);
 const char* title_of(StudyModel model);
 
 /// What a case has in numbers.
-enum class Quantity {
+enum class StudyQuantity {
   high_D,             ///< larger principal value V₁ of I/d + F − A·I
   low_D,              ///< smaller one, V₂
   true_major_arcmin,  ///< semi-axes of wavefront theory
@@ -48,10 +48,10 @@ enum class Quantity {
   mutant_sin2_as_matrix,     ///< sin2_radial from wavefront theory
   count
 };
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::count);
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(StudyQuantity::count);
 
 /// Names of the quantities in stored parts and in sin2_study.csv, in their order.
-const char* name_of(Quantity quantity);
+const char* name_of(StudyQuantity quantity);
 
 enum class StudyStatus {
   ok,
@@ -68,8 +68,8 @@ struct StudyCase {
   StudyStatus status = StudyStatus::ok;
   std::array<std::optional<double>, quantity_count> values{};
 
-  std::optional<double>& operator[](Quantity q) { return values[static_cast<std::size_t>(q)]; }
-  const std::optional<double>& operator[](Quantity q) const { return values[static_cast<std::size_t>(q)]; }
+  std::optional<double>& operator[](StudyQuantity q) { return values[static_cast<std::size_t>(q)]; }
+  const std::optional<double>& operator[](StudyQuantity q) const { return values[static_cast<std::size_t>(q)]; }
 };
 
 /// ‖is − should‖_F/(‖should‖_F + a²/4·(1 D)²): relative, except where there is less than a dioptre of blur, so that an

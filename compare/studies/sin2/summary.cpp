@@ -32,11 +32,11 @@ struct PopulationRow {
     ++eyes;
     pole += c.status == StudyStatus::pole;
     const struct {
-      Quantity q;
+      StudyQuantity q;
       std::vector<double>* list;
-    } columns[] = {{Quantity::error_D, &error_D},
-                   {Quantity::error_arcmin, &error_arcmin},
-                   {Quantity::error_percent, &error_percent}};
+    } columns[] = {{StudyQuantity::error_D, &error_D},
+                   {StudyQuantity::error_arcmin, &error_arcmin},
+                   {StudyQuantity::error_percent, &error_percent}};
     for (const auto& column : columns)
       if (c[column.q]) column.list->push_back(*c[column.q]);
   }
@@ -65,7 +65,7 @@ Json map_of(const Sin2StudySpec& spec, const std::map<std::pair<double, double>,
     Json row = Json::array();
     for (const double sphere : spec.spheres_D) {
       const auto at = grid.find({sphere, cylinder});
-      row.push_back(at == grid.end() ? Json(nullptr) : number_or_null((*at->second)[Quantity::error_D]));
+      row.push_back(at == grid.end() ? Json(nullptr) : number_or_null((*at->second)[StudyQuantity::error_D]));
     }
     rows.push_back(std::move(row));
   }
@@ -85,10 +85,11 @@ Json model_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases)
       ++total;
       undefined += c.status == StudyStatus::undefined;
       pole += c.status == StudyStatus::pole;
-      rays += c[Quantity::rays].value_or(0.0);
-      dropped += c[Quantity::rays_dropped].value_or(0.0);
-      negative += c[Quantity::rays_negative_focus].value_or(0.0);
-      if (c[Quantity::error_D] && (!worst || *c[Quantity::error_D] > *(*worst)[Quantity::error_D])) worst = &c;
+      rays += c[StudyQuantity::rays].value_or(0.0);
+      dropped += c[StudyQuantity::rays_dropped].value_or(0.0);
+      negative += c[StudyQuantity::rays_negative_focus].value_or(0.0);
+      if (c[StudyQuantity::error_D] && (!worst || *c[StudyQuantity::error_D] > *(*worst)[StudyQuantity::error_D]))
+        worst = &c;
     }
     table.push_back({{"ray_model", name_of(model)},
                      {"title", title_of(model)},
@@ -98,7 +99,7 @@ Json model_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases)
                      {"rays", rays},
                      {"rays_dropped", dropped},
                      {"rays_negative_focus", negative},
-                     {"largest_error_D", worst ? number_or_null((*worst)[Quantity::error_D]) : Json(nullptr)},
+                     {"largest_error_D", worst ? number_or_null((*worst)[StudyQuantity::error_D]) : Json(nullptr)},
                      {"largest_error_case", worst ? Json(label_of(*worst, spec)) : Json(nullptr)}});
   }
   return table;
@@ -114,7 +115,7 @@ Json population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& c
     const StudyCase*& worst = worst_of_eye[{c.model, c.eye}];
     const bool worse =
         !worst || (worst->status == StudyStatus::ok &&
-                   (c.status == StudyStatus::pole || *c[Quantity::error_D] > *(*worst)[Quantity::error_D]));
+                   (c.status == StudyStatus::pole || *c[StudyQuantity::error_D] > *(*worst)[StudyQuantity::error_D]));
     if (worse) worst = &c;
   }
   Json table = Json::array();
@@ -146,14 +147,14 @@ Json reference_views(const Sin2StudySpec& spec, const std::vector<StudyCase>& ca
     for (const StudyCase& c : cases) {
       if (c.model != model || !at_reference(c, spec)) continue;
       if (c.eye >= spec.grid_eyes) {
-        if (c[Quantity::error_D]) errors.push_back(*c[Quantity::error_D]);
+        if (c[StudyQuantity::error_D]) errors.push_back(*c[StudyQuantity::error_D]);
         continue;
       }
       const Prescription& rx = spec.eyes[c.eye].prescription;
       grid.insert({{rx.sphere_D, rx.cylinder_D}, &c});  // the first axis stays
       if (rx.cylinder_D == 0.0)
-        points.push_back(
-            {rx.sphere_D, number_or_null(c[Quantity::true_major_arcmin]), number_or_null(c[Quantity::major_arcmin])});
+        points.push_back({rx.sphere_D, number_or_null(c[StudyQuantity::true_major_arcmin]),
+                          number_or_null(c[StudyQuantity::major_arcmin])});
     }
     std::sort(errors.begin(), errors.end());
     maps.push_back({{"ray_model", name_of(model)}, {"error_D", map_of(spec, grid)}});

@@ -11,15 +11,15 @@
 namespace sturm {
 
 namespace {
-constexpr std::array<std::pair<Comparison, const char*>, 5> comparison_names = {{{Comparison::AtMost, "at_most"},
-                                                                                 {Comparison::AtLeast, "at_least"},
-                                                                                 {Comparison::Differs, "differs"},
-                                                                                 {Comparison::Baseline, "baseline"},
-                                                                                 {Comparison::MustFail, "must_fail"}}};
+constexpr std::array<std::pair<GateKind, const char*>, 5> kind_words = {{{GateKind::AtMost, "at_most"},
+                                                                         {GateKind::AtLeast, "at_least"},
+                                                                         {GateKind::Differs, "differs"},
+                                                                         {GateKind::Baseline, "baseline"},
+                                                                         {GateKind::MustFail, "must_fail"}}};
 
-Comparison comparison_of(const Json& name) {
-  for (const auto& [comparison, word] : comparison_names)
-    if (name == word) return comparison;
+GateKind kind_of(const Json& name) {
+  for (const auto& [kind, word] : kind_words)
+    if (name == word) return kind;
   throw std::logic_error("the schema of gates allows a comparison that is not known");
 }
 std::optional<double> number_or_none(const Json& value) {
@@ -27,10 +27,10 @@ std::optional<double> number_or_none(const Json& value) {
 }
 }  // namespace
 
-std::string to_string(Comparison comparison) {
-  for (const auto& [known, word] : comparison_names)
-    if (known == comparison) return word;
-  throw std::logic_error("comparison without a name");
+std::string to_string(GateKind kind) {
+  for (const auto& [known, word] : kind_words)
+    if (known == kind) return word;
+  throw std::logic_error("kind of gate without a word");
 }
 
 Json calibration_json(const GateSpec& gate) {
@@ -67,7 +67,7 @@ std::vector<GateSpec> read_gates(const Json& document, const std::string& file) 
     if (!ids.insert(gate.id).second) (where / "id").fail(value["id"], "an id that no other gate has");
     gate.title = value["title"].get<std::string>();
     gate.statistic = value["statistic"].get<std::string>();
-    gate.comparison = comparison_of(value["comparison"]);
+    gate.kind = kind_of(value["comparison"]);
     gate.bound = value["bound"].get<double>();
     gate.unit = value.value("unit", "");
     gate.reason = value["reason"].get<std::string>();

@@ -7,7 +7,8 @@
 
 namespace sturm {
 
-enum class Comparison {
+/// What a gate asks of its statistic.
+enum class GateKind {
   AtMost,    ///< passes when the statistic is ≤ bound
   AtLeast,   ///< passes when the statistic is ≥ bound
   Differs,   ///< passes when the statistic is ≥ bound: two things that must not agree
@@ -40,7 +41,7 @@ struct GateCalibration {
 struct GateSpec {
   std::string id, title;
   std::string statistic;
-  Comparison comparison = Comparison::AtMost;
+  GateKind kind = GateKind::AtMost;
   double bound = 0.0;
   std::string unit;
   std::string reason;  ///< where the bound comes from
@@ -62,7 +63,7 @@ Json calibration_json(const GateSpec& gate);
 /// Reads them back from a gate that follows the schema of gates or of reports; none unless all are there.
 std::optional<GateCalibration> read_calibration(const Json& gate);
 
-/// The word for a comparison as it stands in a gates file.
-std::string to_string(Comparison comparison);
+/// The word for a kind as it stands in a gates file.
+std::string to_string(GateKind kind);
 
 }  // namespace sturm

@@ -18,7 +18,7 @@ GateSpec at_most(const char* id, const char* statistic, double bound, std::optio
   return {.id = id,
           .title = "t",
           .statistic = statistic,
-          .comparison = Comparison::AtMost,
+          .kind = GateKind::AtMost,
           .bound = bound,
           .unit = "",
           .reason = "r",

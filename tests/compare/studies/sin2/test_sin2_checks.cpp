@@ -9,7 +9,7 @@ namespace sturm {
 namespace {
 
 using namespace testing;
-using enum Quantity;
+using enum StudyQuantity;
 using enum StudyModel;
 
 constexpr double rounding = 1e-12;  // a quotient and a difference of numbers of the order of 1
@@ -25,8 +25,8 @@ double value_of(const char* name, const std::vector<StudyCase>& cases) {
 /// A case of sin² with a cylinder (it has a share of lost variance) and principal values V₁ ≥ V₂.
 StudyCase astigmatic(double high_D, double low_D, Numbers numbers = {}) {
   StudyCase c = study_case(sin2_radial, toric_eye, numbers);
-  c[Quantity::high_D] = high_D;
-  c[Quantity::low_D] = low_D;
+  c[StudyQuantity::high_D] = high_D;
+  c[StudyQuantity::low_D] = low_D;
   if (!c[lost_variance_ratio]) c[lost_variance_ratio] = 1.0;
   if (!c[error_D]) c[error_D] = 0.5;
   return c;

@@ -10,7 +10,7 @@ namespace sturm {
 namespace {
 
 using namespace testing;
-using enum Quantity;
+using enum StudyQuantity;
 using enum StudyModel;
 
 /// The row of a table for one model (and view; null: the worst view of each eye).
