@@ -43,14 +43,14 @@ std::string run_key(const ExperimentSpec& spec, const std::vector<Wanted>& wante
   return sha256(facts);
 }
 
-/// Files and folders of a run; report.json, which appears last, first.
+/// Files and folders of a run; report.json, which appears last, first. Tables of an earlier run of another experiment
+/// in the same folder go away, too.
 RunFolder::Layout layout_of(const std::vector<Wanted>& wanted) {
   RunFolder::Layout layout{{"report.json", "report.html", "ellipses.csv", "junit.xml", "summary.md"}, {"figures"}};
-  for (const Wanted& w : wanted) {
-    const RunFolder::Layout more = w.run->writes();
-    layout.reports.insert(layout.reports.end(), more.reports.begin(), more.reports.end());
-    layout.folders.insert(layout.folders.end(), more.folders.begin(), more.folders.end());
-  }
+  for (const ExperimentSection& section : experiment_sections())
+    if (section.table) layout.reports.push_back(section.table);
+  for (const Wanted& w : wanted)
+    for (const std::string& folder : w.run->folders()) layout.folders.push_back(folder);
   return layout;
 }
 
@@ -131,10 +131,8 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
                  {"psfs", Json::array()},      {"images", Json::array()}, {"must_fail", Json::array()}};
   for (const Wanted& w : wanted) {
-    const Stopwatch of_section;
     w.run->run({folder, steps, mutations, options.threads, options.quiet}, report);
-    const double in_steps = steps.lap();
-    seconds[w.section.name] = in_steps > 0.0 ? in_steps : of_section.seconds();
+    if (const double spent = steps.lap(); spent > 0.0) seconds[w.section.name] = spent;
     for (Figure& figure : w.run->figures(report, folder, command)) figures.push_back(std::move(figure));
   }
   judge(spec, gates, mutations, wanted, report);

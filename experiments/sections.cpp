@@ -16,15 +16,15 @@ namespace sturm {
 
 std::span<const ExperimentSection> experiment_sections() {
   static constexpr std::array sections = {
-      ExperimentSection{"reference", nullptr, prepared_reference},
-      ExperimentSection{"ellipses", "sin2_sentence", prepared_ellipses},
-      ExperimentSection{"psfs", nullptr, prepared_psfs},
-      ExperimentSection{"images", nullptr, prepared_images},
-      ExperimentSection{"agreement", nullptr, prepared_agreement},
-      ExperimentSection{"lens_study", "lens_sentence", prepared_lens_study},
-      ExperimentSection{"sin2_study", "sin2_study_sentence", prepared_sin2_study},
-      ExperimentSection{"sampling_study", nullptr, prepared_sampling_study},
-      ExperimentSection{"bench", "bench_sentence", prepared_bench},
+      ExperimentSection{"reference", nullptr, nullptr, prepared_reference},
+      ExperimentSection{"ellipses", "sin2_sentence", nullptr, prepared_ellipses},
+      ExperimentSection{"psfs", nullptr, nullptr, prepared_psfs},
+      ExperimentSection{"images", nullptr, nullptr, prepared_images},
+      ExperimentSection{"agreement", nullptr, nullptr, prepared_agreement},
+      ExperimentSection{"lens_study", "lens_sentence", "lens_study.csv", prepared_lens_study},
+      ExperimentSection{"sin2_study", "sin2_study_sentence", "sin2_study.csv", prepared_sin2_study},
+      ExperimentSection{"sampling_study", nullptr, nullptr, prepared_sampling_study},
+      ExperimentSection{"bench", "bench_sentence", nullptr, prepared_bench},
   };
   return sections;
 }

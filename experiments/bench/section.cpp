@@ -5,6 +5,7 @@
 #include "experiments/bench/measurement.h"
 #include "reports/page/bench_page.h"
 #include "reports/sections/bench/bench_figures.h"
+#include "stages/stopwatch.h"
 
 namespace sturm {
 
@@ -16,10 +17,12 @@ class BenchRun : public SectionRun {
 
   std::string depends_on() const override { return keys_.run; }
 
-  RunFolder::Layout writes() const override { return {{}, {"references"}}; }
+  std::vector<std::string> folders() const override { return {"references"}; }
 
   void run(const SectionPlace& place, Json& report) override {
+    const Stopwatch watch;
     report["bench"] = measured_bench(spec_, keys_, {place.folder, place.threads, place.quiet});
+    place.steps.add_seconds(watch.seconds());
   }
 
   std::vector<Figure> figures(const Json& report, const RunFolder&, const std::string& command) const override {

@@ -22,14 +22,12 @@ class LensRun : public SectionRun {
     return facts;
   }
 
-  RunFolder::Layout writes() const override { return {{"lens_study.csv"}, {}}; }
-
   void run(const SectionPlace& place, Json& report) override {
     Json lenses = Json::array();
     for (const StudyLens& lens : spec_.lenses)
-      lenses.push_back(
-          place.steps("lens_" + lens.id, "lens " + lens.id,
-                      [&](const ProgressFunction& progress) { return lens_study_of(spec_, lens, progress); }));
+      lenses.push_back(place.steps("lens_" + lens.id, "lens " + lens.id, [&](const ProgressFunction& progress) {
+        return lens_study_of(spec_, lens, progress);
+      }));
     Json field = nullptr;
     if (spec_.field)
       field = place.steps("lens_field", "wide field",

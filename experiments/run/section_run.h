@@ -21,8 +21,8 @@ struct SectionPlace {
   bool quiet;
 };
 
-/// One section of an experiment's report. It is prepared before the run folder is touched, so that everything that can be
-/// wrong with the input shows first, then run, then it draws its figures.
+/// One section of an experiment's report. It is prepared before the run folder is touched, so that everything that can
+/// be wrong with the input shows first, then run, then it draws its figures.
 class SectionRun {
  public:
   virtual ~SectionRun() = default;
@@ -30,8 +30,8 @@ class SectionRun {
   /// Whatever a finished step depends on besides the resolved spec and the program: hashes and fingerprints.
   virtual std::string depends_on() const { return ""; }
 
-  /// What it writes into the run folder besides steps.
-  virtual RunFolder::Layout writes() const { return {}; }
+  /// Folders of the run folder that it writes pictures into.
+  virtual std::vector<std::string> folders() const { return {}; }
 
   /// Enters the section, and the deliberate errors that it noticed, into the report.
   virtual void run(const SectionPlace& place, Json& report) = 0;
@@ -56,6 +56,7 @@ void append(Json& list, const Json& entries);
 struct ExperimentSection {
   const char* name;          ///< of its time in the provenance
   const char* sentence_key;  ///< of its sentence in the verdict; null if it never has one
+  const char* table;         ///< file that it writes into the run folder; null if none
   /// Null where the experiment does not ask for it. Throws InputError.
   std::unique_ptr<SectionRun> (*prepared)(const ExperimentSpec& spec, const RunOptions& options);
 };

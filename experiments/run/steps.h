@@ -18,6 +18,9 @@ class Steps {
   Json operator()(const std::string& name, const std::string& label,
                   const std::function<Json(const ProgressFunction&)>& make);
 
+  /// Counts the time of work that keeps steps of its own.
+  void add_seconds(double seconds) { seconds_ += seconds; }
+
   /// Seconds of all steps since the last call.
   double lap();
 

@@ -18,7 +18,7 @@ class SamplingRun : public SectionRun {
 
   std::string depends_on() const override { return scene_fingerprint(description_); }
 
-  RunFolder::Layout writes() const override { return {{}, {"samplings"}}; }
+  std::vector<std::string> folders() const override { return {"samplings"}; }
 
   void run(const SectionPlace& place, Json& report) override {
     const Scene scene(description_);
@@ -26,8 +26,8 @@ class SamplingRun : public SectionRun {
     for (std::size_t i = 0; i < spec_.configurations.size(); ++i) {
       const std::string& id = spec_.configurations[i].id;
       append(entries, place.steps("sampling_" + id, "samplings " + id, [&](const ProgressFunction& progress) {
-               return sampling_entries(spec_, i, scene, seed_, place.folder.path(), progress);
-             }));
+        return sampling_entries(spec_, i, scene, seed_, place.folder.path(), progress);
+      }));
     }
     report["sampling_study"] = assembled_sampling_study(spec_, entries);
   }

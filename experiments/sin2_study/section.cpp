@@ -22,7 +22,7 @@ class Sin2Run : public SectionRun {
     return facts;
   }
 
-  RunFolder::Layout writes() const override { return {{"sin2_study.csv"}, {"psf"}}; }
+  std::vector<std::string> folders() const override { return {"psf"}; }
 
   void run(const SectionPlace& place, Json& report) override {
     std::vector<StudyCase> cases;

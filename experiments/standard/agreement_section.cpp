@@ -25,7 +25,7 @@ class AgreementRun : public SectionRun {
     return facts;
   }
 
-  RunFolder::Layout writes() const override { return {{}, {"images"}}; }
+  std::vector<std::string> folders() const override { return {"images"}; }
 
   void run(const SectionPlace& place, Json& report) override {
     for (std::size_t i = 0; i < spec_.agreement.size(); ++i) {

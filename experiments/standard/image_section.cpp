@@ -22,15 +22,15 @@ class ImageRun : public SectionRun {
     return facts;
   }
 
-  RunFolder::Layout writes() const override { return {{}, {"images"}}; }
+  std::vector<std::string> folders() const override { return {"images"}; }
 
   void run(const SectionPlace& place, Json& report) override {
     SharedViews views(spec_, scenes_);
     for (std::size_t i = 0; i < spec_.images.size(); ++i) {
       const std::string& id = spec_.images[i].id;
       append(report["images"], place.steps("image_" + id, "image " + id, [&](const ProgressFunction& progress) {
-               return image_entries(spec_, i, scenes_[i], views, place.folder.path(), progress);
-             }));
+        return image_entries(spec_, i, scenes_[i], views, place.folder.path(), progress);
+      }));
     }
   }
 

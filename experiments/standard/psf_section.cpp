@@ -14,13 +14,13 @@ class PsfRun : public SectionRun {
     for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
   }
 
-  RunFolder::Layout writes() const override { return {{}, {"psf"}}; }
+  std::vector<std::string> folders() const override { return {"psf"}; }
 
   void run(const SectionPlace& place, Json& report) override {
     for (const PsfExperiment& psf : spec_.psfs)
       append(report["psfs"], place.steps("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) {
-               return psf_entries(psf, spec_.seed, place.mutations, place.folder.path(), progress);
-             }));
+        return psf_entries(psf, spec_.seed, place.mutations, place.folder.path(), progress);
+      }));
   }
 
  private:
