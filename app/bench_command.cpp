@@ -2,9 +2,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/bench/runner.h"
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "experiments/bench/runner.h"
 
 namespace sturm {
 
@@ -12,7 +12,9 @@ int bench_command(const CommonOptions& options, const std::string& folder, bool 
   const BenchSpec spec = read_bench(load_configuration(options), options.file);
   RunOptions run;
   run.folder =
-      !folder.empty() ? folder : "reports/" + (options.file == "-" ? "bench" : std::filesystem::path(options.file).stem().string());
+      !folder.empty()
+          ? folder
+          : "reports/runs/" + (options.file == "-" ? "bench" : std::filesystem::path(options.file).stem().string());
   run.threads = thread_count(options);
   run.resume = resume;
   run.quiet = options.quiet;

@@ -2,20 +2,22 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/blur_field_stage.h"
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/stopwatch.h"
 #include "conoid/blur_field/field_exr.h"
-#include "io/atomic_file.h"
-#include "io/error.h"
-#include "io/manifest.h"
+#include "experiments/figures/blur_field_layers.h"
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/json/manifest.h"
+#include "stages/blur_field_stage.h"
+#include "stages/stopwatch.h"
 
 namespace sturm {
 
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files) {
   const std::filesystem::path exr(files.output);
-  if (exr.extension() != ".exr") throw InputError("", "--output", "\"" + files.output + "\"", "a name that ends in .exr");
+  if (exr.extension() != ".exr")
+    throw InputError("", "--output", "\"" + files.output + "\"", "a name that ends in .exr");
   const BlurFieldSpec spec = read_blur_field_spec(load_configuration(options), options.file);
   require_writable(exr);
   if (!files.layers.empty()) require_writable(files.layers);
@@ -28,8 +30,8 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
   if (options.file != "-") facts.input_files.insert(facts.input_files.begin(), options.file);
   BlurField field = compute_blur_field(spec);
   Stopwatch writing;
-  write_blur_field(exr, field.grid, field.directions, field.analytic ? &*field.analytic : nullptr, field.voxels ? &*field.voxels : nullptr,
-                   {{"sturm.spec", spec.resolved->dump()}});
+  write_blur_field(exr, field.grid, field.directions, field.analytic ? &*field.analytic : nullptr,
+                   field.voxels ? &*field.voxels : nullptr, {{"sturm.spec", spec.resolved->dump()}});
   if (!files.layers.empty()) write_file_atomically(files.layers, layers_svg(spec, field.directions));
   facts.seconds = field.seconds;
   facts.seconds["writing"] = writing.seconds();

@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "io/build_info.h"
-#include "io/error.h"
-#include "io/manifest.h"
+#include "io/files/build_info.h"
+#include "io/files/error.h"
+#include "io/json/manifest.h"
 
 namespace sturm {
 
@@ -21,8 +21,9 @@ enum ExitStatus { passed = 0, failed = 1, wrong_input = 2, runtime_failure = 3 }
 
 std::string version_text() {
   const BuildInfo& b = build_info();
-  return "sturm " + std::string(b.version) + " (commit " + std::string(b.commit) + ")\nbuilt with " + std::string(b.compiler) + ", " +
-         std::string(b.build_type) + ", flags " + std::string(b.flags) + "\ninstruction set " + instruction_set() + "\n";
+  return "sturm " + std::string(b.version) + " (commit " + std::string(b.commit) + ")\nbuilt with " +
+         std::string(b.compiler) + ", " + std::string(b.build_type) + ", flags " + std::string(b.flags) +
+         "\ninstruction set " + instruction_set() + "\n";
 }
 
 void add_document(CLI::App& command, CommonOptions& options, const char* what) {
@@ -83,7 +84,7 @@ struct CommandLine {
   void add_run() {
     auto* run = app.add_subcommand("run", "run an experiment and write its report");
     add_common_options(*run, common, "experiment (sturm.experiment/1)");
-    run->add_option("--out", folder, "folder of the report (default: reports/NAME)");
+    run->add_option("--out", folder, "folder of the report (default: reports/runs/NAME)");
     run->add_flag("--resume", resume, "take over what an interrupted run has finished");
     run->callback([this] { action = [this] { return run_command(common, folder, resume); }; });
   }
@@ -96,16 +97,20 @@ struct CommandLine {
   }
 
   void add_lens() {
-    auto* l = app.add_subcommand("lens", "powers, thickness and as-worn power map of a spectacle lens: JSON in, JSON out");
+    auto* l =
+        app.add_subcommand("lens", "powers, thickness and as-worn power map of a spectacle lens: JSON in, JSON out");
     add_document(*l, common, "lens (sturm.spectacles/1)");
     l->add_option("--azimuth-deg", lens.azimuths_deg, "gazes to the wearer's right [deg]: FIRST:LAST:STEP or one angle")
         ->capture_default_str();
-    l->add_option("--elevation-deg", lens.elevations_deg, "gazes up [deg]: FIRST:LAST:STEP or one angle")->capture_default_str();
+    l->add_option("--elevation-deg", lens.elevations_deg, "gazes up [deg]: FIRST:LAST:STEP or one angle")
+        ->capture_default_str();
     l->add_option("--rotation-center-mm", lens.rotation_center_mm, "the eye's centre of rotation behind its pupil [mm]")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
-    l->add_option("--map", lens.map_file, "picture of mean power error and cylinder over the lens, as worn (.svg or .png)");
-    l->add_option("--defocus-map", lens.defocus_map_file, "picture of what the eye lacks for targets at given distances (.svg or .png)");
+    l->add_option("--map", lens.map_file,
+                  "picture of mean power error and cylinder over the lens, as worn (.svg or .png)");
+    l->add_option("--defocus-map", lens.defocus_map_file,
+                  "picture of what the eye lacks for targets at given distances (.svg or .png)");
     l->add_option("--target-distance-m", lens.target_distances_m, "of the defocus map, up to four [m]; inf = far away")
         ->expected(1, 4)
         ->capture_default_str();
@@ -117,7 +122,8 @@ struct CommandLine {
   }
 
   void add_blurfield() {
-    auto* b = app.add_subcommand("blurfield", "blur ellipses over the whole field of view and all distances: a multi-part EXR");
+    auto* b = app.add_subcommand("blurfield",
+                                 "blur ellipses over the whole field of view and all distances: a multi-part EXR");
     add_common_options(*b, common, "blur field (sturm.blurfield/1)");
     b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it")->required();
     b->add_option("--layers", blurfield.layers, "SVG file: the ellipses at the distances layers_m");
@@ -132,7 +138,8 @@ struct CommandLine {
     render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
         ->check(CLI::Range(0.0, 86400.0))
         ->capture_default_str();
-    render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")->excludes(file_option);
+    render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")
+        ->excludes(file_option);
     render->callback([this, file_option] {
       if (!explain && file_option->empty()) throw CLI::RequiredError("--output");
       action = [this] { return explain ? explain_command(common) : render_command(common, preview, output); };
@@ -142,7 +149,7 @@ struct CommandLine {
   void add_bench() {
     auto* bench = app.add_subcommand("bench", "run time against error: methods and settings over views");
     add_common_options(*bench, common, "benchmark (sturm.bench/1)");
-    bench->add_option("--out", folder, "folder of the report (default: reports/NAME)");
+    bench->add_option("--out", folder, "folder of the report (default: reports/runs/NAME)");
     bench->add_flag("--resume", resume, "take over the rounds that an interrupted run has finished");
     bench->callback([this] { action = [this] { return bench_command(common, folder, resume); }; });
   }
@@ -163,23 +170,29 @@ struct CommandLine {
     auto* c = app.add_subcommand("compare", "metrics of two EXR images; bounds make it a gate");
     c->add_option("test", compare.test, "EXR")->required();
     c->add_option("reference", compare.reference, "EXR")->required();
-    c->add_option("--json", compare.json_file, "write the metrics as JSON (- is standard output, instead of the table)");
-    c->add_option("--exposure", compare.exposure, "factor before the display transfer function")->check(CLI::PositiveNumber);
+    c->add_option("--json", compare.json_file,
+                  "write the metrics as JSON (- is standard output, instead of the table)");
+    c->add_option("--exposure", compare.exposure, "factor before the display transfer function")
+        ->check(CLI::PositiveNumber);
     c->add_option("--pixels-per-degree", compare.pixels_per_degree,
                   "of the observer, for FLIP (default: from the picture's field of view, or 67.02)")
         ->check(CLI::PositiveNumber);
-    c->add_option("--hdr-exposures", compare.hdr_exposures, "START STOP COUNT [powers of two] of HDR-FLIP (default: from the reference)")
+    c->add_option("--hdr-exposures", compare.hdr_exposures,
+                  "START STOP COUNT [powers of two] of HDR-FLIP (default: from the reference)")
         ->expected(3);
     c->add_option("--noise", compare.noise,
                   "the test's view with another seed, and the reference's (EXR): what noise alone makes of each metric")
         ->expected(1, 2);
     c->add_flag("--regions", compare.regions, "also in focus, blurred, at occlusion edges and in highlights");
-    c->add_option("--edge", compare.edge, "X Y WIDTH HEIGHT [px]: MTF of the slanted edge in this rectangle")->expected(4);
+    c->add_option("--edge", compare.edge, "X Y WIDTH HEIGHT [px]: MTF of the slanted edge in this rectangle")
+        ->expected(4);
     c->add_flag("--psf", compare.psf, "the pictures are images of a point: compare them as point spread functions");
-    c->add_option("--pixel-arcmin", compare.pixel_arcmin, "width of a pixel for --psf [arcmin] (default: from the picture's field of view)")
+    c->add_option("--pixel-arcmin", compare.pixel_arcmin,
+                  "width of a pixel for --psf [arcmin] (default: from the picture's field of view)")
         ->check(CLI::PositiveNumber);
     c->add_option("--maps", compare.maps_folder, "folder for a map of each metric in false colour (PNG)");
-    c->add_option("--bound", compare.bounds, "METRIC=VALUE: fail if the metric (its key in JSON) is worse; may be repeated")
+    c->add_option("--bound", compare.bounds,
+                  "METRIC=VALUE: fail if the metric (its key in JSON) is worse; may be repeated")
         ->allow_extra_args(false);
     c->add_option("--min-ssim", compare.min_ssim, "fail below this SSIM (display space)");
     c->add_option("--min-psnr", compare.min_psnr_dB, "fail below this PSNR [dB] (display space)");
@@ -189,10 +202,12 @@ struct CommandLine {
   }
 
   void add_compare_runs() {
-    auto* c = app.add_subcommand("compare-runs", "what has changed between two runs of an experiment, beyond its uncertainty");
+    auto* c = app.add_subcommand("compare-runs",
+                                 "what has changed between two runs of an experiment, beyond its uncertainty");
     c->add_option("before", compare_runs.before, "run folder or report.json")->required();
     c->add_option("after", compare_runs.after, "run folder or report.json")->required();
-    c->add_option("--json", compare_runs.json_file, "write the comparison as JSON (- is standard output, instead of the table)");
+    c->add_option("--json", compare_runs.json_file,
+                  "write the comparison as JSON (- is standard output, instead of the table)");
     c->add_option("--level", compare_runs.level, "chance of any false alarm in the whole comparison")
         ->check(CLI::Range(1e-9, 0.5))
         ->capture_default_str();
@@ -205,7 +220,9 @@ struct CommandLine {
     p->add_option("--difference", plan.relative_difference, "relative difference to be seen")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    p->add_option("--sigma", plan.sigmas, "standard errors from which on it counts")->check(CLI::PositiveNumber)->capture_default_str();
+    p->add_option("--sigma", plan.sigmas, "standard errors from which on it counts")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     p->add_option("--power", plan.power, "chance that it counts if it is there, 0 … 1")
         ->check(CLI::Range(1e-9, 1.0 - 1e-9))
         ->capture_default_str();
@@ -213,7 +230,8 @@ struct CommandLine {
     p->add_option("--kurtosis", plan.kurtosis, "of the rays along a semi-axis; 2 for a uniform disc")
         ->check(CLI::Range(1.0001, 1e9))
         ->capture_default_str();
-    p->add_option("--coefficient-of-variation", plan.coefficient_of_variation, "of single samples: plan for a mean instead of a semi-axis")
+    p->add_option("--coefficient-of-variation", plan.coefficient_of_variation,
+                  "of single samples: plan for a mean instead of a semi-axis")
         ->check(CLI::PositiveNumber);
     p->callback([this] { action = [this] { return plan_samples_command(plan); }; });
   }

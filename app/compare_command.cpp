@@ -3,7 +3,7 @@
 
 #include "app/commands.h"
 #include "app/comparison.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 
 namespace sturm {
 

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/report_json.h"
-#include "compare/report_numbers.h"
-#include "compare/run_comparison.h"
-#include "io/atomic_file.h"
-#include "io/schema.h"
+#include "compare/findings/run_comparison.h"
+#include "io/files/atomic_file.h"
+#include "io/files/formatted_text.h"
+#include "io/json/schema.h"
+#include "io/json/stored.h"
 
 namespace sturm {
 
@@ -53,8 +53,8 @@ void print_table(const RunComparison& comparison) {
   for (const RunChange& c : comparison.changes) {
     if (heading != heading_of(c)) std::printf("%s\n", (heading = heading_of(c)).c_str());
     const std::string z = c.z ? "  z = " + plain_number(*c.z, 3) : "";
-    std::printf("  %-8s %s  %s -> %s%s\n", word_for(c).c_str(), c.name.c_str(), number_text(c.before).c_str(), number_text(c.after).c_str(),
-                z.c_str());
+    std::printf("  %-8s %s  %s -> %s%s\n", word_for(c).c_str(), c.name.c_str(), number_text(c.before).c_str(),
+                number_text(c.after).c_str(), z.c_str());
   }
 }
 
@@ -77,8 +77,10 @@ int compare_runs_command(const CompareRunsOptions& options) {
   if (!json_to_stdout) {
     print_table(comparison);
     std::cout << sentence_of(comparison) << "\n";
-    std::printf("Beyond uncertainty: |z| > %.3g, a false alarm in one comparison of %.3g.\n", comparison.threshold_z, 1.0 / options.level);
-    if (text_at(before, "title") != text_at(after, "title")) std::printf("The runs have different titles: are they the same experiment?\n");
+    std::printf("Beyond uncertainty: |z| > %.3g, a false alarm in one comparison of %.3g.\n", comparison.threshold_z,
+                1.0 / options.level);
+    if (text_at(before, "title") != text_at(after, "title"))
+      std::printf("The runs have different titles: are they the same experiment?\n");
   }
   return options.gate && comparison.regressions() > 0 ? 1 : 0;
 }

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/exr.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -13,12 +13,14 @@ namespace sturm {
 namespace {
 
 constexpr double edge_frequencies[] = {0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5};
-constexpr double psf_cell_px = 4.0;  // cells of the total variation: several pixels, so that a shift by part of one counts little
+constexpr double psf_cell_px =
+    4.0;  // cells of the total variation: several pixels, so that a shift by part of one counts little
 
 LayeredImage read_picture(const std::string& path) {
   LayeredImage picture = read_exr(path);
   const auto layer = picture.layers.find("");
-  if (layer == picture.layers.end() || layer->second.channels != 3) throw InputError(path, "", "no channels R, G, B", "an RGB image");
+  if (layer == picture.layers.end() || layer->second.channels != 3)
+    throw InputError(path, "", "no channels R, G, B", "an RGB image");
   return picture;
 }
 
@@ -75,7 +77,8 @@ ImageMetricSettings settings_of(const CompareOptions& options, const PictureView
   return settings;
 }
 
-PsfComparison compare_as_psfs(const CompareOptions& options, const PictureView& view, const Image& test, const Image& reference) {
+PsfComparison compare_as_psfs(const CompareOptions& options, const PictureView& view, const Image& test,
+                              const Image& reference) {
   double pixel = 0.0;
   if (options.pixel_arcmin)
     pixel = *options.pixel_arcmin;
@@ -117,11 +120,12 @@ Comparison compare_files(const CompareOptions& options) {
     regions = regions_of(test, reference, options.exposure, view.layers);
     if (!view.missing_blur.empty()) c.regions_note = "in_focus and blurred cannot be told: " + view.missing_blur;
   }
-  c.pictures =
-      compare_pictures(test, reference, regions, c.settings, seeds.empty() ? nullptr : &seeds[0], seeds.size() < 2 ? nullptr : &seeds[1]);
+  c.pictures = compare_pictures(test, reference, regions, c.settings, seeds.empty() ? nullptr : &seeds[0],
+                                seeds.size() < 2 ? nullptr : &seeds[1]);
   if (!options.edge.empty()) {
     const PixelRectangle area{options.edge[0], options.edge[1], options.edge[2], options.edge[3]};
-    c.edge = EdgeComparison{slanted_edge_mtf(test, area, edge_frequencies), slanted_edge_mtf(reference, area, edge_frequencies)};
+    c.edge = EdgeComparison{slanted_edge_mtf(test, area, edge_frequencies),
+                            slanted_edge_mtf(reference, area, edge_frequencies)};
   }
   if (options.psf) c.psf = compare_as_psfs(options, view, test, reference);
   return c;

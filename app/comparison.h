@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "app/picture_view.h"
+#include "compare/images/picture_comparison.h"
 #include "compare/metrics/slanted_edge.h"
-#include "compare/picture_comparison.h"
 #include "compare/psf/psf_comparison.h"
-#include "io/json.h"
+#include "io/json/json.h"
+#include "stages/picture_view.h"
 
 namespace sturm {
 
@@ -27,8 +27,8 @@ struct Comparison {
   std::optional<PsfComparison> psf;
   std::map<std::string, double> bounds;  ///< by key of the metric
 
-  /// Whether the metric on the whole picture keeps its bound. A similarity that is infinite (PSNR of equal pictures) keeps any, another
-  /// metric without a value none.
+  /// Whether the metric on the whole picture keeps its bound. A similarity that is infinite (PSNR of equal pictures)
+  /// keeps any, another metric without a value none.
   bool keeps_bound(const std::string& key) const;
   bool passed() const;
 };

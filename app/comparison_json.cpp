@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/comparison.h"
-#include "app/json_values.h"
+#include "stages/json_values.h"
 
 namespace sturm {
 
@@ -21,7 +21,9 @@ Json part_json(const PictureComparison& pictures, const PartResult& part) {
     distinguishable[key] = m.distinguishable ? Json(*m.distinguishable) : Json(nullptr);
   }
   Json part_object = {{"pixels", part.pixels}, {"metrics", std::move(values)}, {"noise", nullptr}};
-  if (noise) part_object["noise"] = {{"floor", std::move(floor)}, {"z", std::move(z)}, {"distinguishable", std::move(distinguishable)}};
+  if (noise)
+    part_object["noise"] = {
+        {"floor", std::move(floor)}, {"z", std::move(z)}, {"distinguishable", std::move(distinguishable)}};
   return part_object;
 }
 
@@ -49,17 +51,18 @@ Json psf_json(const PsfSummary& s) {
 }
 
 Json psf_json(const PsfComparison& c) {
-  return {
-      {"test", psf_json(c.test)},
-      {"reference", psf_json(c.reference)},
-      {"radii_arcmin", c.radii_arcmin},
-      {"frequencies_cpd", report_frequencies_cpd},
-      {"directions_deg", report_directions_deg},
-      {"shift_arcmin", json_of(c.shift)},
-      {"total_variation", {{"value", c.total_variation.value}, {"expected_of_noise", number_or_null(c.total_variation.expected_of_noise)}}},
-      {"cell_arcmin", c.cell_arcmin},
-      {"sliced_wasserstein_arcmin", c.sliced_wasserstein},
-      {"largest_mtf_difference", c.largest_mtf_difference}};
+  return {{"test", psf_json(c.test)},
+          {"reference", psf_json(c.reference)},
+          {"radii_arcmin", c.radii_arcmin},
+          {"frequencies_cpd", report_frequencies_cpd},
+          {"directions_deg", report_directions_deg},
+          {"shift_arcmin", json_of(c.shift)},
+          {"total_variation",
+           {{"value", c.total_variation.value},
+            {"expected_of_noise", number_or_null(c.total_variation.expected_of_noise)}}},
+          {"cell_arcmin", c.cell_arcmin},
+          {"sliced_wasserstein_arcmin", c.sliced_wasserstein},
+          {"largest_mtf_difference", c.largest_mtf_difference}};
 }
 
 }  // namespace
@@ -67,25 +70,26 @@ Json psf_json(const PsfComparison& c) {
 Json json_of(const Comparison& c, const CompareOptions& options) {
   const ExposureRange& hdr = *c.settings.hdr_exposures;
   const Json whole = part_json(c.pictures, c.pictures.parts.front());
-  Json document = {{"format", "sturm.comparison/1"},
-                   {"test", options.test},
-                   {"reference", options.reference},
-                   {"conditions",
-                    {{"exposure", c.settings.exposure},
-                     {"pixels_per_degree", c.settings.pixels_per_degree},
-                     {"hdr_exposures", {{"start_stops", hdr.start_stops}, {"stop_stops", hdr.stop_stops}, {"count", hdr.count}}},
-                     {"noise_files", options.noise},
-                     {"noise_tests", c.pictures.tests},
-                     {"noise_family_level", noise_family_level},
-                     {"noise_z_threshold", number_or_null(c.pictures.z_threshold)}}},
-                   {"metrics", whole["metrics"]},
-                   {"noise", whole["noise"]},
-                   {"regions", nullptr},
-                   {"regions_note", c.regions_note ? Json(*c.regions_note) : Json(nullptr)},
-                   {"slanted_edge", nullptr},
-                   {"psf", nullptr},
-                   {"bounds", c.bounds},
-                   {"passed", c.passed()}};
+  Json document = {
+      {"format", "sturm.comparison/1"},
+      {"test", options.test},
+      {"reference", options.reference},
+      {"conditions",
+       {{"exposure", c.settings.exposure},
+        {"pixels_per_degree", c.settings.pixels_per_degree},
+        {"hdr_exposures", {{"start_stops", hdr.start_stops}, {"stop_stops", hdr.stop_stops}, {"count", hdr.count}}},
+        {"noise_files", options.noise},
+        {"noise_tests", c.pictures.tests},
+        {"noise_family_level", noise_family_level},
+        {"noise_z_threshold", number_or_null(c.pictures.z_threshold)}}},
+      {"metrics", whole["metrics"]},
+      {"noise", whole["noise"]},
+      {"regions", nullptr},
+      {"regions_note", c.regions_note ? Json(*c.regions_note) : Json(nullptr)},
+      {"slanted_edge", nullptr},
+      {"psf", nullptr},
+      {"bounds", c.bounds},
+      {"passed", c.passed()}};
   if (options.regions) {
     document["regions"] = Json::object();
     for (std::size_t i = 1; i < c.pictures.parts.size(); ++i)

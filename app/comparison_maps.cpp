@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/comparison.h"
-#include "compare/false_colour.h"
-#include "io/atomic_file.h"
-#include "io/image_formats.h"
+#include "io/files/atomic_file.h"
+#include "io/images/image_formats.h"
+#include "reports/markup/false_colour.h"
 
 namespace sturm {
 
@@ -25,7 +25,8 @@ Image errors_of(const ImageMetric& metric) {
 double peak_of(const ImageMetric& metric, const Image& errors) {
   if (metric.key == "flip" || metric.key == "hdr_flip") return 1.0;
   std::vector<float> values = errors.pixels;
-  const auto rank = values.begin() + static_cast<std::ptrdiff_t>(peak_quantile * static_cast<double>(values.size() - 1));
+  const auto rank =
+      values.begin() + static_cast<std::ptrdiff_t>(peak_quantile * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), rank, values.end());
   const float largest = *std::max_element(rank, values.end());
   return *rank > 0.0f ? *rank : largest > 0.0f ? largest : 1.0;
@@ -42,9 +43,11 @@ void write_maps(const Comparison& comparison, const std::string& folder) {
     const Image errors = errors_of(metric);
     const double peak = peak_of(metric, errors);
     const std::vector<unsigned char> png = encode_png(sequential_false_colour(errors, {peak, 0.0}));
-    write_file_atomically(root / (metric.key + ".png"), std::string_view(reinterpret_cast<const char*>(png.data()), png.size()));
-    scales[metric.key] = {
-        {"peak", peak}, {"shows", metric.map_is_similarity ? "1 - similarity" : "error of a pixel"}, {"margin_px", metric.margin}};
+    write_file_atomically(root / (metric.key + ".png"),
+                          std::string_view(reinterpret_cast<const char*>(png.data()), png.size()));
+    scales[metric.key] = {{"peak", peak},
+                          {"shows", metric.map_is_similarity ? "1 - similarity" : "error of a pixel"},
+                          {"margin_px", metric.margin}};
   }
   write_file_atomically(root / "scales.json", scales.dump(1) + "\n");
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/comparison.h"
-#include "io/formatted_text.h"
+#include "io/files/formatted_text.h"
 
 namespace sturm {
 
@@ -21,7 +21,8 @@ std::string number(const std::optional<double>& value) {
 std::string noise_columns(const MetricResult& m) {
   if (!m.noise) return "";
   std::string text = "   noise " + number(m.noise->value);
-  if (m.noise->z) text += formatted("  z %6.1f  ", *m.noise->z) + (*m.distinguishable ? "distinguishable" : "not distinguishable");
+  if (m.noise->z)
+    text += formatted("  z %6.1f  ", *m.noise->z) + (*m.distinguishable ? "distinguishable" : "not distinguishable");
   return text;
 }
 
@@ -32,15 +33,16 @@ std::string part_table(const Comparison& c, const PartResult& part, bool whole) 
     const ImageMetric& metric = c.pictures.metrics[i];
     text += padded(metric.title, 38) + " " + number(part.metrics[i].value) + noise_columns(part.metrics[i]);
     if (const auto bound = c.bounds.find(metric.key); whole && bound != c.bounds.end())
-      text += formatted("   %s %g  %s", metric.more_is_better ? "≥" : "≤", bound->second, c.keeps_bound(metric.key) ? "passed" : "FAILED");
+      text += formatted("   %s %g  %s", metric.more_is_better ? "≥" : "≤", bound->second,
+                        c.keeps_bound(metric.key) ? "passed" : "FAILED");
     text += "\n";
   }
   return text;
 }
 
 std::string edge_table(const EdgeComparison& edge) {
-  std::string text =
-      formatted("\nslanted edge, tilt %.2f° and %.2f°\ncycles/px    MTF test   reference\n", edge.test.tilt_deg, edge.reference.tilt_deg);
+  std::string text = formatted("\nslanted edge, tilt %.2f° and %.2f°\ncycles/px    MTF test   reference\n",
+                               edge.test.tilt_deg, edge.reference.tilt_deg);
   for (std::size_t i = 0; i < edge.test.mtf.size(); ++i)
     text += formatted("%9.2f %11.4f %11.4f\n", edge.test.frequencies[i], edge.test.mtf[i], edge.reference.mtf[i]);
   return text;
@@ -61,7 +63,9 @@ std::string psf_table(const PsfComparison& c) {
     for (const std::size_t k : {std::size_t{0}, report_frequencies_cpd.size() - 1})
       line(formatted("MTF at %g cycles/deg along %g°", report_frequencies_cpd[k], report_directions_deg[d]).c_str(),
            value_of(c.test.mtf[d][k]), value_of(c.reference.mtf[d][k]));
-  const auto single = [&](const char* title, double value) { text += padded(title, 38) + formatted(" %12.6g\n", value); };
+  const auto single = [&](const char* title, double value) {
+    text += padded(title, 38) + formatted(" %12.6g\n", value);
+  };
   single("shift of the centroid [arcmin]", c.shift.norm());
   single("total variation", c.total_variation.value);
   single("sliced Wasserstein [arcmin]", c.sliced_wasserstein);
@@ -78,8 +82,8 @@ std::string table_of(const Comparison& c) {
   if (c.edge) text += edge_table(*c.edge);
   if (c.psf) text += psf_table(*c.psf);
   if (c.pictures.z_threshold)
-    text += formatted("\ndistinguishable: z above %.2f, a false-alarm rate of %g over %zu tests\n", *c.pictures.z_threshold,
-                      noise_family_level, c.pictures.tests);
+    text += formatted("\ndistinguishable: z above %.2f, a false-alarm rate of %g over %zu tests\n",
+                      *c.pictures.z_threshold, noise_family_level, c.pictures.tests);
   return text;
 }
 

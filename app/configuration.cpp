@@ -5,8 +5,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "io/atomic_file.h"
-#include "io/json_pointer_set.h"
+#include "io/files/atomic_file.h"
+#include "io/json/json_pointer_set.h"
 
 namespace sturm {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
-#include "io/json.h"
+#include "io/json/json.h"
 
 namespace sturm {
 
@@ -12,7 +12,8 @@ Json load_configuration(const CommonOptions& options);
 /// Writes a command's result: to `output`, or to standard output where that is empty.
 void write_result(const Json& result, const std::string& output);
 
-/// The folder of a file to be written must be there and writable before the work starts, not after it. Throws RuntimeFailure.
+/// The folder of a file to be written must be there and writable before the work starts, not after it. Throws
+/// RuntimeFailure.
 void require_writable(const std::filesystem::path& file);
 
 /// Threads that a command will use: as asked for, else one per processor.

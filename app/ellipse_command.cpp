@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/ellipse_stage.h"
+#include "stages/ellipse_stage.h"
 
 namespace sturm {
 

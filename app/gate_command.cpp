@@ -5,13 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/gates.h"
-#include "compare/junit.h"
-#include "compare/report_markdown.h"
-#include "io/atomic_file.h"
-#include "io/error.h"
-#include "io/gate_spec.h"
-#include "io/schema.h"
+#include "compare/findings/judged_report.h"
+#include "compare/gates/gates.h"
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/json/schema.h"
+#include "io/specs/experiment/gate_spec.h"
+#include "reports/text/junit.h"
+#include "reports/text/markdown.h"
 
 namespace sturm {
 
@@ -51,8 +52,9 @@ void keep_stored_baseline_results(Json& results, const Json& report) {
 void print_results(const Json& results) {
   for (const Json& r : results) {
     const std::string value = r.at("value").is_number() ? r.at("value").dump() : "no value";
-    std::printf("%s  %-36s %s %s (bound %s)\n", r.at("passed").get<bool>() ? "pass" : "FAIL", r.at("id").get<std::string>().c_str(),
-                value.c_str(), r.at("unit").get<std::string>().c_str(), r.at("bound").dump().c_str());
+    std::printf("%s  %-36s %s %s (bound %s)\n", r.at("passed").get<bool>() ? "pass" : "FAIL",
+                r.at("id").get<std::string>().c_str(), value.c_str(), r.at("unit").get<std::string>().c_str(),
+                r.at("bound").dump().c_str());
   }
 }
 
@@ -66,7 +68,8 @@ std::string short_name(const std::filesystem::path& file) {
 Json baseline_of(const Json& report) {
   Json baseline = report;
   for (Json& input : baseline["provenance"]["inputs"]) input["file"] = short_name(input["file"].get<std::string>());
-  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study", "gate_power", "bench"})
+  for (const char* bulky :
+       {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study", "gate_power", "bench"})
     baseline.erase(bulky);
   return baseline;
 }

@@ -5,14 +5,14 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/lens_maps.h"
-#include "app/lens_stage.h"
-#include "io/atomic_file.h"
-#include "io/error.h"
-#include "io/schema.h"
-#include "io/spectacles_spec.h"
+#include "experiments/figures/lens_maps.h"
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/json/schema.h"
+#include "io/specs/spectacles_spec.h"
 #include "lensmodel/units.h"
 #include "lensmodel/vertex_power.h"
+#include "stages/lens_stage.h"
 
 namespace sturm {
 
@@ -24,8 +24,9 @@ constexpr double most_angles = 721.0;
 /// FIRST:LAST:STEP or one angle.
 std::vector<double> angles(const std::string& text, const char* option) {
   const auto refuse = [&] {
-    throw InputError("", option, "\"" + text + "\"",
-                     "FIRST:LAST:STEP with -89 <= FIRST <= LAST <= 89, STEP > 0 and at most 721 angles, or one angle [deg]");
+    throw InputError(
+        "", option, "\"" + text + "\"",
+        "FIRST:LAST:STEP with -89 <= FIRST <= LAST <= 89, STEP > 0 and at most 721 angles, or one angle [deg]");
   };
   std::vector<double> numbers;
   const char *at = text.data(), *end = at + text.size();
@@ -49,7 +50,8 @@ std::vector<double> angles(const std::string& text, const char* option) {
 }
 
 SpectaclesSpec read_lens(const Json& document, const std::string& file) {
-  if (format_of(document, file) != "spectacles") Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");
+  if (format_of(document, file) != "spectacles")
+    Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");
   validate(document, "spectacles", file);
   return read_lens_alone(document, {file, ""});
 }
@@ -65,7 +67,8 @@ std::vector<double> distances(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     double value = std::numeric_limits<double>::infinity();
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text != "inf" && (error != std::errc() || stop != text.data() + text.size() || !(value >= 1e-3 && value <= 1e6)))
+    if (text != "inf" &&
+        (error != std::errc() || stop != text.data() + text.size() || !(value >= 1e-3 && value <= 1e6)))
       throw InputError("", "--target-distance-m", "\"" + text + "\"", "a distance from 0.001 to 1e6 m, or inf");
     result.push_back(value);
   }
@@ -91,9 +94,11 @@ int lens_command(const CommonOptions& options, const LensOptions& lens, const st
   query.material = spec.material;
   query.fits = spec.fits;
   if (!lens.map_file.empty())
-    write_picture(lens.map_file, as_worn_maps(query.lens, nominal_power(spec, {options.file, ""}), query.rotation_center_m));
+    write_picture(lens.map_file,
+                  as_worn_maps(query.lens, nominal_power(spec, {options.file, ""}), query.rotation_center_m));
   if (!lens.defocus_map_file.empty()) {
-    const PowerMatrix correction = nominal_power(spec, {options.file, ""}).moved_towards_eye(query.lens.vertex_distance_m);
+    const PowerMatrix correction =
+        nominal_power(spec, {options.file, ""}).moved_towards_eye(query.lens.vertex_distance_m);
     std::vector<LensMap> maps;
     for (const double distance : targets)
       maps.push_back(defocus_map(query.lens, correction, query.rotation_center_m, distance, lens.amplitude_D));

@@ -5,13 +5,13 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/image_files.h"
-#include "app/progress.h"
-#include "app/render_stage.h"
-#include "io/atomic_file.h"
-#include "io/error.h"
-#include "io/exr.h"
-#include "io/manifest.h"
+#include "experiments/run/progress.h"
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/json/manifest.h"
+#include "stages/image_files.h"
+#include "stages/render_stage.h"
 
 namespace sturm {
 
@@ -25,7 +25,8 @@ Preview preview_to(const PreviewOptions& options, const RenderSpec& spec) {
   const std::filesystem::path png(options.file);
   const std::string given = "\"" + options.file + "\"";
   if (png.extension() != ".png") throw InputError("", "--preview", given, "a name that ends in .png");
-  if (spec.method != RenderMethod::PathTrace) throw InputError("", "--preview", given, "a document of type \"path_trace\"");
+  if (spec.method != RenderMethod::PathTrace)
+    throw InputError("", "--preview", given, "a document of type \"path_trace\"");
   require_writable(png);
   preview.show = [png](const Image& radiance) { write_png(png, radiance, 1.0); };
   return preview;
@@ -52,7 +53,8 @@ int render_command(const CommonOptions& options, const PreviewOptions& preview_o
   facts.started_utc = utc_now();
   facts.input_files = spec.input_files;
   if (options.file != "-") facts.input_files.insert(facts.input_files.begin(), options.file);
-  const double samples = static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
+  const double samples =
+      static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
   Progress progress("rendering", samples, "samples", options.quiet);
   RenderOutput result = render_view(
       spec, [&](double fraction) { progress.update(fraction); }, preview);
@@ -67,7 +69,8 @@ int render_command(const CommonOptions& options, const PreviewOptions& preview_o
   if (preview.show) preview.show(raw);
   const auto filtered = result.image.layers.find("denoised");
   write_png(beside.replace_extension(".png"), filtered == result.image.layers.end() ? raw : filtered->second, 1.0);
-  write_file_atomically(beside.replace_extension(".manifest.json"), manifest(facts, *spec.resolved, result.counters, notes).dump(1) + "\n");
+  write_file_atomically(beside.replace_extension(".manifest.json"),
+                        manifest(facts, *spec.resolved, result.counters, notes).dump(1) + "\n");
   return 0;
 }
 

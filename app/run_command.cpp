@@ -4,14 +4,17 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/experiment/runner.h"
+#include "experiments/runner.h"
 
 namespace sturm {
 
 int run_command(const CommonOptions& options, const std::string& folder, bool resume) {
   const ExperimentSpec spec = read_experiment(load_configuration(options), options.file);
   RunOptions run;
-  run.folder = !folder.empty() ? folder : "reports/" + (options.file == "-" ? "run" : std::filesystem::path(options.file).stem().string());
+  run.folder =
+      !folder.empty()
+          ? folder
+          : "reports/runs/" + (options.file == "-" ? "run" : std::filesystem::path(options.file).stem().string());
   run.threads = thread_count(options);
   run.resume = resume;
   run.quiet = options.quiet;

@@ -3,8 +3,8 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/progress.h"
-#include "app/stress/report.h"
+#include "experiments/run/progress.h"
+#include "experiments/stress/report.h"
 
 namespace sturm {
 
@@ -17,7 +17,8 @@ int stress_command(const CommonOptions& options, const StressOptions& stress, co
     return run.outcomes.passed() ? 0 : 1;
   }
   Progress progress("stress", static_cast<double>(stress.cases), "cases", options.quiet);
-  const stress::SuiteSummary summary = stress::run_suite({stress.cases, seed}, [&](double done) { progress.update(done); });
+  const stress::SuiteSummary summary =
+      stress::run_suite({stress.cases, seed}, [&](double done) { progress.update(done); });
   if (!output.empty()) write_result(stress::report_of(summary), output);
   std::cout << stress::table_of(summary);
   return summary.passed() ? 0 : 1;

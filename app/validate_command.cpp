@@ -2,14 +2,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "io/bench_spec.h"
-#include "io/blur_field_spec.h"
-#include "io/ellipse_query.h"
-#include "io/experiment_spec.h"
-#include "io/gate_spec.h"
-#include "io/render_spec.h"
-#include "io/schema.h"
-#include "io/spectacles_spec.h"
+#include "io/json/schema.h"
+#include "io/specs/blur_field_spec.h"
+#include "io/specs/ellipse_query.h"
+#include "io/specs/experiment/bench_spec.h"
+#include "io/specs/experiment/experiment_spec.h"
+#include "io/specs/experiment/gate_spec.h"
+#include "io/specs/render_spec.h"
+#include "io/specs/spectacles_spec.h"
 
 namespace sturm {
 

@@ -8,8 +8,9 @@ struct RelaxedAccommodation {};
 
 /// A given power, however it was stated; physics.md §3 `fixed`.
 struct FixedAccommodation {
-  double power_D = 0.0;           ///< A ≥ 0 [D]; 1/focus distance where that was given
-  double focus_distance_m = 0.0;  ///< > 0 where the accommodation was stated as a distance [m] (∞ allowed); 0 where as a power
+  double power_D = 0.0;  ///< A ≥ 0 [D]; 1/focus distance where that was given
+  double focus_distance_m =
+      0.0;  ///< > 0 where the accommodation was stated as a distance [m] (∞ allowed); 0 where as a power
 };
 
 /// The eye chooses A in [0, amplitude] for each target so that the larger semi-axis of the blur ellipse is least.

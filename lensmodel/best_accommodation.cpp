@@ -20,9 +20,11 @@ struct Distance {
 
   /// First and second derivative; at a kink, where the distance vanishes, the one-sided derivative.
   std::pair<double, double> derivatives(double a, double side) const {
-    const double square = std::norm(n), numerator = square * a - (m * std::conj(n)).real(), distance = std::abs(m - a * n);
+    const double square = std::norm(n), numerator = square * a - (m * std::conj(n)).real(),
+                 distance = std::abs(m - a * n);
     if (distance == 0.0) return {side * std::sqrt(square), 0.0};
-    return {numerator / distance, (square * distance * distance - numerator * numerator) / (distance * distance * distance)};
+    return {numerator / distance,
+            (square * distance * distance - numerator * numerator) / (distance * distance * distance)};
   }
 };
 

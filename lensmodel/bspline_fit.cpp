@@ -16,8 +16,8 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Weight of a squared fourth difference against a squared residual of one point. Small enough not to flatten a lens (see the tests), large
-/// enough for the factorisation.
+/// Weight of a squared fourth difference against a squared residual of one point. Small enough not to flatten a lens
+/// (see the tests), large enough for the factorisation.
 constexpr double roughness_weight = 1e-6;
 
 struct Cell {
@@ -29,7 +29,8 @@ Cell cell_of(const KnotGrid& grid, const Eigen::Vector3d& point) {
   // A point on the border may lie outside by the rounding of the border.
   constexpr double slack = 1e-9;
   const Eigen::Vector2d at = (point.head<2>() - grid.first).cwiseQuotient(grid.spacing);
-  if (!(point.allFinite() && at.minCoeff() >= -slack && at.x() <= grid.cells_x + slack && at.y() <= grid.cells_y + slack))
+  if (!(point.allFinite() && at.minCoeff() >= -slack && at.x() <= grid.cells_x + slack &&
+        at.y() <= grid.cells_y + slack))
     throw std::invalid_argument("a point of the fit lies outside of its grid or is not finite");
   const double u = std::clamp(at.x(), 0.0, double(grid.cells_x)), v = std::clamp(at.y(), 0.0, double(grid.cells_y));
   const int i = std::min(static_cast<int>(u), grid.cells_x - 1), j = std::min(static_cast<int>(v), grid.cells_y - 1);
@@ -52,7 +53,8 @@ Eigen::SparseMatrix<double> design_matrix(const KnotGrid& grid, std::span<const 
   constexpr std::array<double, 5> fourth_difference{1.0, -4.0, 6.0, -4.0, 1.0};
   const double weight = std::sqrt(roughness_weight);
   const auto add_difference = [&](int first, int step) {
-    for (int k = 0; k < 5; ++k) entries.emplace_back(row, first + k * step, weight * fourth_difference[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < 5; ++k)
+      entries.emplace_back(row, first + k * step, weight * fourth_difference[static_cast<std::size_t>(k)]);
     ++row;
   };
   for (int i = 0; i + 4 < nx; ++i)
@@ -74,7 +76,8 @@ FitResidual residual_at(const BSplineSurface& surface, std::span<const Eigen::Ve
     // The far border may lie one rounding beyond the last knot.
     const auto there = surface.sag(at.x(), at.y());
     const double off =
-        (there ? there->value : surface.sag(std::nextafter(at.x(), low.x()), std::nextafter(at.y(), low.y()))->value) - point.z();
+        (there ? there->value : surface.sag(std::nextafter(at.x(), low.x()), std::nextafter(at.y(), low.y()))->value) -
+        point.z();
     residual.rms += off * off;
     residual.max = std::fmax(residual.max, std::abs(off));
   }
@@ -93,10 +96,12 @@ BSplineFit fitted_bspline(const KnotGrid& grid, std::span<const Eigen::Vector3d>
     const Eigen::VectorXd pivots = solver.vectorD();
     return !(pivots.minCoeff() > 1e-14 * pivots.maxCoeff());
   };
-  if (solver.info() != Eigen::Success || undetermined()) throw std::domain_error("the points do not determine a surface");
+  if (solver.info() != Eigen::Success || undetermined())
+    throw std::domain_error("the points do not determine a surface");
   Eigen::VectorXd coefficients = solver.solve(matrix.transpose() * heights);
   // The normal equations square the condition number: what rounding left over is solved for once more.
-  for (int i = 0; i < 2; ++i) coefficients += solver.solve(matrix.transpose() * (heights - matrix * coefficients)).eval();
+  for (int i = 0; i < 2; ++i)
+    coefficients += solver.solve(matrix.transpose() * (heights - matrix * coefficients)).eval();
   const Eigen::MatrixXd table = coefficients.reshaped<Eigen::RowMajor>(grid.cells_x + 3, grid.cells_y + 3);
   BSplineSurface surface(grid, table);
   const FitResidual residual = residual_at(surface, points);

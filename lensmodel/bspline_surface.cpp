@@ -14,8 +14,9 @@ namespace {
 constexpr int fewest_cells = 3;  // four heights in a row make a cubic
 
 /// Coefficients of the splines through the columns of `heights`, whose rows are knots: c₋₁ … c_{N+1} for f₀ … f_N.
-/// With second differences δ²: c + δ²c/6 = f at every knot, and "not a knot" is δ⁴c = 0 at the knots 1 and N − 1. Therefore δ²c = δ²f and
-/// c = f − δ²f/6 there; between those two the system is tridiagonal, outside of them it is solved knot by knot.
+/// With second differences δ²: c + δ²c/6 = f at every knot, and "not a knot" is δ⁴c = 0 at the knots 1 and N − 1.
+/// Therefore δ²c = δ²f and c = f − δ²f/6 there; between those two the system is tridiagonal, outside of them it is
+/// solved knot by knot.
 Eigen::MatrixXd coefficients_along_rows(const Eigen::MatrixXd& f) {
   const Eigen::Index n = f.rows() - 1;
   Eigen::MatrixXd c(n + 3, f.cols());

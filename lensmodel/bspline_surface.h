@@ -23,12 +23,14 @@ struct KnotGrid {
 /// Copies share the coefficients.
 class BSplineSurface {
  public:
-  /// The spline through heights[i, j] = z at the knot (first + (i, j)·spacing). At each border the third derivative is continuous across
-  /// the first inner knot ("not a knot"), which reproduces bicubic polynomials exactly and keeps the order of convergence up to the border:
-  /// h⁴ in height, h² in curvature. Throws std::invalid_argument unless there are at least 3 × 3 cells and the heights fit and are finite.
+  /// The spline through heights[i, j] = z at the knot (first + (i, j)·spacing). At each border the third derivative is
+  /// continuous across the first inner knot ("not a knot"), which reproduces bicubic polynomials exactly and keeps the
+  /// order of convergence up to the border: h⁴ in height, h² in curvature. Throws std::invalid_argument unless there
+  /// are at least 3 × 3 cells and the heights fit and are finite.
   static BSplineSurface interpolating(const KnotGrid& grid, const Eigen::MatrixXd& heights);
 
-  /// The spline with these coefficients, (cells_x + 3) × (cells_y + 3); the value at a knot is their (1, 4, 1)/6 average.
+  /// The spline with these coefficients, (cells_x + 3) × (cells_y + 3); the value at a knot is their (1, 4, 1)/6
+  /// average.
   BSplineSurface(const KnotGrid& grid, const Eigen::MatrixXd& coefficients);
 
   /// z(x, y); none beyond the grid.

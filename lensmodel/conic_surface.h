@@ -8,8 +8,8 @@ namespace sturm {
 /// A conic section turned about its axis: z = c r²/(1 + √(1 − (1 + k) c² r²)).
 struct ConicSurface {
   double curvature = 0.0;  ///< at the vertex, 1/R [1/m]; R > 0 where the centre lies on the eye's side; 0 is a plane
-  double conic_constant =
-      0.0;  ///< k: −1 parabola, < −1 hyperbola, −1 … 0 ellipse seen from its sharp end, 0 sphere, > 0 from its blunt end
+  double conic_constant = 0.0;  ///< k: −1 parabola, < −1 hyperbola, −1 … 0 ellipse seen from its sharp end, 0 sphere, >
+                                ///< 0 from its blunt end
 
   /// z(x, y); none beyond the widest circle of an ellipsoid.
   std::optional<Sag> sag(double x, double y) const;

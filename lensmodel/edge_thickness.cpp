@@ -17,8 +17,8 @@ std::optional<double> back_height(const Spectacles& lens, double x, double y) {
   }
   const Eigen::Matrix3d turn = lens.mounting.lens_from_back().transpose();
   const double start = lens.diameter_m;  // on the eye's side of any back surface within its rim
-  const SurfaceHit hit =
-      intersect(lens.back, {turn * Eigen::Vector3d(x, y, start), turn * Eigen::Vector3d(0.0, 0.0, -1.0)}, 0.75 * lens.diameter_m);
+  const SurfaceHit hit = intersect(
+      lens.back, {turn * Eigen::Vector3d(x, y, start), turn * Eigen::Vector3d(0.0, 0.0, -1.0)}, 0.75 * lens.diameter_m);
   return hit.status == LensStatus::ok ? std::optional(start - hit.distance) : std::nullopt;
 }
 
@@ -82,7 +82,8 @@ EdgeThickness edge_thickness(const Spectacles& lens) {
     if (whole(bad)) continue;
     for (double middle = 0.5 * (good + bad); good < middle && middle < bad; middle = 0.5 * (good + bad))
       (whole(middle) ? good : bad) = middle;
-    return {thickness_around(lens, bad) ? EdgeStatus::surfaces_cross : EdgeStatus::surface_ends, std::nullopt, 2.0 * good};
+    return {thickness_around(lens, bad) ? EdgeStatus::surfaces_cross : EdgeStatus::surface_ends, std::nullopt,
+            2.0 * good};
   }
   return {EdgeStatus::ok, thickness_around(lens, rim), lens.diameter_m};
 }

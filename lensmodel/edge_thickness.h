@@ -13,7 +13,8 @@ enum class EdgeStatus : std::uint8_t {
   surface_ends     ///< one of the surfaces does not reach the rim
 };
 
-/// Thinnest and thickest place of a circle about the lens's axis [m], measured parallel to the axis. Negative where the surfaces crossed.
+/// Thinnest and thickest place of a circle about the lens's axis [m], measured parallel to the axis. Negative where the
+/// surfaces crossed.
 struct ThicknessRange {
   double min, max;
 };
@@ -24,7 +25,8 @@ std::optional<ThicknessRange> thickness_around(const Spectacles& lens, double ra
 struct EdgeThickness {
   EdgeStatus status = EdgeStatus::ok;
   std::optional<ThicknessRange> rim;  ///< only with status ok; a knife edge has min = 0
-  double usable_diameter_m = 0.0;     ///< the largest diameter inside of which there is glass everywhere; the rim's if the status is ok
+  double usable_diameter_m =
+      0.0;  ///< the largest diameter inside of which there is glass everywhere; the rim's if the status is ok
 };
 
 /// What is left out: surfaces that cross and cross back within 1/256 of the radius.

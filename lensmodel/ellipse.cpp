@@ -22,7 +22,8 @@ Ellipse Ellipse::image_of_disc(const Eigen::Matrix2d& map, double radius) {
 
 Ellipse Ellipse::of_second_moments(const Eigen::Matrix2d& covariance) {
   const PrincipalValues p = principal_values(covariance(0, 0), covariance(0, 1), covariance(1, 1));
-  return {2.0 * std::sqrt(std::max(0.0, p.high)), 2.0 * std::sqrt(std::max(0.0, p.low)), orientation_of(p.high_direction, p.isotropic)};
+  return {2.0 * std::sqrt(std::max(0.0, p.high)), 2.0 * std::sqrt(std::max(0.0, p.low)),
+          orientation_of(p.high_direction, p.isotropic)};
 }
 
 Eigen::Matrix2d covariance_of_disc_image(const Eigen::Matrix2d& map, double radius) {

@@ -4,7 +4,8 @@
 
 namespace sturm {
 
-/// An ellipse centred on the chief ray: image of the pupil disc, or the one with the same second moments as a ray bundle.
+/// An ellipse centred on the chief ray: image of the pupil disc, or the one with the same second moments as a ray
+/// bundle.
 struct Ellipse {
   double semi_major = 0.0;                ///< ≥ semi_minor; [m] or [rad] as its source says
   double semi_minor = 0.0;                ///< ≥ 0

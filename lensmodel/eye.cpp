@@ -22,8 +22,8 @@ Eye Eye::with(const Prescription& rx, double pupil_diameter_m, const Accommodati
   return eye;
 }
 
-Eye Eye::with(const ZernikeWave& measured, SecondOrder rule, const std::optional<Prescription>& rx, double pupil_diameter_m,
-              const Accommodation& accommodation) {
+Eye Eye::with(const ZernikeWave& measured, SecondOrder rule, const std::optional<Prescription>& rx,
+              double pupil_diameter_m, const Accommodation& accommodation) {
   Eye eye = with(rx.value_or(Prescription{}), pupil_diameter_m, accommodation);
   eye.wavefront = rx ? measured.plus(ZernikeWave::of_power(eye.correction, measured.radius_m())) : measured;
   const double a = eye.pupil_radius_m;  // the nearest parabola over a pinhole is the one at its centre

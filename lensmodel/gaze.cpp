@@ -25,7 +25,8 @@ Eigen::Vector2d picture_point(const Eigen::Vector3d& direction) {
   return direction.head<2>() / -direction.z();
 }
 
-Eigen::Matrix2d picture_jacobian(const Eigen::Vector3d& direction, const Eigen::Vector3d& e1, const Eigen::Vector3d& e2) {
+Eigen::Matrix2d picture_jacobian(const Eigen::Vector3d& direction, const Eigen::Vector3d& e1,
+                                 const Eigen::Vector3d& e2) {
   const auto moved = [&](const Eigen::Vector3d& e) -> Eigen::Vector2d {
     return (e.head<2>() + picture_point(direction) * e.z()) / -direction.z();
   };

@@ -3,19 +3,21 @@
 
 namespace sturm {
 
-/// How a lens stands before the eye, and how its two surfaces stand to each other. Immutable; the rotations are made once.
+/// How a lens stands before the eye, and how its two surfaces stand to each other. Immutable; the rotations are made
+/// once.
 class Mounting {
  public:
   /// Straight: the lens's axis is the line of sight of primary gaze.
   Mounting() = default;
 
-  /// `decentration_m`: of the back vertex from the line of sight of primary gaze, wearer frame. `pantoscopic_tilt` [rad] is positive where
-  /// the lower rim stands nearer to the wearer; `wrap` [rad] is positive where the rim on the wearer's right does (face form of a right
-  /// lens). The lens turns about its back vertex: first the tilt, then the wrap about the vertical.
+  /// `decentration_m`: of the back vertex from the line of sight of primary gaze, wearer frame. `pantoscopic_tilt`
+  /// [rad] is positive where the lower rim stands nearer to the wearer; `wrap` [rad] is positive where the rim on the
+  /// wearer's right does (face form of a right lens). The lens turns about its back vertex: first the tilt, then the
+  /// wrap about the vertical.
   Mounting(const Eigen::Vector2d& decentration_m, double pantoscopic_tilt, double wrap);
 
-  /// The same with the back surface turned about its vertex against the lens's axis, so that its tangent plane there has the slopes
-  /// `slopes` (∂z/∂x, ∂z/∂y) in the lens's frame: a prism.
+  /// The same with the back surface turned about its vertex against the lens's axis, so that its tangent plane there
+  /// has the slopes `slopes` (∂z/∂x, ∂z/∂y) in the lens's frame: a prism.
   Mounting with_wedge(const Eigen::Vector2d& slopes) const;
 
   bool straight() const { return straight_; }    ///< neither tilted, wrapped nor decentred

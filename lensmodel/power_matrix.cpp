@@ -32,7 +32,8 @@ PowerMatrix PowerMatrix::moved_towards_eye(double d) const {
   const double det_f = difference_of_products(xx(), yy(), xy(), xy());
   const double det = difference_of_products(1.0 - d * xx(), 1.0 - d * yy(), d * xy(), d * xy());
   if (!(std::abs(det) > 1e-9))
-    throw std::domain_error("the plane " + std::to_string(1e3 * d) + " mm behind the lens lies at its focal line (I - dF is singular)");
+    throw std::domain_error("the plane " + std::to_string(1e3 * d) +
+                            " mm behind the lens lies at its focal line (I - dF is singular)");
   return from_components((xx() - d * det_f) / det, xy() / det, (yy() - d * det_f) / det);
 }
 

@@ -15,7 +15,8 @@ struct PowerVector {
 PowerVector power_vector(const Prescription& rx);
 
 /// Symmetric 2×2 dioptric power: maps a pupil offset [m] to the ray-slope change [rad] of a thin astigmatic lens.
-/// Wearer frame (physics.md §1): x to the wearer's right, y up. A cylinder has no power along its axis and full power across it.
+/// Wearer frame (physics.md §1): x to the wearer's right, y up. A cylinder has no power along its axis and full power
+/// across it.
 class PowerMatrix {
  public:
   PowerMatrix() : matrix_(Eigen::Matrix2d::Zero()) {}
@@ -44,8 +45,12 @@ class PowerMatrix {
   double xy() const { return matrix_(0, 1); }
   double yy() const { return matrix_(1, 1); }
 
-  friend PowerMatrix operator+(const PowerMatrix& a, const PowerMatrix& b) { return PowerMatrix(a.matrix_ + b.matrix_); }
-  friend PowerMatrix operator-(const PowerMatrix& a, const PowerMatrix& b) { return PowerMatrix(a.matrix_ - b.matrix_); }
+  friend PowerMatrix operator+(const PowerMatrix& a, const PowerMatrix& b) {
+    return PowerMatrix(a.matrix_ + b.matrix_);
+  }
+  friend PowerMatrix operator-(const PowerMatrix& a, const PowerMatrix& b) {
+    return PowerMatrix(a.matrix_ - b.matrix_);
+  }
 
  private:
   explicit PowerMatrix(const Eigen::Matrix2d& matrix) : matrix_(matrix) {}

@@ -9,8 +9,8 @@ namespace sturm {
 namespace {
 void require_range(const char* what, double value, double low, double high) {
   if (!(value >= low && value <= high))
-    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " +
-                                std::to_string(high));
+    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) + ", expected " +
+                                std::to_string(low) + " to " + std::to_string(high));
 }
 }  // namespace
 

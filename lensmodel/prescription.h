@@ -2,12 +2,13 @@
 
 namespace sturm {
 
-/// A spectacle prescription as it is written: SPH / CYL × AXIS, stated for a lens at a vertex distance before the cornea.
-/// physics.md §1–2. Plus- and minus-cylinder forms are both accepted and mean the same lens when transposed into each other.
+/// A spectacle prescription as it is written: SPH / CYL × AXIS, stated for a lens at a vertex distance before the
+/// cornea. physics.md §1–2. Plus- and minus-cylinder forms are both accepted and mean the same lens when transposed
+/// into each other.
 struct Prescription {
-  double sphere_D = 0.0;           ///< sphere [D]; power along the AXIS meridian
-  double cylinder_D = 0.0;         ///< cylinder [D], either sign; acts across the AXIS
-  double axis_deg = 180.0;         ///< TABO (ISO 8429) [°], counter-clockwise as an examiner faces the wearer; 0 means 180
+  double sphere_D = 0.0;    ///< sphere [D]; power along the AXIS meridian
+  double cylinder_D = 0.0;  ///< cylinder [D], either sign; acts across the AXIS
+  double axis_deg = 180.0;  ///< TABO (ISO 8429) [°], counter-clockwise as an examiner faces the wearer; 0 means 180
   double vertex_distance_m = 0.0;  ///< distance from lens to cornea [m]; 0 = stated at the cornea
   double prism_cm_per_m = 0.0;     ///< prism [Δ], ≥ 0; without effect on the power
   double prism_base_deg = 0.0;     ///< its base, 0 ≤ base < 360, counter-clockwise as an examiner faces the wearer

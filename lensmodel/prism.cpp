@@ -30,7 +30,8 @@ Spectacles with_prism(const Spectacles& lens, double prism_cm_per_m, double base
   straight.vertex_distance_m = 1e-3;  // any: a deviation does not depend on it
   Eigen::Vector2d wedge = Eigen::Vector2d::Zero(), best = wedge;
   double least = std::numeric_limits<double>::infinity();  // error, of the best
-  // A thin wedge of slope g deviates by (n − 1) g: one step of that is wrong by the thickness times the front's power, a few per cent.
+  // A thin wedge of slope g deviates by (n − 1) g: one step of that is wrong by the thickness times the front's power,
+  // a few per cent.
   constexpr int most_steps = 60;
   constexpr double settled = 1e-15;
   for (int i = 0; i < most_steps && least > settled; ++i) {

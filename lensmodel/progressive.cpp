@@ -18,11 +18,13 @@ BSplineSurface as_spline(const ProgressiveSurface& surface, const KnotGrid& grid
   Eigen::MatrixXd heights(grid.cells_x + 1, grid.cells_y + 1);
   for (int i = 0; i <= grid.cells_x; ++i)
     for (int j = 0; j <= grid.cells_y; ++j)
-      heights(i, j) = closed_form(surface, grid.first.x() + i * grid.spacing.x(), grid.first.y() + j * grid.spacing.y()).value;
+      heights(i, j) =
+          closed_form(surface, grid.first.x() + i * grid.spacing.x(), grid.first.y() + j * grid.spacing.y()).value;
   return BSplineSurface::interpolating(grid, heights);
 }
 
-SurfacePower largest_difference(const ProgressiveSurface& exact, const BSplineSurface& spline, double index, double radius) {
+SurfacePower largest_difference(const ProgressiveSurface& exact, const BSplineSurface& spline, double index,
+                                double radius) {
   constexpr int places = 200;
   const KnotGrid& grid = spline.grid();
   const int stride = std::max(1, grid.cells_x / places);
@@ -30,9 +32,11 @@ SurfacePower largest_difference(const ProgressiveSurface& exact, const BSplineSu
   for (int i = 0; i < grid.cells_x; i += stride)
     for (int j = 0; j < grid.cells_y; j += stride)
       for (const double part : {0.0, 0.5}) {
-        const double x = grid.first.x() + (i + part) * grid.spacing.x(), y = grid.first.y() + (j + part) * grid.spacing.y();
+        const double x = grid.first.x() + (i + part) * grid.spacing.x(),
+                     y = grid.first.y() + (j + part) * grid.spacing.y();
         if (std::hypot(x, y) > radius) continue;
-        const SurfacePower a = surface_power(closed_form(exact, x, y), index), b = surface_power(spline.sag(x, y).value(), index);
+        const SurfacePower a = surface_power(closed_form(exact, x, y), index),
+                           b = surface_power(spline.sag(x, y).value(), index);
         worst.mean_D = std::fmax(worst.mean_D, std::abs(a.mean_D - b.mean_D));
         worst.cylinder_D = std::fmax(worst.cylinder_D, std::abs(a.cylinder_D - b.cylinder_D));
       }
@@ -57,8 +61,8 @@ ProgressiveLens progressive_lens(const Prescription& rx, const ProgressiveDesign
   // Two knots beyond the rim: the spline is least exact in its outermost cells.
   const KnotGrid grid = KnotGrid::centred(radius + 2.0 * design.knot_spacing_m, design.knot_spacing_m);
   const BSplineSurface spline = as_spline(front, grid);
-  ProgressiveLens made{single_vision(rx, design.lens), largest_difference(front, spline, design.lens.refractive_index, radius),
-                       grid.spacing.x()};
+  ProgressiveLens made{single_vision(rx, design.lens),
+                       largest_difference(front, spline, design.lens.refractive_index, radius), grid.spacing.x()};
   made.lens.front = spline;
   return made;
 }

@@ -8,7 +8,8 @@ namespace sturm {
 
 namespace {
 
-/// The ninth-degree step from 0 to 1 with four vanishing derivatives at both ends, its integral, and its first two derivatives; 0 ≤ t ≤ 1.
+/// The ninth-degree step from 0 to 1 with four vanishing derivatives at both ends, its integral, and its first two
+/// derivatives; 0 ≤ t ≤ 1.
 double step(double t) {
   return t * t * t * t * t * (126.0 + t * (-420.0 + t * (540.0 + t * (-315.0 + t * 70.0))));
 }
@@ -68,7 +69,8 @@ struct Lifted {
 };
 Lifted over_cosine(double m, double m1, double m2, double sine, double k, double k1) {
   const double w = std::sqrt(1.0 - sine * sine), w3 = w * w * w, turn = sine * k;
-  return {m / w, m1 / w + m * turn / w3, m2 / w + (2.0 * m1 * turn + m * (k * k + sine * k1)) / w3 + 3.0 * m * turn * turn / (w3 * w * w)};
+  return {m / w, m1 / w + m * turn / w3,
+          m2 / w + (2.0 * m1 * turn + m * (k * k + sine * k1)) / w3 + 3.0 * m * turn * turn / (w3 * w * w)};
 }
 
 /// A height over (s, u) with its derivatives.
@@ -79,7 +81,8 @@ struct Part {
 std::optional<Part> circular_sections(const Lifted& c, double u) {
   const auto q = circular_section(c.value, u);
   if (!q) return std::nullopt;
-  return Part{q->value, q->by_c * c.first, q->by_u, q->by_cc * c.first * c.first + q->by_c * c.second, q->by_uc * c.first, q->by_uu};
+  return Part{q->value,           q->by_c * c.first, q->by_u, q->by_cc * c.first * c.first + q->by_c * c.second,
+              q->by_uc * c.first, q->by_uu};
 }
 Part faded(const Part& p, const Fade& f) {
   return {p.value * f.value,
@@ -102,11 +105,14 @@ ProgressiveSurface::ProgressiveSurface(const ProgressiveSurfaceDesign& design)
     : design_(design), start_(-design.corridor_start_m), end_(start_ + design.corridor_length_m) {
   const double excess = design.refractive_index - 1.0;
   if (!(excess > 0.0)) throw std::invalid_argument("a refractive index of 1 has no surface power");
-  if (!(design.corridor_length_m > 0.0)) throw std::invalid_argument("the corridor of a progressive surface needs a length");
-  if (design.zone_width_m && !(*design.zone_width_m > 0.0)) throw std::invalid_argument("the zones of a progressive surface need a width");
+  if (!(design.corridor_length_m > 0.0))
+    throw std::invalid_argument("the corridor of a progressive surface needs a length");
+  if (design.zone_width_m && !(*design.zone_width_m > 0.0))
+    throw std::invalid_argument("the zones of a progressive surface need a width");
   if (!(std::abs(design.near_shift_m) < end_) && design.near_shift_m != 0.0)
     throw std::invalid_argument("the near zone lies too high for its shift");
-  const double sine = design.near_shift_m == 0.0 ? 0.0 : design.near_shift_m / end_, cosine = std::sqrt(1.0 - sine * sine);
+  const double sine = design.near_shift_m == 0.0 ? 0.0 : design.near_shift_m / end_,
+               cosine = std::sqrt(1.0 - sine * sine);
   down_ << sine, -cosine;
   across_ << cosine, sine;
   far_curvature_ = design.far_power_D / excess;
@@ -119,7 +125,8 @@ ProgressiveSurface::ProgressiveSurface(const ProgressiveSurfaceDesign& design)
   *height_at_start_ -= *vertex;
   *height_at_end_ -= *vertex;
   if (!std::isfinite(*height_at_end_ + *height_at_start_))
-    throw std::invalid_argument("the umbilic of a progressive surface turns by more than a right angle in its corridor");
+    throw std::invalid_argument(
+        "the umbilic of a progressive surface turns by more than a right angle in its corridor");
 }
 
 double ProgressiveSurface::turn_from_start(double s) const {
@@ -129,7 +136,8 @@ double ProgressiveSurface::turn_from_start(double s) const {
 }
 
 ProgressiveSurface::Bend ProgressiveSurface::bend_at(double s) const {
-  const double length = design_.corridor_length_m, t = (s - start_) / length, sine = turn_from_start(s) - turn_at_vertex_;
+  const double length = design_.corridor_length_m, t = (s - start_) / length,
+               sine = turn_from_start(s) - turn_at_vertex_;
   if (t <= 0.0) return {far_curvature_, 0.0, 0.0, sine};
   if (t >= 1.0) return {far_curvature_ + added_curvature_, 0.0, 0.0, sine};
   return {far_curvature_ + added_curvature_ * step(t), added_curvature_ * step_first(t) / length,
@@ -148,7 +156,8 @@ double ProgressiveSurface::height_in_corridor(double s) const {
     return sine / std::sqrt(1.0 - sine * sine);
   };
   double sum = 0.0;
-  for (const Node& node : gauss_legendre) sum += node.weight * (slope(middle - half * node.at) + slope(middle + half * node.at));
+  for (const Node& node : gauss_legendre)
+    sum += node.weight * (slope(middle - half * node.at) + slope(middle + half * node.at));
   return half * sum;
 }
 
@@ -175,7 +184,8 @@ std::optional<Sag> ProgressiveSurface::sag(double x, double y) const {
   Sag result;
   result.value = z.value;
   result.gradient = z.by_s * down_ + z.by_u * across_;
-  result.hessian = z.by_ss * down_ * down_.transpose() + z.by_su * (down_ * across_.transpose() + across_ * down_.transpose()) +
+  result.hessian = z.by_ss * down_ * down_.transpose() +
+                   z.by_su * (down_ * across_.transpose() + across_ * down_.transpose()) +
                    z.by_uu * across_ * across_.transpose();
   return result;
 }

@@ -3,8 +3,9 @@
 
 namespace sturm {
 
-/// Height z of a surface over the plane through its vertex, with its derivatives. Surface frame: origin at the vertex, axes parallel
-/// to those of the wearer frame, so z > 0 lies towards the eye and a radius R > 0 (centre on the eye's side) gives z ≈ +r²/(2R).
+/// Height z of a surface over the plane through its vertex, with its derivatives. Surface frame: origin at the vertex,
+/// axes parallel to those of the wearer frame, so z > 0 lies towards the eye and a radius R > 0 (centre on the eye's
+/// side) gives z ≈ +r²/(2R).
 struct Sag {
   double value;              ///< [m]
   Eigen::Vector2d gradient;  ///< (∂z/∂x, ∂z/∂y)
@@ -16,8 +17,9 @@ Eigen::Vector3d outward_normal(const Sag& sag);
 
 /// A surface to second order about one of its points, in any frame.
 struct SurfaceElement {
-  Eigen::Vector3d normal;     ///< unit, outward
-  Eigen::Matrix3d curvature;  ///< [1/m]; on tangent vectors t, w: tᵀ · curvature · w, positive where the centre lies outward
+  Eigen::Vector3d normal;  ///< unit, outward
+  Eigen::Matrix3d
+      curvature;  ///< [1/m]; on tangent vectors t, w: tᵀ · curvature · w, positive where the centre lies outward
 
   SurfaceElement() = default;
 
@@ -28,8 +30,8 @@ struct SurfaceElement {
   SurfaceElement turned(const Eigen::Matrix3d& rotation) const;
 };
 
-/// Curvature matrix of the surface on two tangent vectors u, w [1/m], positive where the centre of curvature lies outward of the
-/// surface: ahead of a wave that leaves the eye (physics.md §6). K(t, t) = −tᵀ∇∇z t/√(1 + |∇z|²).
+/// Curvature matrix of the surface on two tangent vectors u, w [1/m], positive where the centre of curvature lies
+/// outward of the surface: ahead of a wave that leaves the eye (physics.md §6). K(t, t) = −tᵀ∇∇z t/√(1 + |∇z|²).
 Eigen::Matrix2d tangent_curvature(const SurfaceElement& element, const Eigen::Vector3d& u, const Eigen::Vector3d& w);
 
 }  // namespace sturm

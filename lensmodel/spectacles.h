@@ -4,8 +4,9 @@
 
 namespace sturm {
 
-/// A thick spectacle lens in front of one eye. Wearer frame, origin at the pupil's centre in primary gaze. Lens frame: origin at the back
-/// vertex, z along the lens's axis towards the eye; parallel to the wearer frame unless the mounting turns it.
+/// A thick spectacle lens in front of one eye. Wearer frame, origin at the pupil's centre in primary gaze. Lens frame:
+/// origin at the back vertex, z along the lens's axis towards the eye; parallel to the wearer frame unless the mounting
+/// turns it.
 struct Spectacles {
   Surface back, front;
   double center_thickness_m = 2e-3;  ///< > 0
@@ -15,10 +16,13 @@ struct Spectacles {
   Mounting mounting{};
 
   /// Back vertex in the wearer frame [m].
-  Eigen::Vector3d back_vertex() const { return {mounting.decentration_m().x(), mounting.decentration_m().y(), -vertex_distance_m}; }
+  Eigen::Vector3d back_vertex() const {
+    return {mounting.decentration_m().x(), mounting.decentration_m().y(), -vertex_distance_m};
+  }
 };
 
-/// The way of one ray from the eye through the lens into the air before it, by Snell's law at both surfaces. Wearer frame [m].
+/// The way of one ray from the eye through the lens into the air before it, by Snell's law at both surfaces. Wearer
+/// frame [m].
 struct LensPath {
   LensStatus status = LensStatus::missed_lens;
   Eigen::Vector3d back_point, inside_direction;
@@ -29,7 +33,8 @@ struct LensPath {
 /// False where a ray that leaves the eye certainly passes outside of the rim of the back surface.
 bool may_meet(const Spectacles& spectacles, const LightRay& ray);
 
-/// Follows a ray that starts between eye and lens outwards. Points and directions behind the place where it was lost mean nothing.
+/// Follows a ray that starts between eye and lens outwards. Points and directions behind the place where it was lost
+/// mean nothing.
 LensPath trace(const Spectacles& spectacles, const LightRay& ray);
 
 }  // namespace sturm

@@ -13,7 +13,8 @@ std::optional<Sag> SphereSurface::sag(double x, double y) const {
 }
 
 std::optional<double> SphereSurface::crossing(const LightRay& ray) const {
-  // c|P|²/2 − z = 0 with P = o + tN: c t²/2 + b t + e/2 = 0. Outward is the root where the left side grows, at the rate √(b² − ce).
+  // c|P|²/2 − z = 0 with P = o + tN: c t²/2 + b t + e/2 = 0. Outward is the root where the left side grows, at the rate
+  // √(b² − ce).
   const double c = curvature;
   const double b = c * ray.origin.dot(ray.direction) - ray.direction.z();
   const double e = c * ray.origin.squaredNorm() - 2.0 * ray.origin.z();

@@ -13,8 +13,8 @@ struct SphereSurface {
   /// z(x, y); none outside of the hemisphere about the vertex.
   std::optional<Sag> sag(double x, double y) const;
 
-  /// Distance along the ray to where it crosses the hemisphere about the vertex outward; may be negative; none where it does not.
-  /// Closed form without cancellation: exact for a plane too.
+  /// Distance along the ray to where it crosses the hemisphere about the vertex outward; may be negative; none where it
+  /// does not. Closed form without cancellation: exact for a plane too.
   std::optional<double> crossing(const LightRay& ray) const;
 };
 

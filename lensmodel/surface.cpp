@@ -30,7 +30,8 @@ std::optional<Interval> inside(const LightRay& ray, double rim_radius, const Int
     in.high = (-b + root) / a;
   }
   if (ray.direction.z() != 0.0) {
-    const double first = (heights.low - ray.origin.z()) / ray.direction.z(), second = (heights.high - ray.origin.z()) / ray.direction.z();
+    const double first = (heights.low - ray.origin.z()) / ray.direction.z(),
+                 second = (heights.high - ray.origin.z()) / ray.direction.z();
     in.low = std::max(in.low, std::min(first, second));
     in.high = std::min(in.high, std::max(first, second));
   } else if (!(ray.origin.z() >= heights.low && ray.origin.z() <= heights.high)) {
@@ -39,7 +40,8 @@ std::optional<Interval> inside(const LightRay& ray, double rim_radius, const Int
   return in.low < in.high ? std::optional(in) : std::nullopt;
 }
 
-/// How far the ray is outward of the surface at t: z of the surface minus z of the ray. None where the surface does not reach.
+/// How far the ray is outward of the surface at t: z of the surface minus z of the ray. None where the surface does not
+/// reach.
 template <class Shape>
 std::optional<double> outward_distance(const Shape& shape, const LightRay& ray, double t) {
   const Eigen::Vector3d p = ray.at(t);
@@ -47,7 +49,8 @@ std::optional<double> outward_distance(const Shape& shape, const LightRay& ray, 
   return s ? std::optional(s->value - p.z()) : std::nullopt;
 }
 
-/// A piece of the ray at whose low end it is on the eye's side and at whose high end it is outside: the whole way if its ends will do.
+/// A piece of the ray at whose low end it is on the eye's side and at whose high end it is outside: the whole way if
+/// its ends will do.
 template <class Shape>
 std::optional<Interval> bracket(const Shape& shape, const LightRay& ray, const Interval& way) {
   const auto first = outward_distance(shape, ray, way.low), last = outward_distance(shape, ray, way.high);
@@ -55,7 +58,8 @@ std::optional<Interval> bracket(const Shape& shape, const LightRay& ray, const I
   return std::nullopt;
 }
 
-/// The same among 16 pieces of the way, where the surface ends before the rim does or is interrupted, or the ray crosses it twice.
+/// The same among 16 pieces of the way, where the surface ends before the rim does or is interrupted, or the ray
+/// crosses it twice.
 template <class Shape>
 std::optional<Interval> bracket_in_pieces(const Shape& shape, const LightRay& ray, const Interval& way) {
   const auto at = [&](double t) { return outward_distance(shape, ray, t); };
@@ -99,7 +103,8 @@ SurfaceHit intersect_shape(const SphereSurface& sphere, const LightRay& ray, dou
 /// No point of the surface within the rim lies outside of these heights.
 Interval height_bounds(const SphereSurface& sphere, double r) {
   const auto rim = sphere.sag(r, 0.0);
-  const double height = rim ? rim->value : std::copysign(r, sphere.curvature);  // a whole hemisphere rises by its radius ≤ r
+  const double height =
+      rim ? rim->value : std::copysign(r, sphere.curvature);  // a whole hemisphere rises by its radius ≤ r
   return {std::min(0.0, height), std::max(0.0, height)};
 }
 Interval height_bounds(const ConicSurface& conic, double r) {
@@ -108,7 +113,8 @@ Interval height_bounds(const ConicSurface& conic, double r) {
   return {std::min(0.0, height), std::max(0.0, height)};
 }
 Interval height_bounds(const TorusSurface& torus, double r) {
-  // Along the sweep and along the generator the height rises or falls all the way outwards, so a box has its extremes in its corners.
+  // Along the sweep and along the generator the height rises or falls all the way outwards, so a box has its extremes
+  // in its corners.
   const Eigen::Vector2d s = r * torus.sweep_direction(), g(-s.y(), s.x());
   Interval bounds{0.0, 0.0};
   for (const Eigen::Vector2d& corner : {s, g, Eigen::Vector2d(s + g)}) {

@@ -3,8 +3,9 @@
 
 namespace sturm {
 
-/// What a surface's bend at one point amounts to, as makers of lenses state it [D]: (n − 1) times the principal curvatures of the surface
-/// itself (not of its projection), positive where the centre of curvature lies on the eye's side.
+/// What a surface's bend at one point amounts to, as makers of lenses state it [D]: (n − 1) times the principal
+/// curvatures of the surface itself (not of its projection), positive where the centre of curvature lies on the eye's
+/// side.
 struct SurfacePower {
   double mean_D;      ///< half their sum
   double cylinder_D;  ///< size of their difference, ≥ 0

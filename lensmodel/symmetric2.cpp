@@ -17,7 +17,8 @@ constexpr double relative_isotropy = 4.0 * std::numeric_limits<double>::epsilon(
 /// Unit vector at half the angle of (cos 2θ, sin 2θ) ∝ (x, y), without trigonometry; in the right half plane.
 Eigen::Vector2d half_angle_direction(double x, double y) {
   const double length = std::hypot(x, y);
-  const Eigen::Vector2d doubled = x >= 0.0 ? Eigen::Vector2d(length + x, y) : Eigen::Vector2d(std::abs(y), std::copysign(length - x, y));
+  const Eigen::Vector2d doubled =
+      x >= 0.0 ? Eigen::Vector2d(length + x, y) : Eigen::Vector2d(std::abs(y), std::copysign(length - x, y));
   return doubled.normalized();
 }
 }  // namespace
@@ -30,7 +31,8 @@ PrincipalValues principal_values(double xx, double xy, double yy) {
   const double little = big != 0.0 ? determinant / big : 0.0;
   const bool isotropic = radius <= relative_isotropy * std::abs(mean) || radius == 0.0;
   const Eigen::Vector2d direction = isotropic ? Eigen::Vector2d(1.0, 0.0) : half_angle_direction(half_difference, xy);
-  return mean >= 0.0 ? PrincipalValues{big, little, direction, isotropic} : PrincipalValues{little, big, direction, isotropic};
+  return mean >= 0.0 ? PrincipalValues{big, little, direction, isotropic}
+                     : PrincipalValues{little, big, direction, isotropic};
 }
 
 SingularValues singular_values(const Eigen::Matrix2d& m) {

@@ -8,7 +8,8 @@ namespace sturm {
 
 TorusSurface::TorusSurface(double sweep_curvature, double generator_curvature, double sweep_meridian_deg)
     : sweep_curvature_(sweep_curvature), generator_curvature_(generator_curvature) {
-  const auto [sine, cosine] = sine_cosine_of_degrees(180.0 - sweep_meridian_deg);  // the examiner's x is the wearer's −x
+  const auto [sine, cosine] =
+      sine_cosine_of_degrees(180.0 - sweep_meridian_deg);  // the examiner's x is the wearer's −x
   sweep_direction_ = {cosine, sine};
 }
 
@@ -19,8 +20,9 @@ std::optional<Sag> TorusSurface::sag(double x, double y) const {
   const double p2 = 1.0 - cg * cg * g * g;
   if (!(p2 > 0.0)) return std::nullopt;
   const double p = std::sqrt(p2);
-  const double z0 = cg * g * g / (1.0 + p), slope0 = cg * g / p, bend0 = cg / (p * p * p);  // the generator and its derivatives
-  const double m = 1.0 - cs * z0;  // distance to the sweep axis in units of the sweep radius
+  const double z0 = cg * g * g / (1.0 + p), slope0 = cg * g / p,
+               bend0 = cg / (p * p * p);  // the generator and its derivatives
+  const double m = 1.0 - cs * z0;         // distance to the sweep axis in units of the sweep radius
   const double q2 = m * m - cs * cs * s * s;
   if (!(m > 0.0 && q2 > 0.0)) return std::nullopt;
   const double q = std::sqrt(q2), q3 = q2 * q;

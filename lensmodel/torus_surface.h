@@ -5,11 +5,12 @@
 
 namespace sturm {
 
-/// A torus: a circle (the generator), which stands in the meridian perpendicular to the sweep meridian, is swept about an axis parallel
-/// to that perpendicular meridian. Either curvature may be 0: then it is a cylinder, or a plane.
+/// A torus: a circle (the generator), which stands in the meridian perpendicular to the sweep meridian, is swept about
+/// an axis parallel to that perpendicular meridian. Either curvature may be 0: then it is a cylinder, or a plane.
 class TorusSurface {
  public:
-  /// Curvatures 1/R [1/m], R > 0 where the centre lies on the eye's side; `sweep_meridian_deg` in TABO degrees (examiner's frame).
+  /// Curvatures 1/R [1/m], R > 0 where the centre lies on the eye's side; `sweep_meridian_deg` in TABO degrees
+  /// (examiner's frame).
   TorusSurface(double sweep_curvature, double generator_curvature, double sweep_meridian_deg);
 
   /// z(x, y); none beyond the generating circle or past the sweep axis.

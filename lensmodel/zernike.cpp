@@ -41,7 +41,8 @@ PlanePolynomial zernike_polynomial(int j) {
   const int frequency = std::abs(m);
   const double norm = std::sqrt((m == 0 ? 1.0 : 2.0) * (n + 1));
   PlanePolynomial z(n);
-  // R(r) r^-|m| is a polynomial in r² = x² + y²; r^|m| cos |m|θ and r^|m| sin |m|θ are real and imaginary part of (x + iy)^|m|.
+  // R(r) r^-|m| is a polynomial in r² = x² + y²; r^|m| cos |m|θ and r^|m| sin |m|θ are real and imaginary part of (x +
+  // iy)^|m|.
   for (int s = 0; 2 * s <= n - frequency; ++s) {
     const int half = (n - frequency) / 2 - s;  // power of r²
     const double radial = (s % 2 ? -1.0 : 1.0) * binomial(n - s, s) * binomial(n - 2 * s, half);

@@ -38,7 +38,8 @@ class PlanePolynomial {
   std::vector<double> coefficients_;
 };
 
-/// OSA/ANSI single index j = (n(n + 2) + m)/2 of a Zernike polynomial of order n and azimuthal frequency m (ANSI Z80.28).
+/// OSA/ANSI single index j = (n(n + 2) + m)/2 of a Zernike polynomial of order n and azimuthal frequency m (ANSI
+/// Z80.28).
 struct ZernikeIndex {
   int n, m;
 
@@ -46,7 +47,8 @@ struct ZernikeIndex {
   int single() const { return (n * (n + 2) + m) / 2; }
 };
 
-/// Z_j over the unit disc as a polynomial, normalised to unit variance; θ counter-clockwise from +x, cos for m ≥ 0, sin for m < 0.
+/// Z_j over the unit disc as a polynomial, normalised to unit variance; θ counter-clockwise from +x, cos for m ≥ 0, sin
+/// for m < 0.
 PlanePolynomial zernike_polynomial(int j);
 
 }  // namespace sturm

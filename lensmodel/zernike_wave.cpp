@@ -21,7 +21,8 @@ double factorial(int n) {
 
 }  // namespace
 
-ZernikeWave::ZernikeWave(std::vector<double> coefficients, double radius_m) : coefficients_(std::move(coefficients)), radius_(radius_m) {
+ZernikeWave::ZernikeWave(std::vector<double> coefficients, double radius_m)
+    : coefficients_(std::move(coefficients)), radius_(radius_m) {
   if (coefficients_.empty()) coefficients_.push_back(0.0);
   const int highest = ZernikeIndex::of(static_cast<int>(coefficients_.size()) - 1).n;
   if (!(radius_m > 0.0)) throw std::invalid_argument("a wavefront needs a pupil");
@@ -57,7 +58,8 @@ ZernikeWave ZernikeWave::of_power(const PowerMatrix& power, double a) {
 }
 
 ZernikeWave ZernikeWave::rescaled(double radius_m) const {
-  if (!(radius_m > 0.0 && radius_m <= radius_)) throw std::invalid_argument("a wavefront says nothing beyond its own pupil");
+  if (!(radius_m > 0.0 && radius_m <= radius_))
+    throw std::invalid_argument("a wavefront says nothing beyond its own pupil");
   const double ratio = radius_m / radius_;
   std::vector<double> c(coefficients_.size(), 0.0);
   const auto size = static_cast<int>(c.size());
@@ -70,8 +72,8 @@ ZernikeWave ZernikeWave::rescaled(double radius_m) const {
       if (from >= size) break;
       double inner = 0.0;
       for (int k = 0; k <= i; ++k)
-        inner += ((i + k) % 2 ? -1.0 : 1.0) * factorial(n + i + k) / (factorial(n + k + 1) * factorial(i - k) * factorial(k)) *
-                 std::pow(ratio, 2 * k);
+        inner += ((i + k) % 2 ? -1.0 : 1.0) * factorial(n + i + k) /
+                 (factorial(n + k + 1) * factorial(i - k) * factorial(k)) * std::pow(ratio, 2 * k);
       sum += coefficients_[static_cast<std::size_t>(from)] * std::sqrt((n + 1.0) * (n + 2.0 * i + 1.0)) * inner;
     }
     c[static_cast<std::size_t>(j)] = std::pow(ratio, n) * sum;
@@ -100,7 +102,8 @@ PowerMatrix ZernikeWave::power(SecondOrder rule) const {
   const double a2 = radius_ * radius_;
   if (rule == SecondOrder::Paraxial) {
     if (height_.degree() < 2) return PowerMatrix();
-    return PowerMatrix::from_components(-2.0 * height_.at(2, 0) / a2, -height_.at(1, 1) / a2, -2.0 * height_.at(0, 2) / a2);
+    return PowerMatrix::from_components(-2.0 * height_.at(2, 0) / a2, -height_.at(1, 1) / a2,
+                                        -2.0 * height_.at(0, 2) / a2);
   }
   const auto c = [&](std::size_t j) { return j < coefficients_.size() ? coefficients_[j] : 0.0; };
   const double mean = -4.0 * std::numbers::sqrt3 * c(4) / a2, straight = -2.0 * std::sqrt(6.0) * c(5) / a2,

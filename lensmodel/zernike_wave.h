@@ -10,16 +10,18 @@ namespace sturm {
 
 /// How a wavefront's second-order power is taken.
 enum class SecondOrder {
-  LeastSquares,  ///< of the second-order coefficients at the pupil in use: the parabola nearest to the wave over that pupil
+  LeastSquares,  ///< of the second-order coefficients at the pupil in use: the parabola nearest to the wave over that
+                 ///< pupil
   Paraxial       ///< the wave's curvature at the pupil's centre, which higher orders change
 };
 
-/// A wavefront W over a disc as OSA/ANSI Zernike coefficients (physics.md §3). Wearer frame; the ray through p leaves with the slope
-/// −∇W(p), so that a correcting power F alone is W = −½ pᵀF p. Immutable.
+/// A wavefront W over a disc as OSA/ANSI Zernike coefficients (physics.md §3). Wearer frame; the ray through p leaves
+/// with the slope −∇W(p), so that a correcting power F alone is W = −½ pᵀF p. Immutable.
 class ZernikeWave {
  public:
-  /// `coefficients_m[j]` in the examiner's frame, single index j = (n(n + 2) + m)/2, normalised, [m], for the pupil radius [m].
-  /// Throws std::invalid_argument for a radius that is not positive, or more coefficients than order 20 has.
+  /// `coefficients_m[j]` in the examiner's frame, single index j = (n(n + 2) + m)/2, normalised, [m], for the pupil
+  /// radius [m]. Throws std::invalid_argument for a radius that is not positive, or more coefficients than order 20
+  /// has.
   static ZernikeWave from_examiner(std::span<const double> coefficients_m, double radius_m);
 
   /// That of a correcting power over a pupil.

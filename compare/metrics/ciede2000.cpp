@@ -8,7 +8,7 @@
 
 #include "compare/metrics/colour_spaces.h"
 #include "compare/metrics/comparable.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 
@@ -46,28 +46,35 @@ Step step_between(const LightnessChromaHue& p, const LightnessChromaHue& q) {
   if (turn < -half_turn) turn += 2.0 * half_turn;
   double mean_hue = p.hue + q.hue;
   if (!grey) {
-    if (std::abs(p.hue - q.hue) > half_turn) mean_hue += mean_hue < 2.0 * half_turn ? 2.0 * half_turn : -2.0 * half_turn;
+    if (std::abs(p.hue - q.hue) > half_turn)
+      mean_hue += mean_hue < 2.0 * half_turn ? 2.0 * half_turn : -2.0 * half_turn;
     mean_hue *= 0.5;
   }
-  return {q.lightness - p.lightness,         q.chroma - p.chroma,         2.0 * std::sqrt(p.chroma * q.chroma) * std::sin(0.5 * turn),
-          0.5 * (p.lightness + q.lightness), 0.5 * (p.chroma + q.chroma), mean_hue};
+  return {q.lightness - p.lightness,
+          q.chroma - p.chroma,
+          2.0 * std::sqrt(p.chroma * q.chroma) * std::sin(0.5 * turn),
+          0.5 * (p.lightness + q.lightness),
+          0.5 * (p.chroma + q.chroma),
+          mean_hue};
 }
 
 double weighted_length(const Step& s) {
   const double h = s.mean_hue;
-  const double t = 1.0 - 0.17 * std::cos(h - 30.0 * degree) + 0.24 * std::cos(2.0 * h) + 0.32 * std::cos(3.0 * h + 6.0 * degree) -
-                   0.20 * std::cos(4.0 * h - 63.0 * degree);  // eq. 15
+  const double t = 1.0 - 0.17 * std::cos(h - 30.0 * degree) + 0.24 * std::cos(2.0 * h) +
+                   0.32 * std::cos(3.0 * h + 6.0 * degree) - 0.20 * std::cos(4.0 * h - 63.0 * degree);  // eq. 15
   const double middle = s.mean_lightness - 50.0;
   const double s_l = 1.0 + 0.015 * middle * middle / std::sqrt(20.0 + middle * middle);  // eqs. 18 – 20
   const double s_c = 1.0 + 0.045 * s.mean_chroma, s_h = 1.0 + 0.015 * s.mean_chroma * t;
   const double blue = (h / degree - 275.0) / 25.0;
-  const double rotation = -std::sin(60.0 * degree * std::exp(-blue * blue)) * 2.0 * seventh_power_share(s.mean_chroma);  // eqs. 16, 17, 21
+  const double rotation =
+      -std::sin(60.0 * degree * std::exp(-blue * blue)) * 2.0 * seventh_power_share(s.mean_chroma);  // eqs. 16, 17, 21
   const double l = s.lightness / s_l, c = s.chroma / s_c, d = s.hue / s_h;
   return std::sqrt(l * l + c * c + d * d + rotation * c * d);  // eq. 22
 }
 
 Lab lab_of_display(const float* pixel) {
-  const Colour lab = lab_of_xyz(xyz_of_light({srgb_to_linear(pixel[0]), srgb_to_linear(pixel[1]), srgb_to_linear(pixel[2])}));
+  const Colour lab =
+      lab_of_xyz(xyz_of_light({srgb_to_linear(pixel[0]), srgb_to_linear(pixel[1]), srgb_to_linear(pixel[2])}));
   return {lab[0], lab[1], lab[2]};
 }
 
@@ -98,7 +105,8 @@ Ciede2000 ciede2000(const Image& test, const Image& reference) {
       row_sums[y] += difference;
     }
   });
-  result.mean = std::accumulate(row_sums.begin(), row_sums.end(), 0.0) / (static_cast<double>(test.width) * test.height);
+  result.mean =
+      std::accumulate(row_sums.begin(), row_sums.end(), 0.0) / (static_cast<double>(test.width) * test.height);
   return result;
 }
 

@@ -15,7 +15,8 @@ constexpr Matrix to_xyz = {{{10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 44
 
 constexpr Matrix inverse(const Matrix& m) {
   const auto minor = [&](int r, int c) {
-    const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;  // cyclic: the sign comes out by itself
+    const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3,
+              c2 = (c + 2) % 3;  // cyclic: the sign comes out by itself
     return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
   };
   const double determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
@@ -38,12 +39,14 @@ constexpr std::array<double, 3> white = white_point();
 Colour product(const Matrix& m, const Colour& v) {
   Colour result;
   for (int i = 0; i < 3; ++i)
-    result[i] = static_cast<float>(m[i][0]) * v[0] + static_cast<float>(m[i][1]) * v[1] + static_cast<float>(m[i][2]) * v[2];
+    result[i] =
+        static_cast<float>(m[i][0]) * v[0] + static_cast<float>(m[i][1]) * v[1] + static_cast<float>(m[i][2]) * v[2];
   return result;
 }
 
 Colour relative_to_white(const Colour& xyz) {
-  return {xyz[0] / static_cast<float>(white[0]), xyz[1] / static_cast<float>(white[1]), xyz[2] / static_cast<float>(white[2])};
+  return {xyz[0] / static_cast<float>(white[0]), xyz[1] / static_cast<float>(white[1]),
+          xyz[2] / static_cast<float>(white[2])};
 }
 
 /// The three differences that both L*a*b* and YCxCz are made of.

@@ -6,7 +6,8 @@ namespace sturm {
 /// Three coordinates of a colour, in the space that the function says.
 using Colour = std::array<float, 3>;
 
-/// Linear Rec. 709 light ↔ CIE XYZ (D65, white at Y = 1): the exact matrix of the primaries and the white point of IEC 61966-2-1.
+/// Linear Rec. 709 light ↔ CIE XYZ (D65, white at Y = 1): the exact matrix of the primaries and the white point of IEC
+/// 61966-2-1.
 Colour xyz_of_light(const Colour& light);
 Colour light_of_xyz(const Colour& xyz);
 

@@ -2,13 +2,14 @@
 
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 
 namespace {
 std::string size_text(const Image& i) {
-  return std::to_string(i.width) + " × " + std::to_string(i.height) + " pixels of " + std::to_string(i.channels) + " channels";
+  return std::to_string(i.width) + " × " + std::to_string(i.height) + " pixels of " + std::to_string(i.channels) +
+         " channels";
 }
 }  // namespace
 
@@ -18,8 +19,8 @@ void require_finite(const Image& image, const std::string& name) {
     if (std::isfinite(image.pixels[i])) continue;
     const std::size_t pixel = i / image.channels;
     throw InputError("", "",
-                     name + " with a non-finite value at x = " + std::to_string(pixel % image.width) +
-                         ", y = " + std::to_string(pixel / image.width) + ", channel " + std::to_string(i % image.channels),
+                     name + " with a non-finite value at x = " + std::to_string(pixel % image.width) + ", y = " +
+                         std::to_string(pixel / image.width) + ", channel " + std::to_string(i % image.channels),
                      "finite pixels");
   }
 }

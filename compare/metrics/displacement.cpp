@@ -21,7 +21,8 @@ std::array<float, 2 * window + 1> gaussian_weights() {
   double sum = 0.0;
   for (int i = -window; i <= window; ++i) sum += std::exp(-0.5 * i * i / (smoothing_px * smoothing_px));
   for (int i = -window; i <= window; ++i)
-    weights[static_cast<std::size_t>(i + window)] = static_cast<float>(std::exp(-0.5 * i * i / (smoothing_px * smoothing_px)) / sum);
+    weights[static_cast<std::size_t>(i + window)] =
+        static_cast<float>(std::exp(-0.5 * i * i / (smoothing_px * smoothing_px)) / sum);
   return weights;
 }
 
@@ -47,7 +48,8 @@ std::optional<Eigen::Vector2d> displacement_px(const Image& test, const Image& r
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (int y = window; y < t.height - window; ++y)
     for (int x = window; x < t.width - window; ++x) {
-      const Eigen::Vector3d row(-0.5 * (mean(x + 1, y) - mean(x - 1, y)), -0.5 * (mean(x, y + 1) - mean(x, y - 1)), mean(x, y));
+      const Eigen::Vector3d row(-0.5 * (mean(x + 1, y) - mean(x - 1, y)), -0.5 * (mean(x, y + 1) - mean(x, y - 1)),
+                                mean(x, y));
       const std::size_t i = static_cast<std::size_t>(y) * t.width + x;
       normal += row * row.transpose();
       right += (static_cast<double>(t.values[i]) - r.values[i]) * row;

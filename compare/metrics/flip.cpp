@@ -13,7 +13,7 @@
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/flip_filters.h"
 #include "compare/metrics/plane.h"
-#include "io/tone_map.h"
+#include "io/images/tone_map.h"
 
 namespace sturm {
 
@@ -66,7 +66,8 @@ Colour perceived(const Opponent& filtered, std::size_t i) {
 
 float redistributed(float distance, float largest) {
   const float error = std::pow(distance, colour_exponent), bend = knee * largest;
-  return error < bend ? knee_error / bend * error : knee_error + (error - bend) / (largest - bend) * (1.0f - knee_error);
+  return error < bend ? knee_error / bend * error
+                      : knee_error + (error - bend) / (largest - bend) * (1.0f - knee_error);
 }
 
 /// Strength of edges or points: length of the responses along x and y.
@@ -106,7 +107,8 @@ Seen seen(const Image& light, double pixels_per_degree) {
 Flip flip_of_light(const Image& test, const Image& reference, double pixels_per_degree) {
   require_colour_pair(test, reference);
   const Seen a = seen(clamped(test), pixels_per_degree), b = seen(clamped(reference), pixels_per_degree);
-  const float largest = std::pow(hyab(hunt_adjusted({0.0f, 1.0f, 0.0f}), hunt_adjusted({0.0f, 0.0f, 1.0f})), colour_exponent);
+  const float largest =
+      std::pow(hyab(hunt_adjusted({0.0f, 1.0f, 0.0f}), hunt_adjusted({0.0f, 0.0f, 1.0f})), colour_exponent);
   Flip result;
   result.map = Image(test.width, test.height, 1);
   std::vector<double> row_sums(test.height);
@@ -127,7 +129,8 @@ Flip flip_of_light(const Image& test, const Image& reference, double pixels_per_
 }
 
 int flip_window_px(double pixels_per_degree) {
-  return static_cast<int>(contrast_filters(pixels_per_degree).front().terms.front().weights.size());  // the detectors are narrower
+  return static_cast<int>(
+      contrast_filters(pixels_per_degree).front().terms.front().weights.size());  // the detectors are narrower
 }
 
 Flip flip(const Image& test, const Image& reference, double pixels_per_degree) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 
@@ -15,9 +15,10 @@ inline constexpr double flip_default_pixels_per_degree = 67.0206433;
 /// Side of the square of pixels that one value of the map depends on.
 int flip_window_px(double pixels_per_degree);
 
-/// LDR-FLIP of display values (sRGB in [0, 1], 3 channels): both pictures are filtered with the eye's contrast sensitivities (YCxCz) for
-/// `pixels_per_degree` > 0, their distance is HyAB in Hunt-adjusted L*a*b*, and differences of edges and points (filters of 0.082°) raise
-/// it. The same bits for any number of threads. Throws InputError as `require_colour_pair`.
+/// LDR-FLIP of display values (sRGB in [0, 1], 3 channels): both pictures are filtered with the eye's contrast
+/// sensitivities (YCxCz) for `pixels_per_degree` > 0, their distance is HyAB in Hunt-adjusted L*a*b*, and differences
+/// of edges and points (filters of 0.082°) raise it. The same bits for any number of threads. Throws InputError as
+/// `require_colour_pair`.
 Flip flip(const Image& test, const Image& reference, double pixels_per_degree);
 
 /// The same of linear light that a display shows as it is: clamped to [0, 1] here.

@@ -12,7 +12,8 @@ struct SensitivityTerm {
   double a, b;
 };
 
-const std::array<std::vector<SensitivityTerm>, 3> sensitivities{{{{1.0, 0.0047}}, {{1.0, 0.0053}}, {{34.1, 0.04}, {13.5, 0.025}}}};
+const std::array<std::vector<SensitivityTerm>, 3> sensitivities{
+    {{{1.0, 0.0047}}, {{1.0, 0.0053}}, {{34.1, 0.04}, {13.5, 0.025}}}};
 constexpr double widest_b = 0.04;
 constexpr double detector_width_deg = 0.082;  // peak to trough, twice the standard deviation
 
@@ -31,7 +32,8 @@ double sum_of(const std::vector<double>& weights) {
 
 std::vector<float> divided(const std::vector<double>& weights, double positive, double negative) {
   std::vector<float> result;
-  for (const double w : weights) result.push_back(static_cast<float>(w == 0.0 ? 0.0 : w / (w > 0.0 ? positive : negative)));
+  for (const double w : weights)
+    result.push_back(static_cast<float>(w == 0.0 ? 0.0 : w / (w > 0.0 ? positive : negative)));
   return result;
 }
 
@@ -56,14 +58,15 @@ std::array<GaussianSum, 3> contrast_filters(double pixels_per_degree) {
       filters[channel].terms.push_back({0.0f, divided(g, sum, sum)});
     }
     const double total = sum_of(volumes);
-    for (std::size_t i = 0; i < volumes.size(); ++i) filters[channel].terms[i].share = static_cast<float>(volumes[i] / total);
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      filters[channel].terms[i].share = static_cast<float>(volumes[i] / total);
   }
   return filters;
 }
 
 FeatureFilters feature_filters(double pixels_per_degree) {
-  // Below some 2 pixels per degree all of the Gaussian but the middle weight vanishes in double; the normalised filters have the limits
-  // [1, 0, −1] and [½, −1, ½], which a deviation of a fifth of a pixel gives to 1e-5.
+  // Below some 2 pixels per degree all of the Gaussian but the middle weight vanishes in double; the normalised filters
+  // have the limits [1, 0, −1] and [½, −1, ½], which a deviation of a fifth of a pixel gives to 1e-5.
   const double deviation = std::max(0.2, 0.5 * detector_width_deg * pixels_per_degree);
   const int radius = static_cast<int>(std::ceil(3.0 * deviation));
   const std::vector<double> g = gaussian(deviation, radius);

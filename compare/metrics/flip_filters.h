@@ -16,8 +16,8 @@ struct GaussianSum {
 /// FLIP's contrast sensitivities of the channels Y, Cx, Cz as filters in space [Andersson2020 §4.1.1, table 1].
 std::array<GaussianSum, 3> contrast_filters(double pixels_per_degree);
 
-/// FLIP's detectors [Andersson2020 §4.2]: first and second derivative of a Gaussian along one axis, smoothing along the other. Positive
-/// weights add up to 1, negative ones to −1.
+/// FLIP's detectors [Andersson2020 §4.2]: first and second derivative of a Gaussian along one axis, smoothing along the
+/// other. Positive weights add up to 1, negative ones to −1.
 struct FeatureFilters {
   std::vector<float> smooth, edge, point;
 };

@@ -62,7 +62,8 @@ Flip hdr_flip(const Image& test, const Image& reference, double pixels_per_degre
       result = one;
       continue;
     }
-    for (std::size_t p = 0; p < result.map.pixels.size(); ++p) result.map.pixels[p] = std::max(result.map.pixels[p], one.map.pixels[p]);
+    for (std::size_t p = 0; p < result.map.pixels.size(); ++p)
+      result.map.pixels[p] = std::max(result.map.pixels[p], one.map.pixels[p]);
   }
   double sum = 0.0;
   for (const float v : result.map.pixels) sum += v;

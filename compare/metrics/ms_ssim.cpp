@@ -41,7 +41,8 @@ std::optional<MsSsim> ms_ssim(const Image& test, const Image& reference) {
     }
     SimilarityMaps maps = similarity_maps(x, y, width, height);
     const bool coarsest = scale == MsSsim::scales - 1;
-    result.value *= std::pow(std::max(0.0, coarsest ? maps.similarity_mean : maps.contrast_structure_mean), MsSsim::exponents[scale]);
+    result.value *= std::pow(std::max(0.0, coarsest ? maps.similarity_mean : maps.contrast_structure_mean),
+                             MsSsim::exponents[scale]);
     result.scale_maps[scale] = std::move(coarsest ? maps.similarity : maps.contrast_structure);
   }
   return result;
@@ -76,7 +77,8 @@ std::optional<double> MsSsim::within(const Image& mask) const {
     double sum = 0.0, total = 0.0;
     for (int y = 0; y < local.height; ++y)
       for (int x = 0; x < local.width; ++x) {
-        const double w = weights[static_cast<std::size_t>(y + SimilarityMaps::margin) * width + x + SimilarityMaps::margin];
+        const double w =
+            weights[static_cast<std::size_t>(y + SimilarityMaps::margin) * width + x + SimilarityMaps::margin];
         sum += w * *local.at(x, y);
         total += w;
       }

@@ -42,7 +42,8 @@ std::vector<double> relative_squared_errors(const Image& test, const Image& refe
 }
 
 std::vector<double> symmetric_relative_errors(const Image& test, const Image& reference) {
-  return per_pixel(test, reference, [](double x, double r) { return std::abs(x - r) / (std::abs(x) + std::abs(r) + offset); });
+  return per_pixel(test, reference,
+                   [](double x, double r) { return std::abs(x - r) / (std::abs(x) + std::abs(r) + offset); });
 }
 
 double smape(const Image& test, const Image& reference) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace sturm {
 
@@ -7,7 +7,8 @@ namespace sturm {
 double rmse(const Image& test, const Image& reference);
 
 /// Peak signal-to-noise ratio 20·log10(peak/RMSE) [dB]; +∞ for equal images, which a caller writes as null.
-/// `peak` > 0 is the largest value that the space can hold: 1 for display values and for linear values clamped to [0, 1].
+/// `peak` > 0 is the largest value that the space can hold: 1 for display values and for linear values clamped to [0,
+/// 1].
 double psnr_dB(const Image& test, const Image& reference, double peak = 1.0);
 
 }  // namespace sturm

@@ -14,7 +14,8 @@ namespace {
 constexpr int radius = SimilarityMaps::margin, taps = 2 * radius + 1;
 constexpr double sigma = 1.5, range = 1.0;
 constexpr double c1 = (0.01 * range) * (0.01 * range), c2 = (0.03 * range) * (0.03 * range);
-constexpr int strip_rows = 32;  // rows of the map that one task makes; a fixed number, so that tasks never depend on the threads
+constexpr int strip_rows =
+    32;  // rows of the map that one task makes; a fixed number, so that tasks never depend on the threads
 
 std::array<double, taps> gaussian_window() {
   std::array<double, taps> w;

@@ -8,7 +8,7 @@
 
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/luma.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 
@@ -59,7 +59,8 @@ struct Line {
   double place = 0.0, slope = 0.0;
 };
 
-/// Centroid of the derivative of each row under a window about `guess`, then least squares. The second round has the window on the edge.
+/// Centroid of the derivative of each row under a window about `guess`, then least squares. The second round has the
+/// window on the edge.
 Line fit_line(const Patch& p) {
   const double middle_row = 0.5 * (p.rows - 1), half = 0.5 * (p.columns - 1);
   Line line{half, 0.0};
@@ -78,14 +79,16 @@ Line fit_line(const Patch& p) {
     if (found.size() < 2) throw InputError("", "", "an area without an edge", "one straight edge");
     for (const auto& [row, place] : found) rows += row, places += place;
     rows /= static_cast<double>(found.size()), places /= static_cast<double>(found.size());
-    for (const auto& [row, place] : found) squares += (row - rows) * (row - rows), products += (row - rows) * (place - places);
+    for (const auto& [row, place] : found)
+      squares += (row - rows) * (row - rows), products += (row - rows) * (place - places);
     line.slope = products / squares;
     line.place = places - line.slope * rows;
   }
   return line;
 }
 
-/// Values of the edge over the distance from it, in bins of a quarter pixel; empty bins take the mean of their neighbours.
+/// Values of the edge over the distance from it, in bins of a quarter pixel; empty bins take the mean of their
+/// neighbours.
 std::vector<double> edge_spread(const Patch& p, const Line& line) {
   const double cosine = 1.0 / std::hypot(1.0, line.slope), middle_row = 0.5 * (p.rows - 1);
   const double reach = std::min({line.place, p.columns - 1.0 - line.place}) - std::abs(line.slope) * middle_row;
@@ -106,7 +109,8 @@ std::vector<double> edge_spread(const Patch& p, const Line& line) {
     std::size_t low = i, high = i;
     while (low > 0 && counts[low] == 0.0) --low;
     while (high + 1 < counts.size() && counts[high] == 0.0) ++high;
-    edge[i] = (sums[low] + (high == low ? 0.0 : sums[high])) / std::max(1.0, counts[low] + (high == low ? 0.0 : counts[high]));
+    edge[i] = (sums[low] + (high == low ? 0.0 : sums[high])) /
+              std::max(1.0, counts[low] + (high == low ? 0.0 : counts[high]));
   }
   return edge;
 }
@@ -119,11 +123,11 @@ double sinc(double x) {
 
 EdgeMtf slanted_edge_mtf(const Image& image, const PixelRectangle& area, std::span<const double> frequencies) {
   require_finite(image, "image");
-  if (area.x < 0 || area.y < 0 || std::min(area.width, area.height) < smallest_side || area.x + area.width > image.width ||
-      area.y + area.height > image.height)
+  if (area.x < 0 || area.y < 0 || std::min(area.width, area.height) < smallest_side ||
+      area.x + area.width > image.width || area.y + area.height > image.height)
     throw InputError("", "",
-                     "the area " + std::to_string(area.width) + " × " + std::to_string(area.height) + " at (" + std::to_string(area.x) +
-                         ", " + std::to_string(area.y) + ")",
+                     "the area " + std::to_string(area.width) + " × " + std::to_string(area.height) + " at (" +
+                         std::to_string(area.x) + ", " + std::to_string(area.y) + ")",
                      "at least 16 × 16 pixels inside the image");
   Patch patch = cut(image, area);
   EdgeMtf result;

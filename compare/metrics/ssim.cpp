@@ -5,8 +5,8 @@
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/luma.h"
 #include "compare/metrics/similarity_maps.h"
-#include "compare/statistics.h"
-#include "io/error.h"
+#include "compare/statistics/statistics.h"
+#include "io/files/error.h"
 
 namespace sturm {
 

@@ -28,12 +28,14 @@ struct Mass {
 TotalVariation total_variation(const PointSpread& p, const PointSpread& q, double cell_arcmin) {
   std::map<Cell, Masses> cells;  // ordered, so that the sums have the same bits everywhere
   const auto cell_of = [&](const Eigen::Vector2d& x) -> Masses& {
-    return cells[{static_cast<long>(std::floor(x.x() / cell_arcmin)), static_cast<long>(std::floor(x.y() / cell_arcmin))}];
+    return cells[{static_cast<long>(std::floor(x.x() / cell_arcmin)),
+                  static_cast<long>(std::floor(x.y() / cell_arcmin))}];
   };
   for (std::size_t i = 0; i < p.points.size(); ++i) cell_of(p.points[i]).p += p.weights[i];
   for (std::size_t i = 0; i < q.points.size(); ++i) cell_of(q.points[i]).q += q.weights[i];
   TotalVariation result;
-  const double per_ray = p.independent_rays > 0.0 && q.independent_rays > 0.0 ? 1.0 / p.independent_rays + 1.0 / q.independent_rays : 0.0;
+  const double per_ray =
+      p.independent_rays > 0.0 && q.independent_rays > 0.0 ? 1.0 / p.independent_rays + 1.0 / q.independent_rays : 0.0;
   double noise = 0.0;
   for (const auto& [cell, mass] : cells) {
     result.value += 0.5 * std::abs(mass.p - mass.q);

@@ -14,13 +14,14 @@ struct Ring {
 std::vector<Ring> sorted_rings(const PointSpread& spread) {
   const Eigen::Vector2d middle = spread.centroid();
   std::vector<Ring> rings;
-  for (std::size_t i = 0; i < spread.points.size(); ++i) rings.push_back({(spread.points[i] - middle).norm(), spread.weights[i]});
+  for (std::size_t i = 0; i < spread.points.size(); ++i)
+    rings.push_back({(spread.points[i] - middle).norm(), spread.weights[i]});
   std::sort(rings.begin(), rings.end(), [](const Ring& a, const Ring& b) { return a.radius < b.radius; });
   return rings;
 }
 
-/// Radius where the summed weight passes `energy`; each point counts half before its radius, so that the curve is the trapezoid through
-/// them.
+/// Radius where the summed weight passes `energy`; each point counts half before its radius, so that the curve is the
+/// trapezoid through them.
 double radius_at(const std::vector<Ring>& rings, double energy) {
   double before = 0.0, last_sum = 0.0, last_radius = 0.0;
   for (const Ring& ring : rings) {
@@ -63,7 +64,8 @@ WithError encircled_energy_radius(const PointSpread& spread, double energy) {
   WithError e{radius_at(rings, energy), std::nullopt};
   if (spread.independent_rays > 0.0) {
     const double error = binomial_error(energy, spread.independent_rays);
-    e.standard_error = 0.5 * (radius_at(rings, std::min(1.0, energy + error)) - radius_at(rings, std::max(0.0, energy - error)));
+    e.standard_error =
+        0.5 * (radius_at(rings, std::min(1.0, energy + error)) - radius_at(rings, std::max(0.0, energy - error)));
   }
   return e;
 }

@@ -16,8 +16,8 @@ struct WithError {
 /// Share of the light within each radius [arcmin] of the centroid. Standard error √(p(1 − p)/N) for N independent rays.
 std::vector<WithError> encircled_energy(const PointSpread& spread, std::span<const double> radii_arcmin);
 
-/// Radius about the centroid [arcmin] that holds the share `energy` in (0, 1) of the light. Standard error: half the distance between the
-/// radii of p ± √(p(1 − p)/N), for N independent rays.
+/// Radius about the centroid [arcmin] that holds the share `energy` in (0, 1) of the light. Standard error: half the
+/// distance between the radii of p ± √(p(1 − p)/N), for N independent rays.
 WithError encircled_energy_radius(const PointSpread& spread, double energy);
 
 }  // namespace sturm

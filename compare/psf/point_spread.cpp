@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "compare/metrics/comparable.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -62,11 +62,13 @@ PointSpread spread_of_image(const Image& image, double pixel_arcmin) {
       double weight = 0.0;
       for (int c = 0; c < image.channels; ++c) weight += image.at(x, y)[c] / static_cast<double>(image.channels);
       if (weight == 0.0) continue;
-      spread.points.push_back(pixel_arcmin * Eigen::Vector2d(x + 0.5 - 0.5 * image.width, 0.5 * image.height - y - 0.5));
+      spread.points.push_back(pixel_arcmin *
+                              Eigen::Vector2d(x + 0.5 - 0.5 * image.width, 0.5 * image.height - y - 0.5));
       spread.weights.push_back(weight);
       total += weight;
     }
-  if (!(total > 0.0)) throw InputError("", "", "an image whose pixels sum to " + std::to_string(total), "the image of an emitter");
+  if (!(total > 0.0))
+    throw InputError("", "", "an image whose pixels sum to " + std::to_string(total), "the image of an emitter");
   for (double& w : spread.weights) w /= total;
   return spread;
 }

@@ -15,7 +15,8 @@ PsfSummary summary_of(const PointSpread& spread, const std::vector<double>& radi
   s.radius_80 = encircled_energy_radius(spread, 0.8);
   s.encircled_energy = encircled_energy(spread, radii);
   for (std::size_t d = 0; d < report_directions_deg.size(); ++d)
-    for (const double f : report_frequencies_cpd) s.mtf[d].push_back(modulation_transfer(spread, f, report_directions_deg[d]));
+    for (const double f : report_frequencies_cpd)
+      s.mtf[d].push_back(modulation_transfer(spread, f, report_directions_deg[d]));
   return s;
 }
 

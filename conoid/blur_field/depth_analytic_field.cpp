@@ -6,7 +6,8 @@
 
 namespace sturm {
 
-DepthAnalyticField::DepthAnalyticField(const FieldGrid& grid, const TracedDirections& directions, const PowerMatrix& correction)
+DepthAnalyticField::DepthAnalyticField(const FieldGrid& grid, const TracedDirections& directions,
+                                       const PowerMatrix& correction)
     : DepthAnalyticField(
           grid,
           [&] {

@@ -10,8 +10,9 @@
 
 namespace sturm {
 
-/// Blur field without samples in depth: for each direction the map X/d = V A + B − a (V Q₀ + Q₁) in single precision, which is exact for
-/// every vergence V = 1/d and every accommodation a of one eye (physics.md §7). Only the direction is interpolated (bilinear).
+/// Blur field without samples in depth: for each direction the map X/d = V A + B − a (V Q₀ + Q₁) in single precision,
+/// which is exact for every vergence V = 1/d and every accommodation a of one eye (physics.md §7). Only the direction
+/// is interpolated (bilinear).
 class DepthAnalyticField {
  public:
   /// X/d [rad/m] row by row, and what accommodation takes off, of one direction: one cache line.
@@ -22,7 +23,8 @@ class DepthAnalyticField {
   /// `correction` is the eye's F [D].
   DepthAnalyticField(const FieldGrid& grid, const TracedDirections& directions, const PowerMatrix& correction);
 
-  /// As they were stored. `usable` holds 1 for each direction that has a conoid. Throws std::invalid_argument where the sizes do not fit.
+  /// As they were stored. `usable` holds 1 for each direction that has a conoid. Throws std::invalid_argument where the
+  /// sizes do not fit.
   DepthAnalyticField(const FieldGrid& grid, std::vector<Node> nodes, std::vector<std::uint8_t> usable);
 
   const FieldGrid& grid() const { return grid_; }
@@ -30,13 +32,15 @@ class DepthAnalyticField {
   const std::vector<std::uint8_t>& usable() const { return usable_; }
   std::size_t memory_bytes() const { return nodes_.size() * sizeof(Node) + usable_.size() + cells_.size(); }
 
-  /// X/d [rad/m] on (e1, e2) in normalised coordinates, for any vergence and accommodation [D]. None outside of the field of view and where
-  /// one of the four directions around has no conoid.
-  std::optional<Eigen::Matrix2f> angular_footprint(float ndc_x, float ndc_y, float vergence_D, float accommodation_D) const {
+  /// X/d [rad/m] on (e1, e2) in normalised coordinates, for any vergence and accommodation [D]. None outside of the
+  /// field of view and where one of the four directions around has no conoid.
+  std::optional<Eigen::Matrix2f> angular_footprint(float ndc_x, float ndc_y, float vergence_D,
+                                                   float accommodation_D) const {
     const float column = half_columns_ * (ndc_x + 1.0f), row = half_rows_ * (1.0f - ndc_y);
     if (!(column >= 0.0f && row >= 0.0f && column <= last_column_ && row <= last_row_)) return std::nullopt;
     const int i = std::min(static_cast<int>(column), grid_.nx - 2), j = std::min(static_cast<int>(row), grid_.ny - 2);
-    if (!cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.nx - 1) + static_cast<std::size_t>(i)]) return std::nullopt;
+    if (!cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.nx - 1) + static_cast<std::size_t>(i)])
+      return std::nullopt;
     const float u = column - static_cast<float>(i), v = row - static_cast<float>(j);
     const float w[4] = {(1.0f - u) * (1.0f - v), u * (1.0f - v), (1.0f - u) * v, u * v};
     const Node* upper = &nodes_[grid_.index(i, j)];

@@ -4,8 +4,8 @@
 #include <array>
 #include <charconv>
 
-#include "io/error.h"
-#include "io/exr_parts.h"
+#include "io/files/error.h"
+#include "io/images/exr_parts.h"
 
 namespace sturm {
 
@@ -16,8 +16,8 @@ constexpr const char* grid_key = "sturm.grid";
 /// Seven numbers, each so that it reads back exactly.
 std::string text_of(const FieldGrid& g) {
   std::string text;
-  for (const double number : {static_cast<double>(g.nx), static_cast<double>(g.ny), static_cast<double>(g.nz), g.tan_half_width,
-                              g.tan_half_height, g.near_vergence_D, g.far_vergence_D}) {
+  for (const double number : {static_cast<double>(g.nx), static_cast<double>(g.ny), static_cast<double>(g.nz),
+                              g.tan_half_width, g.tan_half_height, g.near_vergence_D, g.far_vergence_D}) {
     char buffer[32];
     text += (text.empty() ? "" : " ") + std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
   }
@@ -38,7 +38,8 @@ FieldGrid grid_of(const std::string& text) {
   return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]), n[3], n[4], n[5], n[6]};
 }
 
-ExrPart chief_ray_part(const FieldGrid& grid, const TracedDirections& directions, const std::map<std::string, std::string>& metadata) {
+ExrPart chief_ray_part(const FieldGrid& grid, const TracedDirections& directions,
+                       const std::map<std::string, std::string>& metadata) {
   ExrPart part{"chief_rays",
                {"status", "origin.X", "origin.Y", "origin.Z", "direction.X", "direction.Y", "direction.Z"},
                Image(grid.nx, grid.ny, 7),
@@ -115,15 +116,17 @@ std::vector<FieldChiefRay> chief_rays_of(const ExrPart& part, const FieldGrid& g
   std::vector<FieldChiefRay> rays;
   for (std::size_t i = 0; i < v.size(); i += 7) {
     if (!(v[i] >= 0.0f && v[i] <= 3.0f)) throw std::runtime_error("an unknown status");
-    rays.push_back({static_cast<LensStatus>(static_cast<int>(v[i])), {{v[i + 1], v[i + 2], v[i + 3]}, {v[i + 4], v[i + 5], v[i + 6]}}});
+    rays.push_back({static_cast<LensStatus>(static_cast<int>(v[i])),
+                    {{v[i + 1], v[i + 2], v[i + 3]}, {v[i + 4], v[i + 5], v[i + 6]}}});
   }
   return rays;
 }
 
 DepthAnalyticField analytic_of(const ExrPart& part, const FieldGrid& grid, const std::vector<FieldChiefRay>& rays) {
   require_size(part, grid.nx, grid.ny);
-  const std::vector<float> v = channels_of(part, {"A.xx", "A.xy", "A.yx", "A.yy", "B.xx", "B.xy", "B.yx", "B.yy", "Q0.xx", "Q0.xy", "Q0.yx",
-                                                  "Q0.yy", "Q1.xx", "Q1.xy", "Q1.yx", "Q1.yy"});
+  const std::vector<float> v =
+      channels_of(part, {"A.xx", "A.xy", "A.yx", "A.yy", "B.xx", "B.xy", "B.yx", "B.yy", "Q0.xx", "Q0.xy", "Q0.yx",
+                         "Q0.yy", "Q1.xx", "Q1.xy", "Q1.yx", "Q1.yy"});
   std::vector<DepthAnalyticField::Node> nodes(grid.directions());
   std::vector<std::uint8_t> usable;
   const float* from = v.data();
@@ -140,7 +143,9 @@ DepthAnalyticField analytic_of(const ExrPart& part, const FieldGrid& grid, const
 VoxelField voxels_of(const ExrPart& part, const FieldGrid& grid) {
   require_size(part, grid.nx, grid.ny * grid.nz);
   const std::vector<float> v = channels_of(part, {"xx", "xy", "yx", "yy", "state"});
-  const auto pixel = [&](std::size_t direction, int k) { return &v[5 * (static_cast<std::size_t>(k) * grid.directions() + direction)]; };
+  const auto pixel = [&](std::size_t direction, int k) {
+    return &v[5 * (static_cast<std::size_t>(k) * grid.directions() + direction)];
+  };
   VoxelMask stored(grid);
   for (std::size_t d = 0; d < grid.directions(); ++d)
     for (int k = 0; k < grid.nz; ++k)
@@ -161,7 +166,8 @@ VoxelField voxels_of(const ExrPart& part, const FieldGrid& grid) {
 }  // namespace
 
 void write_blur_field(const std::filesystem::path& path, const FieldGrid& grid, const TracedDirections& directions,
-                      const DepthAnalyticField* analytic, const VoxelField* voxels, const std::map<std::string, std::string>& metadata) {
+                      const DepthAnalyticField* analytic, const VoxelField* voxels,
+                      const std::map<std::string, std::string>& metadata) {
   std::vector<ExrPart> parts{chief_ray_part(grid, directions, metadata)};
   if (analytic) parts.push_back(analytic_part(*analytic));
   if (voxels) parts.push_back(voxel_part(*voxels));

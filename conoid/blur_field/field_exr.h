@@ -26,12 +26,13 @@ struct StoredBlurField {
   std::map<std::string, std::string> metadata;  ///< of the part chief_rays, without the grid
 };
 
-/// Parts of the file: `chief_rays` (nx × ny: status, origin.X … direction.Z), `depth_analytic` (nx × ny: A, B, Q0 and Q1, each .xx .xy .yx
-/// .yy) and `voxels` (nx wide; the slices one below the other, nearest first: xx, xy, yx, yy and state, which is 1 for a voxel with a
-/// footprint, 0 for one without and −1 for one that was left out). The grid stands in the metadata of the first part.
-/// Throws RuntimeFailure if the file cannot be written.
+/// Parts of the file: `chief_rays` (nx × ny: status, origin.X … direction.Z), `depth_analytic` (nx × ny: A, B, Q0 and
+/// Q1, each .xx .xy .yx .yy) and `voxels` (nx wide; the slices one below the other, nearest first: xx, xy, yx, yy and
+/// state, which is 1 for a voxel with a footprint, 0 for one without and −1 for one that was left out). The grid stands
+/// in the metadata of the first part. Throws RuntimeFailure if the file cannot be written.
 void write_blur_field(const std::filesystem::path& path, const FieldGrid& grid, const TracedDirections& directions,
-                      const DepthAnalyticField* analytic, const VoxelField* voxels, const std::map<std::string, std::string>& metadata);
+                      const DepthAnalyticField* analytic, const VoxelField* voxels,
+                      const std::map<std::string, std::string>& metadata);
 
 /// Reads a file of write_blur_field. Throws InputError for anything else.
 StoredBlurField read_blur_field(const std::filesystem::path& path);

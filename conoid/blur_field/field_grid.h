@@ -3,9 +3,9 @@
 
 namespace sturm {
 
-/// The grid of a blur field in normalised device coordinates: nx × ny lines of sight over a perspective field of view, the outer ones on
-/// its edge, and nz distances, uniform in dioptres from `near_vergence_D` to `far_vergence_D`, both included. Index (0, 0) is the upper
-/// left line of sight as the wearer sees it. [Kakimoto2010] §4
+/// The grid of a blur field in normalised device coordinates: nx × ny lines of sight over a perspective field of view,
+/// the outer ones on its edge, and nz distances, uniform in dioptres from `near_vergence_D` to `far_vergence_D`, both
+/// included. Index (0, 0) is the upper left line of sight as the wearer sees it. [Kakimoto2010] §4
 struct FieldGrid {
   int nx = 32, ny = 32, nz = 256;                      ///< ≥ 2 each
   double tan_half_width = 1.0, tan_half_height = 1.0;  ///< of the field of view
@@ -13,7 +13,9 @@ struct FieldGrid {
 
   std::size_t directions() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
   std::size_t voxels() const { return directions() * static_cast<std::size_t>(nz); }
-  std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i); }
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
+  }
 
   /// Normalised coordinates: −1 left edge … 1 right edge; −1 lower edge … 1 upper edge.
   double ndc_x(int i) const { return 2.0 * i / (nx - 1) - 1.0; }
@@ -30,7 +32,9 @@ struct FieldGrid {
   /// Place between the nodes, in steps of the grid.
   double column(double x) const { return 0.5 * (x + 1.0) * (nx - 1); }
   double row(double y) const { return 0.5 * (1.0 - y) * (ny - 1); }
-  double slice(double vergence_D) const { return (near_vergence_D - vergence_D) / (near_vergence_D - far_vergence_D) * (nz - 1); }
+  double slice(double vergence_D) const {
+    return (near_vergence_D - vergence_D) / (near_vergence_D - far_vergence_D) * (nz - 1);
+  }
 
   bool operator==(const FieldGrid&) const = default;
 };

@@ -86,7 +86,8 @@ DirectionCounters counted(const std::vector<SpectacleConoid>& conoids, const std
 }  // namespace
 
 bool has_two_mirrors(const Spectacles& lens) {
-  return lens.mounting.straight() && !lens.mounting.has_wedge() && has_two_mirrors(lens.back) && has_two_mirrors(lens.front);
+  return lens.mounting.straight() && !lens.mounting.has_wedge() && has_two_mirrors(lens.back) &&
+         has_two_mirrors(lens.front);
 }
 
 TracedDirections trace_directions(const Spectacles* lens, double rotation_center_m, const FieldGrid& grid,

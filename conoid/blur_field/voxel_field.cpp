@@ -5,7 +5,9 @@
 namespace sturm {
 
 VoxelField::VoxelField(const FieldGrid& grid)
-    : grid_(grid), stored_voxels_(grid.voxels()), data_(std::make_unique_for_overwrite<float[]>(stored_voxels_ * floats_per_voxel)) {}
+    : grid_(grid),
+      stored_voxels_(grid.voxels()),
+      data_(std::make_unique_for_overwrite<float[]>(stored_voxels_ * floats_per_voxel)) {}
 
 VoxelField::VoxelField(const VoxelMask& stored) : grid_(stored.grid()), stored_(stored), stored_voxels_(0) {
   first_.reserve(grid_.directions());
@@ -17,8 +19,8 @@ VoxelField::VoxelField(const VoxelMask& stored) : grid_(stored.grid()), stored_(
 }
 
 std::size_t VoxelField::memory_bytes() const {
-  return stored_voxels_ * floats_per_voxel * sizeof(float) + first_.size() * sizeof(std::size_t) + (stored_ ? stored_->memory_bytes() : 0) +
-         (undefined_ ? undefined_->memory_bytes() : 0);
+  return stored_voxels_ * floats_per_voxel * sizeof(float) + first_.size() * sizeof(std::size_t) +
+         (stored_ ? stored_->memory_bytes() : 0) + (undefined_ ? undefined_->memory_bytes() : 0);
 }
 
 void VoxelField::prepare_undefined() {
@@ -41,10 +43,12 @@ std::optional<Eigen::Matrix2f> VoxelField::angular_footprint(double ndc_x, doubl
   for (const int dj : {0, 1})
     for (const int di : {0, 1}) {
       const std::size_t direction = grid_.index(i + di, j + dj);
-      if (!stores(direction, k) || !stores(direction, k + 1) || !defined(direction, k) || !defined(direction, k + 1)) return std::nullopt;
+      if (!stores(direction, k) || !stores(direction, k + 1) || !defined(direction, k) || !defined(direction, k + 1))
+        return std::nullopt;
       const float weight = (di ? u : 1.0f - u) * (dj ? v : 1.0f - v);
       const float* near = voxel(direction, k);
-      for (int c = 0; c < floats_per_voxel; ++c) sum[c] += weight * ((1.0f - w) * near[c] + w * near[floats_per_voxel + c]);
+      for (int c = 0; c < floats_per_voxel; ++c)
+        sum[c] += weight * ((1.0f - w) * near[c] + w * near[floats_per_voxel + c]);
     }
   return Eigen::Matrix2f{{sum[0], sum[1]}, {sum[2], sum[3]}};
 }

@@ -9,8 +9,8 @@
 
 namespace sturm {
 
-/// Blur field as published: one 2×2 matrix X/d [rad/m] on (e1, e2) in single precision for each voxel of a grid, read by trilinear
-/// interpolation. All voxels, or only those of a mask. [Kakimoto2010] §4
+/// Blur field as published: one 2×2 matrix X/d [rad/m] on (e1, e2) in single precision for each voxel of a grid, read
+/// by trilinear interpolation. All voxels, or only those of a mask. [Kakimoto2010] §4
 class VoxelField {
  public:
   static constexpr int floats_per_voxel = 4;  ///< xx, xy, yx, yy
@@ -30,14 +30,18 @@ class VoxelField {
   const float* column(std::size_t direction) const { return data_.get() + first_voxel(direction) * floats_per_voxel; }
 
   /// One stored voxel.
-  const float* voxel(std::size_t direction, int k) const { return column(direction) + place(direction, k) * floats_per_voxel; }
+  const float* voxel(std::size_t direction, int k) const {
+    return column(direction) + place(direction, k) * floats_per_voxel;
+  }
   float* voxel(std::size_t direction, int k) { return column(direction) + place(direction, k) * floats_per_voxel; }
 
-  /// Notes that a voxel has no footprint: a lost chief ray, a failure of eq. 11, a focus on a surface. Its numbers are 0.
+  /// Notes that a voxel has no footprint: a lost chief ray, a failure of eq. 11, a focus on a surface. Its numbers are
+  /// 0.
   void set_undefined(std::size_t direction, int k);
   bool defined(std::size_t direction, int k) const { return !undefined_ || !undefined_->has(direction, k); }
   std::uint64_t undefined_count() const { return undefined_ ? undefined_->count() : 0; }
-  void prepare_undefined();  ///< makes room for such notes; afterwards threads may note voxels of different directions at the same time
+  void prepare_undefined();  ///< makes room for such notes; afterwards threads may note voxels of different directions
+                             ///< at the same time
 
   /// X/d [rad/m], trilinear. None outside of the grid and where one of the 8 voxels around is not stored or undefined.
   std::optional<Eigen::Matrix2f> angular_footprint(double ndc_x, double ndc_y, double vergence_D) const;
@@ -46,7 +50,9 @@ class VoxelField {
   std::size_t first_voxel(std::size_t direction) const {
     return stored_ ? first_[direction] : direction * static_cast<std::size_t>(grid_.nz);
   }
-  std::size_t place(std::size_t direction, int k) const { return stored_ ? stored_->rank(direction, k) : static_cast<std::size_t>(k); }
+  std::size_t place(std::size_t direction, int k) const {
+    return stored_ ? stored_->rank(direction, k) : static_cast<std::size_t>(k);
+  }
 
   FieldGrid grid_;
   std::optional<VoxelMask> stored_, undefined_;

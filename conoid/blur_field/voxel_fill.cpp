@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "conoid/blur_field/rows.h"
-#include "conoid/previous.h"
-#include "conoid/published.h"
+#include "conoid/tracing/previous.h"
+#include "conoid/tracing/published.h"
 #include "lensmodel/best_accommodation.h"
 
 namespace sturm {
@@ -29,8 +29,8 @@ AffineFootprint affine(const PublishedConoid& published, const RayTransfer& fram
   return {constant, angular_map(published, frame.e1, frame.e2, 1.0) - constant};
 }
 
-/// The inner loop of a blur field: out[4k + c] = constant[c] + vergence[k]·slope[c], with each vergence repeated four times so that the
-/// compiler sees whole vectors.
+/// The inner loop of a blur field: out[4k + c] = constant[c] + vergence[k]·slope[c], with each vergence repeated four
+/// times so that the compiler sees whole vectors.
 void fill_line(const float* constant, const float* slope, const std::vector<float>& repeated_vergences, float* out) {
   constexpr std::size_t lanes = 16;
   float constants[lanes], slopes[lanes];
@@ -60,7 +60,8 @@ struct Job {
 /// One direction's voxels.
 class ColumnFill {
  public:
-  ColumnFill(const Job& job, VoxelField& field, int i, int j) : job_(job), field_(field), i_(i), j_(j), direction_(job.grid.index(i, j)) {}
+  ColumnFill(const Job& job, VoxelField& field, int i, int j)
+      : job_(job), field_(field), i_(i), j_(j), direction_(job.grid.index(i, j)) {}
 
   void operator()(const SpectacleConoid& conoid) {
     if (conoid.status != LensStatus::ok) {
@@ -87,7 +88,8 @@ class ColumnFill {
     }
   }
 
-  /// In single precision: where both terms cancel, near a focus, the error is that of the terms, 1e-7 of the footprint without that focus.
+  /// In single precision: where both terms cancel, near a focus, the error is that of the terms, 1e-7 of the footprint
+  /// without that focus.
   void straight(const AffineFootprint& line) {
     float constant[4], slope[4];
     store_rows(line.constant, constant);
@@ -96,7 +98,8 @@ class ColumnFill {
       for (int k = 0; k < job_.grid.nz; ++k) {
         if (!field_.stores(direction_, k)) continue;
         float* voxel = field_.voxel(direction_, k);
-        for (int c = 0; c < 4; ++c) voxel[c] = constant[c] + job_.repeated_vergences[4 * static_cast<std::size_t>(k)] * slope[c];
+        for (int c = 0; c < 4; ++c)
+          voxel[c] = constant[c] + job_.repeated_vergences[4 * static_cast<std::size_t>(k)] * slope[c];
       }
       return;
     }
@@ -106,15 +109,16 @@ class ColumnFill {
   Eigen::Vector3d line_of_sight() const { return job_.grid.line_of_sight(job_.grid.ndc_x(i_), job_.grid.ndc_y(j_)); }
 
   double best_at(const SpectacleConoid& conoid, double vergence) const {
-    return best_accommodation(conoid.angular_footprint(job_.eye.correction.matrix(), vergence), conoid.angular_q(vergence),
-                              job_.best->amplitude_D);
+    return best_accommodation(conoid.angular_footprint(job_.eye.correction.matrix(), vergence),
+                              conoid.angular_q(vergence), job_.best->amplitude_D);
   }
 
   void by_ray_transfer(const SpectacleConoid& conoid) {
     if (!job_.best) return straight(affine(conoid, job_.fixed_slopes));
     each([&](int k) {
       const double vergence = job_.grid.vergence(k);
-      return std::optional(conoid.angular_footprint(job_.eye.slope_matrix(best_at(conoid, vergence)).matrix(), vergence));
+      return std::optional(
+          conoid.angular_footprint(job_.eye.slope_matrix(best_at(conoid, vergence)).matrix(), vergence));
     });
   }
 
@@ -138,7 +142,8 @@ class ColumnFill {
   void by_previous(const SpectacleConoid& conoid) {
     const PreviousMethod previous(job_.lens, line_of_sight(), job_.eye.rotation_center_m);
     each([&](int k) {
-      const double vergence = job_.grid.vergence(k), accommodation = job_.best ? best_at(conoid, vergence) : job_.fixed_D;
+      const double vergence = job_.grid.vergence(k),
+                   accommodation = job_.best ? best_at(conoid, vergence) : job_.fixed_D;
       const auto blur = previous.blur(job_.eye.slope_matrix(accommodation).matrix(), vergence);
       return blur ? std::optional(blur->angular()) : std::nullopt;
     });
@@ -152,13 +157,14 @@ class ColumnFill {
 
 }  // namespace
 
-VoxelField fill_voxels(const Spectacles* lens, const Eye& eye, const FieldGrid& grid, const TracedDirections& directions,
-                       FieldMethod method, const VoxelMask* visible) {
+VoxelField fill_voxels(const Spectacles* lens, const Eye& eye, const FieldGrid& grid,
+                       const TracedDirections& directions, FieldMethod method, const VoxelMask* visible) {
   VoxelField field = visible ? VoxelField(*visible) : VoxelField(grid);
   Job job{lens, eye, grid, method, {}, std::get_if<BestAccommodation>(&eye.accommodation), 0.0, {}};
   if (!job.best) job.fixed_D = eye.accommodation_for(0.0);
   job.fixed_slopes = eye.slope_matrix(job.fixed_D).matrix();
-  for (int k = 0; k < grid.nz; ++k) job.repeated_vergences.insert(job.repeated_vergences.end(), 4, static_cast<float>(grid.vergence(k)));
+  for (int k = 0; k < grid.nz; ++k)
+    job.repeated_vergences.insert(job.repeated_vergences.end(), 4, static_cast<float>(grid.vergence(k)));
   if (method != FieldMethod::ray_transfer || directions.counters.usable < grid.directions()) field.prepare_undefined();
   tbb::parallel_for(0, grid.ny, [&](int j) {
     for (int i = 0; i < grid.nx; ++i) ColumnFill(job, field, i, j)(directions.conoids[grid.index(i, j)]);

@@ -12,9 +12,10 @@ enum class FieldMethod {
   previous       ///< [Kakimoto2010] Table 1; `best` as by ray_transfer
 };
 
-/// Fills all voxels, or only those of `visible` (null: all). `directions` are those of `grid` through the same lens (null: naked eye).
-/// Rows are shared out to threads; the result does not depend on their number.
-VoxelField fill_voxels(const Spectacles* lens, const Eye& eye, const FieldGrid& grid, const TracedDirections& directions,
-                       FieldMethod method = FieldMethod::ray_transfer, const VoxelMask* visible = nullptr);
+/// Fills all voxels, or only those of `visible` (null: all). `directions` are those of `grid` through the same lens
+/// (null: naked eye). Rows are shared out to threads; the result does not depend on their number.
+VoxelField fill_voxels(const Spectacles* lens, const Eye& eye, const FieldGrid& grid,
+                       const TracedDirections& directions, FieldMethod method = FieldMethod::ray_transfer,
+                       const VoxelMask* visible = nullptr);
 
 }  // namespace sturm

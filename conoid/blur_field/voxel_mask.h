@@ -11,7 +11,9 @@ namespace sturm {
 class VoxelMask {
  public:
   explicit VoxelMask(const FieldGrid& grid)
-      : grid_(grid), words_per_column_((static_cast<std::size_t>(grid.nz) + 63) / 64), words_(grid.directions() * words_per_column_, 0) {}
+      : grid_(grid),
+        words_per_column_((static_cast<std::size_t>(grid.nz) + 63) / 64),
+        words_(grid.directions() * words_per_column_, 0) {}
 
   const FieldGrid& grid() const { return grid_; }
   void set(std::size_t direction, int k) { word(direction, k) |= bit(k); }
@@ -39,7 +41,9 @@ class VoxelMask {
 
  private:
   static std::uint64_t bit(int k) { return std::uint64_t{1} << (k % 64); }
-  std::uint64_t& word(std::size_t direction, int k) { return words_[direction * words_per_column_ + static_cast<std::size_t>(k / 64)]; }
+  std::uint64_t& word(std::size_t direction, int k) {
+    return words_[direction * words_per_column_ + static_cast<std::size_t>(k / 64)];
+  }
   const std::uint64_t& word(std::size_t direction, int k) const {
     return words_[direction * words_per_column_ + static_cast<std::size_t>(k / 64)];
   }

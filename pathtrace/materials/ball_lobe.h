@@ -3,16 +3,18 @@
 #include <cmath>
 
 #include "pathtrace/materials/bsdf.h"
-#include "pathtrace/vector_math.h"
+#include "pathtrace/sampling/vector_math.h"
 
 namespace sturm {
 
-/// Directions of axis + spread·b, with b uniform in the unit ball and 0 < spread ≤ 1: how many small path tracers perturb a direction.
+/// Directions of axis + spread·b, with b uniform in the unit ball and 0 < spread ≤ 1: how many small path tracers
+/// perturb a direction.
 struct BallLobe {
   float spread;
 
   Eigen::Vector3f sample(const Eigen::Vector3f& axis, const BsdfNumbers& numbers) const {
-    const float z = 1.0f - 2.0f * numbers.u, angle = 2.0f * local::pi * numbers.v, radius = spread * std::cbrt(numbers.lobe);
+    const float z = 1.0f - 2.0f * numbers.u, angle = 2.0f * local::pi * numbers.v,
+                radius = spread * std::cbrt(numbers.lobe);
     const float ring = radius * std::sqrt(std::max(0.0f, 1.0f - z * z));
     return (axis + Eigen::Vector3f(ring * std::cos(angle), ring * std::sin(angle), radius * z)).normalized();
   }
@@ -23,7 +25,8 @@ struct BallLobe {
     if (!(middle > 0.0f) || !(square > 0.0f)) return 0.0f;
     const float half = std::sqrt(square);
     // (t₂³ − t₁³)/3 with t = middle ± half
-    return (2.0f * half * middle * middle + (2.0f / 3.0f) * half * half * half) * 3.0f / (4.0f * local::pi * spread * spread * spread);
+    return (2.0f * half * middle * middle + (2.0f / 3.0f) * half * half * half) * 3.0f /
+           (4.0f * local::pi * spread * spread * spread);
   }
 };
 

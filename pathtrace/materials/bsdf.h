@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <numbers>
 
-// What all materials share. Directions are unit vectors in the local frame of a surface point: z along the shading normal on the
-// surface's front, `out` towards the viewer, `in` towards the light. Colours are linear Rec. 709.
+// What all materials share. Directions are unit vectors in the local frame of a surface point: z along the shading
+// normal on the surface's front, `out` towards the viewer, `in` towards the light. Colours are linear Rec. 709.
 namespace sturm {
 
-/// Value and density of a material for a pair of directions. Perfectly sharp lobes count neither in one nor in the other.
+/// Value and density of a material for a pair of directions. Perfectly sharp lobes count neither in one nor in the
+/// other.
 struct BsdfValue {
   Eigen::Vector3f value;  ///< f(out, in) · |cos θ_in| [1/sr]
   float pdf;              ///< of sampling `in` for `out` [1/sr]
@@ -41,8 +42,8 @@ inline Eigen::Vector3f mirrored(const Eigen::Vector3f& out) {
 inline Eigen::Vector3f reflected(const Eigen::Vector3f& out, const Eigen::Vector3f& h) {
   return 2.0f * out.dot(h) * h - out;
 }
-/// The direction into which `out` is refracted at the unit normal h with out·h > 0; `cosine_in` > 0 from fresnel_dielectric,
-/// `eta` = index on the far side / index on the side of `out`.
+/// The direction into which `out` is refracted at the unit normal h with out·h > 0; `cosine_in` > 0 from
+/// fresnel_dielectric, `eta` = index on the far side / index on the side of `out`.
 inline Eigen::Vector3f refracted(const Eigen::Vector3f& out, const Eigen::Vector3f& h, float cosine_in, float eta) {
   return (out.dot(h) / eta - cosine_in) * h - out / eta;
 }

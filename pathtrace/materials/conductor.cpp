@@ -14,10 +14,12 @@ BsdfValue Conductor::evaluate(const Eigen::Vector3f& out, const Eigen::Vector3f&
           scale * facets.masking(out)};
 }
 
-BsdfSample Conductor::sample(const Eigen::Vector3f& out, const BsdfNumbers& numbers, const Eigen::Vector3f& albedo) const {
+BsdfSample Conductor::sample(const Eigen::Vector3f& out, const BsdfNumbers& numbers,
+                             const Eigen::Vector3f& albedo) const {
   if (!(out.z() > 0.0f)) return BsdfSample::absorbed();
   if (roughness == 0.0f) return {local::mirrored(out), fresnel_conductor(out.z(), eta, kappa), 1.0f, true};
-  const Eigen::Vector3f in = local::reflected(out, Ggx{roughness * roughness}.visible_normal(out, numbers.u, numbers.v));
+  const Eigen::Vector3f in =
+      local::reflected(out, Ggx{roughness * roughness}.visible_normal(out, numbers.u, numbers.v));
   const BsdfValue at = evaluate(out, in, albedo);
   if (!(at.pdf > 0.0f)) return BsdfSample::absorbed();
   return {in, at.value / at.pdf, at.pdf, false};

@@ -1,6 +1,6 @@
 #pragma once
-#include "pathtrace/disk.h"
 #include "pathtrace/materials/bsdf.h"
+#include "pathtrace/sampling/disk.h"
 
 namespace sturm {
 

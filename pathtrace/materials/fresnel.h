@@ -10,7 +10,8 @@ struct DielectricFresnel {
   float cosine_in;    ///< of the refracted ray's angle to the normal; 0 in total internal reflection
 };
 
-/// Fresnel's equations at an interface of two dielectrics: `cosine` ∈ [0, 1] on the side of the ray, `eta` = far index / near index.
+/// Fresnel's equations at an interface of two dielectrics: `cosine` ∈ [0, 1] on the side of the ray, `eta` = far index
+/// / near index.
 inline DielectricFresnel fresnel_dielectric(float cosine, float eta) {
   const float sine_squared = std::max(0.0f, 1.0f - cosine * cosine) / (eta * eta);
   if (sine_squared >= 1.0f) return {1.0f, 0.0f};
@@ -20,8 +21,8 @@ inline DielectricFresnel fresnel_dielectric(float cosine, float eta) {
   return {0.5f * (parallel * parallel + perpendicular * perpendicular), far};
 }
 
-/// Fresnel's equations for unpolarised light on a conductor of complex index η + iκ (relative to the medium outside), per channel.
-/// Born & Wolf, Principles of Optics, §14.2.
+/// Fresnel's equations for unpolarised light on a conductor of complex index η + iκ (relative to the medium outside),
+/// per channel. Born & Wolf, Principles of Optics, §14.2.
 inline Eigen::Vector3f fresnel_conductor(float cosine, const Eigen::Vector3f& eta, const Eigen::Vector3f& kappa) {
   Eigen::Vector3f reflectance;
   const float c2 = cosine * cosine, s2 = std::max(0.0f, 1.0f - c2);

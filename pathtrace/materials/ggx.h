@@ -3,13 +3,13 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "pathtrace/disk.h"
 #include "pathtrace/materials/bsdf.h"
+#include "pathtrace/sampling/disk.h"
 
 namespace sturm {
 
-/// Isotropic GGX distribution of microfacet normals [Walter2007, eqs. 33–34] with Smith masking [Heitz2014]. α = roughness².
-/// Directions lie in the upper hemisphere.
+/// Isotropic GGX distribution of microfacet normals [Walter2007, eqs. 33–34] with Smith masking [Heitz2014]. α =
+/// roughness². Directions lie in the upper hemisphere.
 struct Ggx {
   float alpha;
 
@@ -28,7 +28,9 @@ struct Ggx {
   float masking(const Eigen::Vector3f& w) const { return 1.0f / (1.0f + lambda(w)); }
 
   /// Masking and shadowing of two directions on the same side, correlated by height [Heitz2014, eq. 99].
-  float masking_shadowing(const Eigen::Vector3f& out, const Eigen::Vector3f& in) const { return 1.0f / (1.0f + lambda(out) + lambda(in)); }
+  float masking_shadowing(const Eigen::Vector3f& out, const Eigen::Vector3f& in) const {
+    return 1.0f / (1.0f + lambda(out) + lambda(in));
+  }
 
   /// Density of visible_normal(): G₁(out) D(h) (out·h) / cos θ_out.
   float visible_density(const Eigen::Vector3f& out, const Eigen::Vector3f& h) const {
@@ -39,8 +41,8 @@ struct Ggx {
   Eigen::Vector3f visible_normal(const Eigen::Vector3f& out, float u, float v) const {
     const Eigen::Vector3f stretched = Eigen::Vector3f(alpha * out.x(), alpha * out.y(), out.z()).normalized();
     const float length = std::hypot(stretched.x(), stretched.y());
-    const Eigen::Vector3f first =
-        length > 0.0f ? Eigen::Vector3f(-stretched.y() / length, stretched.x() / length, 0.0f) : Eigen::Vector3f(1.0f, 0.0f, 0.0f);
+    const Eigen::Vector3f first = length > 0.0f ? Eigen::Vector3f(-stretched.y() / length, stretched.x() / length, 0.0f)
+                                                : Eigen::Vector3f(1.0f, 0.0f, 0.0f);
     const Eigen::Vector3f second = stretched.cross(first);
     const auto d = concentric_disk(u, v);
     const float s = 0.5f * (1.0f + stretched.z());

@@ -11,8 +11,9 @@ struct NamedMetal {
   std::array<float, 3> eta, kappa;
 };
 
-/// Measured spectra (Palik, Handbook of Optical Constants of Solids, and the SOPRA collection) weighted to linear Rec. 709 primaries: the
-/// table of the Tungsten renderer (B. Bitterli, ComplexIorData.hpp), there under the symbols Au, Cu, Ag and Al.
+/// Measured spectra (Palik, Handbook of Optical Constants of Solids, and the SOPRA collection) weighted to linear Rec.
+/// 709 primaries: the table of the Tungsten renderer (B. Bitterli, ComplexIorData.hpp), there under the symbols Au, Cu,
+/// Ag and Al.
 inline constexpr std::array<NamedMetal, 4> named_metals{{
     {"gold", {0.1431189557f, 0.3749570432f, 1.4424785571f}, {3.9831604247f, 2.3857207478f, 1.6032152899f}},
     {"copper", {0.2004376970f, 0.9240334304f, 1.1022119527f}, {3.9129485033f, 2.4528477015f, 2.1421879552f}},

@@ -8,7 +8,8 @@ namespace sturm {
 
 namespace {
 
-/// Mean reflectance for diffuse light from outside, 2 ∫ F(μ) μ dμ; midpoints in μ², where the integrand is smooth but for a root at 0.
+/// Mean reflectance for diffuse light from outside, 2 ∫ F(μ) μ dμ; midpoints in μ², where the integrand is smooth but
+/// for a root at 0.
 double diffuse_reflectance(float index) {
   constexpr int steps = 4096;
   double sum = 0.0;
@@ -25,7 +26,8 @@ Plastic::Plastic(float index, float roughness)
     : index_(index),
       roughness_(roughness),
       // What enters diffuse light through the coat leaves it the same way: (1 − F_i) n² = 1 − F_e.
-      internal_(static_cast<float>(1.0 - (1.0 - diffuse_reflectance(index)) / (static_cast<double>(index) * static_cast<double>(index)))) {}
+      internal_(static_cast<float>(1.0 - (1.0 - diffuse_reflectance(index)) /
+                                             (static_cast<double>(index) * static_cast<double>(index)))) {}
 
 /// Probability of sampling the coat: its share of what the two layers reflect, as far as it is known before sampling.
 float Plastic::coat_probability(const Eigen::Vector3f& out, const Eigen::Vector3f& albedo) const {
@@ -34,13 +36,16 @@ float Plastic::coat_probability(const Eigen::Vector3f& out, const Eigen::Vector3
 }
 
 /// The base's f · cos θ_in.
-Eigen::Vector3f Plastic::base(const Eigen::Vector3f& out, const Eigen::Vector3f& in, const Eigen::Vector3f& albedo) const {
-  const float through = (1.0f - fresnel_dielectric(out.z(), index_).reflectance) * (1.0f - fresnel_dielectric(in.z(), index_).reflectance);
+Eigen::Vector3f Plastic::base(const Eigen::Vector3f& out, const Eigen::Vector3f& in,
+                              const Eigen::Vector3f& albedo) const {
+  const float through = (1.0f - fresnel_dielectric(out.z(), index_).reflectance) *
+                        (1.0f - fresnel_dielectric(in.z(), index_).reflectance);
   const Eigen::Array3f orders = 1.0f - internal_ * albedo.array();
   return (albedo.array() / orders * (through * in.z() / (local::pi * index_ * index_))).matrix();
 }
 
-BsdfValue Plastic::evaluate(const Eigen::Vector3f& out, const Eigen::Vector3f& in, const Eigen::Vector3f& albedo) const {
+BsdfValue Plastic::evaluate(const Eigen::Vector3f& out, const Eigen::Vector3f& in,
+                            const Eigen::Vector3f& albedo) const {
   if (!(out.z() > 0.0f) || !(in.z() > 0.0f)) return BsdfValue::none();
   const float coat = coat_probability(out, albedo);
   BsdfValue sum{base(out, in, albedo), (1.0f - coat) * in.z() / local::pi};
@@ -54,7 +59,8 @@ BsdfValue Plastic::evaluate(const Eigen::Vector3f& out, const Eigen::Vector3f& i
   return sum;
 }
 
-BsdfSample Plastic::sample(const Eigen::Vector3f& out, const BsdfNumbers& numbers, const Eigen::Vector3f& albedo) const {
+BsdfSample Plastic::sample(const Eigen::Vector3f& out, const BsdfNumbers& numbers,
+                           const Eigen::Vector3f& albedo) const {
   if (!(out.z() > 0.0f)) return BsdfSample::absorbed();
   const float coat = coat_probability(out, albedo);
   Eigen::Vector3f in;

@@ -4,14 +4,17 @@
 
 namespace sturm {
 
-/// METALSTIGMATISM's glass: smooth; reflects with Schlick's probability for F₀ = 0.2 whatever the index and the side, else refracts.
-/// The path's weight is multiplied by the albedo. Not physical: glass of index 1.5 has F₀ = 0.04, Schlick's formula misses total internal
-/// reflection (which is taken from Snell's law here), and radiance is not scaled by the square of the index.
+/// METALSTIGMATISM's glass: smooth; reflects with Schlick's probability for F₀ = 0.2 whatever the index and the side,
+/// else refracts. The path's weight is multiplied by the albedo. Not physical: glass of index 1.5 has F₀ = 0.04,
+/// Schlick's formula misses total internal reflection (which is taken from Snell's law here), and radiance is not
+/// scaled by the square of the index.
 struct SeedDielectric {
   static constexpr float reflectance_at_normal = 0.2f;
   float index = 1.5f;
 
-  static BsdfValue evaluate(const Eigen::Vector3f&, const Eigen::Vector3f&, const Eigen::Vector3f&) { return BsdfValue::none(); }
+  static BsdfValue evaluate(const Eigen::Vector3f&, const Eigen::Vector3f&, const Eigen::Vector3f&) {
+    return BsdfValue::none();
+  }
 
   BsdfSample sample(const Eigen::Vector3f& out, const BsdfNumbers& numbers, const Eigen::Vector3f& albedo) const {
     const float side = out.z() > 0.0f ? 1.0f : -1.0f, eta = out.z() > 0.0f ? index : 1.0f / index;

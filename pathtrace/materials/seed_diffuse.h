@@ -4,8 +4,9 @@
 
 namespace sturm {
 
-/// METALSTIGMATISM's diffuse surface, as read here: the next direction is normal + a random point of the unit ball, the path's weight is
-/// multiplied by the albedo. Its lobe, 2 cos³θ/π, is narrower than Lambert's. It reflects the albedo, but is not reciprocal.
+/// METALSTIGMATISM's diffuse surface, as read here: the next direction is normal + a random point of the unit ball, the
+/// path's weight is multiplied by the albedo. Its lobe, 2 cos³θ/π, is narrower than Lambert's. It reflects the albedo,
+/// but is not reciprocal.
 struct SeedDiffuse {
   static BsdfValue evaluate(const Eigen::Vector3f&, const Eigen::Vector3f& in, const Eigen::Vector3f& albedo) {
     if (!(in.z() > 0.0f)) return BsdfValue::none();

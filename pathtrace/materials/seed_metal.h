@@ -4,9 +4,10 @@
 
 namespace sturm {
 
-/// METALSTIGMATISM's metal: the next direction is the mirror direction m + alpha · a random point of the unit ball, the path's weight is
-/// multiplied by albedo (0.2 + 0.8 spec), read here with spec = max(0, m·in). Directions below the surface end the path.
-/// Not physical: not reciprocal, no Fresnel, and it loses energy at grazing angles and with growing alpha for no reason but its form.
+/// METALSTIGMATISM's metal: the next direction is the mirror direction m + alpha · a random point of the unit ball, the
+/// path's weight is multiplied by albedo (0.2 + 0.8 spec), read here with spec = max(0, m·in). Directions below the
+/// surface end the path. Not physical: not reciprocal, no Fresnel, and it loses energy at grazing angles and with
+/// growing alpha for no reason but its form.
 struct SeedMetal {
   float alpha = 0.0f;  ///< 0 … 1; 0 is a mirror of weight albedo
 
@@ -27,7 +28,9 @@ struct SeedMetal {
   }
 
  private:
-  static float weight(const Eigen::Vector3f& mirror, const Eigen::Vector3f& in) { return 0.2f + 0.8f * std::max(0.0f, mirror.dot(in)); }
+  static float weight(const Eigen::Vector3f& mirror, const Eigen::Vector3f& in) {
+    return 0.2f + 0.8f * std::max(0.0f, mirror.dot(in));
+  }
 };
 
 }  // namespace sturm

@@ -9,7 +9,8 @@ Eigen::Vector3f turned(const Eigen::Vector3f& w) {
 }
 }  // namespace
 
-BsdfValue evaluate(const SurfaceModel& model, const Eigen::Vector3f& out, const Eigen::Vector3f& in, const Eigen::Vector3f& albedo) {
+BsdfValue evaluate(const SurfaceModel& model, const Eigen::Vector3f& out, const Eigen::Vector3f& in,
+                   const Eigen::Vector3f& albedo) {
   return std::visit(
       [&]<class Model>(const Model& m) {
         if constexpr (!is_transparent<Model>)
@@ -19,7 +20,8 @@ BsdfValue evaluate(const SurfaceModel& model, const Eigen::Vector3f& out, const 
       model);
 }
 
-BsdfSample sample(const SurfaceModel& model, const Eigen::Vector3f& out, const BsdfNumbers& numbers, const Eigen::Vector3f& albedo) {
+BsdfSample sample(const SurfaceModel& model, const Eigen::Vector3f& out, const BsdfNumbers& numbers,
+                  const Eigen::Vector3f& albedo) {
   return std::visit(
       [&]<class Model>(const Model& m) {
         if constexpr (!is_transparent<Model>) {

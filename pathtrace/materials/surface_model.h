@@ -19,10 +19,12 @@ template <class Model>
 inline constexpr bool is_transparent = std::is_same_v<Model, Dielectric> || std::is_same_v<Model, SeedDielectric>;
 
 /// f · |cos θ_in| and density; see BsdfValue.
-BsdfValue evaluate(const SurfaceModel& model, const Eigen::Vector3f& out, const Eigen::Vector3f& in, const Eigen::Vector3f& albedo);
+BsdfValue evaluate(const SurfaceModel& model, const Eigen::Vector3f& out, const Eigen::Vector3f& in,
+                   const Eigen::Vector3f& albedo);
 
 /// A direction for `out`; see BsdfSample.
-BsdfSample sample(const SurfaceModel& model, const Eigen::Vector3f& out, const BsdfNumbers& numbers, const Eigen::Vector3f& albedo);
+BsdfSample sample(const SurfaceModel& model, const Eigen::Vector3f& out, const BsdfNumbers& numbers,
+                  const Eigen::Vector3f& albedo);
 
 /// True where every direction that `sample` yields is sharp, so that lights need not be sampled.
 bool only_sharp(const SurfaceModel& model);

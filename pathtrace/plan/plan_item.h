@@ -32,7 +32,7 @@ inline const char* name_of(PlanClaim claim) {
 
 /// One thing that a view may do without.
 struct PlanItem {
-  std::string name;                              ///< of its switch, see io/skip_spec.h
+  std::string name;                              ///< of its switch, see io/specs/skip_spec.h
   std::string view;                              ///< "left" or "right" of a stereo pair, else ""
   bool needless;                                 ///< the view does not need it
   bool switched_on;                              ///< the switch lets it be left out

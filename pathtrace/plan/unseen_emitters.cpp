@@ -17,7 +17,9 @@ struct Plane {
   Eigen::Vector3d corner, normal;
 
   double height(const Eigen::Vector3f& p) const { return normal.dot(p.cast<double>() - corner); }
-  bool has_in_front(const Eigen::Vector3f& p) const { return height(p) > in_plane * (p.cast<double>() - corner).norm(); }
+  bool has_in_front(const Eigen::Vector3f& p) const {
+    return height(p) > in_plane * (p.cast<double>() - corner).norm();
+  }
   bool reaches_in_front(const Box& box) const {
     for (int k = 0; k < 8; ++k)
       if (height(box.corner(static_cast<Box::CornerType>(k))) > 0.0) return true;
@@ -30,8 +32,8 @@ class Search {
   explicit Search(const SceneDescription& scene) : scene_(scene) {
     for (const Mesh& mesh : scene.meshes) mesh_boxes_.push_back(box_of(mesh, Eigen::Affine3f::Identity()));
     for (const Instance& instance : scene.instances)
-      instance_boxes_.push_back(
-          box_of(scene.prototypes[static_cast<std::size_t>(instance.prototype)], Eigen::Affine3f(instance.world_from_prototype)));
+      instance_boxes_.push_back(box_of(scene.prototypes[static_cast<std::size_t>(instance.prototype)],
+                                       Eigen::Affine3f(instance.world_from_prototype)));
   }
 
   bool anything_in_front_of(const Plane& plane) {
@@ -70,7 +72,9 @@ class Search {
 
 std::vector<int> unseen_emitters(const SceneDescription& scene) {
   std::vector<int> unseen;
-  const auto emits = [&](const Mesh& mesh) { return scene.materials[static_cast<std::size_t>(mesh.material)].emission.maxCoeff() > 0.0f; };
+  const auto emits = [&](const Mesh& mesh) {
+    return scene.materials[static_cast<std::size_t>(mesh.material)].emission.maxCoeff() > 0.0f;
+  };
   if (std::none_of(scene.meshes.begin(), scene.meshes.end(), emits)) return unseen;
   Search search(scene);
   int light = 0;

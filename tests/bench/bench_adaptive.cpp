@@ -1,9 +1,9 @@
 // What adaptive sampling gains over the same number of samples for every pixel, on a view that is mostly in focus.
 //
-// Both kinds of picture are rendered in turn, with other seeds each time. Both are unbiased, so the scatter between the pictures of a kind
-// is its error: no reference picture takes part whose own noise could speak for one side. relative MSE: the sample variance between
-// pictures over mean² + 0.01, averaged over pixels and channels, the mean being that of all pictures. Exit status 1 if the gain that is
-// asked for is missed.
+// Both kinds of picture are rendered in turn, with other seeds each time. Both are unbiased, so the scatter between the
+// pictures of a kind is its error: no reference picture takes part whose own noise could speak for one side. relative
+// MSE: the sample variance between pictures over mean² + 0.01, averaged over pixels and channels, the mean being that
+// of all pictures. Exit status 1 if the gain that is asked for is missed.
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
@@ -13,11 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/render_stage.h"
 #include "bench/timing.h"
-#include "io/json.h"
-#include "io/render_spec.h"
-#include "pathtrace/scene_import.h"
+#include "io/json/json.h"
+#include "io/specs/render_spec.h"
+#include "pathtrace/scene/scene_import.h"
+#include "stages/render_stage.h"
 
 namespace sturm::bench {
 namespace {
@@ -47,7 +47,8 @@ struct Kind {
   double variance(std::size_t i) const {
     const double m = mean(i);
     double sum = 0.0;
-    for (const Image& p : pictures) sum += (static_cast<double>(p.pixels[i]) - m) * (static_cast<double>(p.pixels[i]) - m);
+    for (const Image& p : pictures)
+      sum += (static_cast<double>(p.pixels[i]) - m) * (static_cast<double>(p.pixels[i]) - m);
     return sum / static_cast<double>(pictures.size() - 1);
   }
 };
@@ -79,7 +80,8 @@ double print_row(const Kind& kind, const Kind& other) {
 }
 
 int run(const Options& options) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.threads));
   Json document = load_json(options.view);
   document["camera"]["resolution"] = {options.width, options.height};
   const RenderSpec spec = read_render_spec(document, options.view);
@@ -99,8 +101,8 @@ int run(const Options& options) {
     render_one(scene, spec, plan.right, uniform, 1000 + static_cast<std::uint64_t>(i));
     render_one(scene, spec, plan.right, adaptive, 2000 + static_cast<std::uint64_t>(i));
   }
-  std::printf("%s at %d x %d, %d threads, %d interleaved pictures of each kind, medians\n", options.view.c_str(), options.width,
-              options.height, options.threads, options.pictures);
+  std::printf("%s at %d x %d, %d threads, %d interleaved pictures of each kind, medians\n", options.view.c_str(),
+              options.width, options.height, options.threads, options.pictures);
   std::printf("%-34s %10s %9s %12s %14s\n", "", "samples/px", "seconds", "relative MSE", "relMSE x s");
   const double gain = print_row(uniform, adaptive) / print_row(adaptive, uniform);
   std::printf("gain: %.2f times less time for the same error (time taken to go as 1/error)\n", gain);

@@ -1,8 +1,10 @@
 // How fast a blur field is filled and read: 32 × 32 directions and 256 distances unless told otherwise, one thread.
 //
 //   field:    chief rays and all voxels by ray transfer, for a toric and for a free-form lens.
-//   previous: the same voxels by the method before conoid tracing: every step for every voxel as published, and with all that one direction
-//             has in common taken out of the loop (tests/bench/hoisted_previous.h). The chief rays are traced once per direction in both.
+//   previous: the same voxels by the method before conoid tracing: every step for every voxel as published, and with
+//   all that one direction
+//             has in common taken out of the loop (tests/bench/hoisted_previous.h). The chief rays are traced once per
+//             direction in both.
 //   analytic: the field without samples in depth, its building and its look-ups.
 //   growth:   chief rays and voxels for n × n × n grids, and the voxels against a plain fill of the same memory.
 //
@@ -113,7 +115,8 @@ void bench_lens(const Setup& setup, double most_ms, int repetitions, std::vector
   figures.push_back({setup.name + ": previous method, hoisted", "ms", 1e3 * median(hoisted_s)});
   figures.push_back({setup.name + ": previous as published / field", "x", median(ratio), HUGE_VAL, 7.5});
   figures.push_back({setup.name + ": previous hoisted / field", "x", median(hoisted_ratio)});
-  figures.push_back({setup.name + ": previous as published / analytic field", "x", median(analytic_ratio), HUGE_VAL, 30.0});
+  figures.push_back(
+      {setup.name + ": previous as published / analytic field", "x", median(analytic_ratio), HUGE_VAL, 30.0});
 }
 
 void bench_look_up(const Setup& setup, int repetitions, std::vector<Figure>& figures) {
@@ -142,7 +145,8 @@ void bench_look_up(const Setup& setup, int repetitions, std::vector<Figure>& fig
   figures.push_back({setup.name + ": look-up in the voxels", "ns", 1e9 * median(voxel_s) / count});
 }
 
-/// Least times of chief rays [ms] and of voxels [ms], which a busy machine disturbs least, and the median of the time of a plain fill of the same memory over that of the voxels.
+/// Least times of chief rays [ms] and of voxels [ms], which a busy machine disturbs least, and the median of the time
+/// of a plain fill of the same memory over that of the voxels.
 struct GridTimes {
   double rays, voxels, plain_ratio;
 };
@@ -169,12 +173,14 @@ GridTimes time_grid(const Setup& setup, int repetitions) {
 }
 
 void bench_growth(Setup setup, int repetitions, std::vector<Figure>& figures) {
-  // Grids below 1 MB stay in the caches of the processor, where a plain fill is faster than any arithmetic: no bar for them.
+  // Grids below 1 MB stay in the caches of the processor, where a plain fill is faster than any arithmetic: no bar for
+  // them.
   const auto add = [&](const std::string& label, double plain_bar) {
     const GridTimes times = time_grid(setup, repetitions);
     figures.push_back({label + ": chief rays", "ms", times.rays});
     figures.push_back({label + ": voxels", "ms", times.voxels});
-    figures.push_back({label + ": plain fill of the same memory / voxels", "x", times.plain_ratio, HUGE_VAL, plain_bar});
+    figures.push_back(
+        {label + ": plain fill of the same memory / voxels", "x", times.plain_ratio, HUGE_VAL, plain_bar});
     return times;
   };
   add("32 x 32 x 256", 0.2);
@@ -184,7 +190,8 @@ void bench_growth(Setup setup, int repetitions, std::vector<Figure>& figures) {
     times.push_back(add("n = " + std::to_string(n), n >= 64 ? 0.2 : -HUGE_VAL));
   }
   // From 32 to 128: small grids pay for starting up.
-  figures.push_back({"growth of the chief rays, exponent of n", "", std::log2(times[3].rays / times[1].rays) / 2.0, 2.2, 1.8});
+  figures.push_back(
+      {"growth of the chief rays, exponent of n", "", std::log2(times[3].rays / times[1].rays) / 2.0, 2.2, 1.8});
   figures.push_back({"growth of the voxels, exponent of n", "", std::log2(times[3].voxels / times[1].voxels) / 2.0});
 }
 
@@ -201,7 +208,8 @@ void print_table(const std::vector<Figure>& figures, const Options& options, std
     char bar[32] = "";
     if (f.at_least > -HUGE_VAL) std::snprintf(bar, sizeof bar, ">= %g", f.at_least);
     if (f.at_most < HUGE_VAL) std::snprintf(bar, sizeof bar, "<= %g", f.at_most);
-    std::fprintf(out, "%-58s %10.3f %-3s %10s%s\n", f.name.c_str(), f.value, f.unit.c_str(), bar, f.passed() ? "" : "  MISSED");
+    std::fprintf(out, "%-58s %10.3f %-3s %10s%s\n", f.name.c_str(), f.value, f.unit.c_str(), bar,
+                 f.passed() ? "" : "  MISSED");
   }
 }
 
@@ -220,10 +228,14 @@ int run(const Options& options) {
   print_table(figures, options, options.json ? stderr : stdout);
   if (options.json) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const Figure& f : figures) rows.push_back({{"name", f.name}, {"unit", f.unit}, {"value", f.value}, {"passed", f.passed()}});
-    std::printf("%s\n", nlohmann::ordered_json{{"repetitions", options.repetitions}, {"figures", rows}}.dump(2).c_str());
+    for (const Figure& f : figures)
+      rows.push_back({{"name", f.name}, {"unit", f.unit}, {"value", f.value}, {"passed", f.passed()}});
+    std::printf("%s\n",
+                nlohmann::ordered_json{{"repetitions", options.repetitions}, {"figures", rows}}.dump(2).c_str());
   }
-  return !options.require || std::all_of(figures.begin(), figures.end(), [](const Figure& f) { return f.passed(); }) ? 0 : 1;
+  return !options.require || std::all_of(figures.begin(), figures.end(), [](const Figure& f) { return f.passed(); })
+             ? 0
+             : 1;
 }
 
 }  // namespace

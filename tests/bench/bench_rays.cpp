@@ -1,11 +1,12 @@
 // How much of bare Embree's speed the camera and the path tracer keep, in the room of tests/reference/scene_plain.
 //
-//   camera: primary rays through the lens, made and traced by trace_camera_rays, against rtcIntersect1 on the very same rays, made before.
-//   path:   samples per second of render() against a ceiling: every ray that such a run sends to Embree (camera, bounce, shadow), recorded
+//   camera: primary rays through the lens, made and traced by trace_camera_rays, against rtcIntersect1 on the very same
+//   rays, made before. path:   samples per second of render() against a ceiling: every ray that such a run sends to
+//   Embree (camera, bounce, shadow), recorded
 //           before in that order, traced bare by rtcIntersect1 and rtcOccluded1.
 //
-// Both sides use the same threads and are timed in turn, A B A B; the ratio is the median over the pairs, so a machine that is busy with
-// something else disturbs both alike. Exit status 1 if a required ratio is missed.
+// Both sides use the same threads and are timed in turn, A B A B; the ratio is the median over the pairs, so a machine
+// that is busy with something else disturbs both alike. Exit status 1 if a required ratio is missed.
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -20,9 +21,9 @@
 
 #include "bench/ray_recorder.h"
 #include "bench/timing.h"
-#include "pathtrace/camera_hits.h"
-#include "pathtrace/embree_rays.h"
-#include "pathtrace/render.h"
+#include "pathtrace/cameras/camera_hits.h"
+#include "pathtrace/film/render.h"
+#include "pathtrace/scene/embree_rays.h"
 #include "support/scene_plain.h"
 
 namespace sturm::bench {
@@ -73,7 +74,8 @@ std::size_t trace_bare(RTCScene scene, const std::vector<RecordedRay>& rays) {
     rtcInitIntersectContext(&context);
     for (std::size_t i = first; i < last; ++i) {
       const RecordedRay& r = rays[i];
-      RTCRayHit ray = ray_from({r.origin[0], r.origin[1], r.origin[2]}, {r.direction[0], r.direction[1], r.direction[2]});
+      RTCRayHit ray =
+          ray_from({r.origin[0], r.origin[1], r.origin[2]}, {r.direction[0], r.direction[1], r.direction[2]});
       if (r.shadow) {
         ray.ray.tfar = shadow_end;
         bare_occluded(scene, &context, &ray.ray);
@@ -138,16 +140,17 @@ Result bench_path(const Options& options, const Scene& scene, const std::string&
   const std::vector<RecordedRay> rays = recorded(ours);
   const auto bare = [&] { trace_bare(scene.embree(), rays); };
   const double samples = static_cast<double>(camera.width()) * camera.height() * options.samples;
-  return compare(options, name + " (" + std::to_string(static_cast<double>(rays.size()) / samples).substr(0, 4) + " rays/sample)",
-                 "Msample/s", 1e-6 * samples, options.require_path, ours, bare);
+  return compare(
+      options, name + " (" + std::to_string(static_cast<double>(rays.size()) / samples).substr(0, 4) + " rays/sample)",
+      "Msample/s", 1e-6 * samples, options.require_path, ours, bare);
 }
 
 void print_table(const std::vector<Result>& results, const Options& options, std::FILE* out) {
   std::fprintf(out, "%d threads, %d interleaved repetitions, medians\n", options.threads, options.repetitions);
   std::fprintf(out, "%-40s %10s %10s %-10s %7s %9s\n", "", "ours", "bare", "", "ratio", "required");
   for (const Result& r : results)
-    std::fprintf(out, "%-40s %10.2f %10.2f %-10s %7.3f %9.2f%s\n", r.name.c_str(), r.ours, r.bare, r.unit.c_str(), r.ratio, r.required,
-                 r.passed() ? "" : "  MISSED");
+    std::fprintf(out, "%-40s %10.2f %10.2f %-10s %7.3f %9.2f%s\n", r.name.c_str(), r.ours, r.bare, r.unit.c_str(),
+                 r.ratio, r.required, r.passed() ? "" : "  MISSED");
 }
 
 void print_json(const std::vector<Result>& results, const Options& options) {
@@ -160,13 +163,16 @@ void print_json(const std::vector<Result>& results, const Options& options) {
                     {"ratio", r.ratio},
                     {"required", r.required},
                     {"passed", r.passed()}});
-  const nlohmann::ordered_json report = {
-      {"threads", options.threads}, {"repetitions", options.repetitions}, {"samples_per_pixel", options.samples}, {"results", rows}};
+  const nlohmann::ordered_json report = {{"threads", options.threads},
+                                         {"repetitions", options.repetitions},
+                                         {"samples_per_pixel", options.samples},
+                                         {"results", rows}};
   std::printf("%s\n", report.dump(2).c_str());
 }
 
 int run(const Options& options) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.threads));
   const Scene scene(testing::scene_plain());
   const std::vector<Result> results{bench_camera(options, scene, "camera, lens of 20 mm radius", 0.02),
                                     bench_camera(options, scene, "camera, eye of 2 mm radius", 0.002),

@@ -1,9 +1,11 @@
-// What each item of the plan of work saves on a view that does not need the work, and what planning costs on one that needs it.
+// What each item of the plan of work saves on a view that does not need the work, and what planning costs on one that
+// needs it.
 //
-// Whole calls of render_view (reading of models, planning, building, rendering) with the item's switch off and on, in turn, off on off on;
-// the ratio is the median over the pairs, with the standard error of a median of normal values of the same quartiles. Times are processor
-// times of all threads, which other programs on the machine disturb little. `noise` is the mean variance of single samples without the item
-// over that with it: items that change the noise save samples as well.
+// Whole calls of render_view (reading of models, planning, building, rendering) with the item's switch off and on, in
+// turn, off on off on; the ratio is the median over the pairs, with the standard error of a median of normal values of
+// the same quartiles. Times are processor times of all threads, which other programs on the machine disturb little.
+// `noise` is the mean variance of single samples without the item over that with it: items that change the noise save
+// samples as well.
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
@@ -16,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "app/render_stage.h"
 #include "bench/timing.h"
+#include "stages/render_stage.h"
 
 namespace sturm::bench {
 namespace {
@@ -34,16 +36,18 @@ struct Options {
 const std::string scenes = std::string(STURM_SOURCE_DIR) + "/configs/scenes/";
 
 Document room(const Options& o) {
-  return {
-      {"format", "sturm.render/1"},
-      {"scene", scenes + "cornell_box.json"},
-      {"camera",
-       {{"position_m", {0.278, 0.273, -0.8}}, {"look_at_m", {0.278, 0.273, 0.0}}, {"vfov_deg", 39.3077}, {"resolution", {o.size, o.size}}}},
-      {"eye",
-       {{"prescription", {{"sphere_D", -1.5}, {"cylinder_D", -4}, {"axis_deg", 55}}},
-        {"pupil_diameter_mm", 6},
-        {"accommodation", {{"mode", "relaxed"}}}}},
-      {"method", {{"type", "path_trace"}, {"ray_model", "power_matrix"}, {"samples_per_pixel", o.samples}}}};
+  return {{"format", "sturm.render/1"},
+          {"scene", scenes + "cornell_box.json"},
+          {"camera",
+           {{"position_m", {0.278, 0.273, -0.8}},
+            {"look_at_m", {0.278, 0.273, 0.0}},
+            {"vfov_deg", 39.3077},
+            {"resolution", {o.size, o.size}}}},
+          {"eye",
+           {{"prescription", {{"sphere_D", -1.5}, {"cylinder_D", -4}, {"axis_deg", 55}}},
+            {"pupil_diameter_mm", 6},
+            {"accommodation", {{"mode", "relaxed"}}}}},
+          {"method", {{"type", "path_trace"}, {"ray_model", "power_matrix"}, {"samples_per_pixel", o.samples}}}};
 }
 
 Document set(Document document, const std::string& pointer, const Document& value) {
@@ -68,8 +72,10 @@ Document street(const Options& o) {
                      quad("wall", {{2, -1.6, -60}, {20, -1.6, -30}, {20, 12, -30}, {2, 12, -60}}),
                      quad("ground", {{-200, -1.6, 0}, {200, -1.6, 0}, {200, -1.6, -400}, {-200, -1.6, -400}})}},
                    {"environment", {{"radiance", {0.4, 0.6, 1.0}}}}};
-  view["camera"] = {{"position_m", {0, 0, 0}}, {"look_at_m", {0, 0.08, -1}}, {"vfov_deg", 20}, {"resolution", {o.size, o.size}}};
-  view["eye"] = {{"prescription", {{"sphere_D", 0}}}, {"pupil_diameter_mm", 3}, {"accommodation", {{"mode", "relaxed"}}}};
+  view["camera"] = {
+      {"position_m", {0, 0, 0}}, {"look_at_m", {0, 0.08, -1}}, {"vfov_deg", 20}, {"resolution", {o.size, o.size}}};
+  view["eye"] = {
+      {"prescription", {{"sphere_D", 0}}}, {"pupil_diameter_mm", 3}, {"accommodation", {{"mode", "relaxed"}}}};
   return view;
 }
 
@@ -83,7 +89,8 @@ Document room_with_a_sign(const Options& o) {
                      quad("lamp", {{0.2, 0.549, 0.2}, {0.35, 0.549, 0.2}, {0.35, 0.549, 0.35}, {0.2, 0.549, 0.35}})};
   for (int i = 0; i < 40; ++i) {
     const double x = 0.06 * (i % 8), z = 0.06 * (i / 8);
-    meshes.push_back(quad("sign", {{x, 0.56, z}, {x, 0.56, z + 0.05}, {x + 0.05, 0.56, z + 0.05}, {x + 0.05, 0.56, z}}));
+    meshes.push_back(
+        quad("sign", {{x, 0.56, z}, {x, 0.56, z + 0.05}, {x + 0.05, 0.56, z + 0.05}, {x + 0.05, 0.56, z}}));
   }
   view["scene"] = {{"materials",
                     {{"white", {{"albedo", {0.7, 0.7, 0.7}}}},
@@ -132,7 +139,8 @@ std::vector<Row> rows(const Options& o) {
           {"scalar_power", "room, sphere, zernike", set(spherical(box), "/method/ray_model", "zernike"), true},
           {"scalar_power", "room, cylinder", box, false},
           {"zero_pupil", "room, pupil 0", set(box, "/eye/pupil_diameter_mm", 0), true},
-          {"zero_pupil", "room, pupil 0, halton", set(set(box, "/eye/pupil_diameter_mm", 0), "/method/sampler", "halton"), true},
+          {"zero_pupil", "room, pupil 0, halton",
+           set(set(box, "/eye/pupil_diameter_mm", 0), "/method/sampler", "halton"), true},
           {"zero_pupil", "room, pupil 6 mm", box, false},
           {"sharp_pixels", "street, emmetrope", far, true},
           {"sharp_pixels", "room, cylinder", box, false},
@@ -186,19 +194,24 @@ void measure(const Row& row, const Options& options) {
   }
   std::sort(ratios.begin(), ratios.end());
   const std::size_t n = ratios.size();
-  const std::string noise = off_variance > 0.0 && on_variance > 0.0 ? std::to_string(off_variance / on_variance).substr(0, 5) : "";
+  const std::string noise =
+      off_variance > 0.0 && on_variance > 0.0 ? std::to_string(off_variance / on_variance).substr(0, 5) : "";
   // Quartiles of normal values lie 1.349 σ apart; their median has the standard error √(π/2) σ/√n.
   const double error = 1.2533 * (ratios[n - 1 - n / 4] - ratios[n / 4]) / 1.349 / std::sqrt(static_cast<double>(n));
   std::printf("| %s | %s | %s | %.4f | %.4f | %.4f ± %.4f | %s | %.2f %% |\n", row.item.c_str(), row.view.c_str(),
-              row.profits ? "yes" : "no", median(off_times), median(on_times), median(ratios), error, noise.c_str(), 100.0 * median(plans));
+              row.profits ? "yes" : "no", median(off_times), median(on_times), median(ratios), error, noise.c_str(),
+              100.0 * median(plans));
   std::fflush(stdout);
 }
 
 int run(const Options& options) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  std::printf("%d thread(s), %d interleaved repetitions, medians of processor time, %d x %d px, %d samples per pixel\n\n", options.threads,
-              options.repetitions, options.size, options.size, options.samples);
-  std::printf("| item | view | profits | off s | on s | off/on | noise | planning |\n|---|---|---|---|---|---|---|---|\n");
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.threads));
+  std::printf(
+      "%d thread(s), %d interleaved repetitions, medians of processor time, %d x %d px, %d samples per pixel\n\n",
+      options.threads, options.repetitions, options.size, options.size, options.samples);
+  std::printf(
+      "| item | view | profits | off s | on s | off/on | noise | planning |\n|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows(options))
     if (options.only.empty() || row.item == options.only) measure(row, options);
   return 0;

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "conoid/interface.h"
+#include "conoid/tracing/interface.h"
 #include "lensmodel/gaze.h"
 
 namespace sturm::bench {

@@ -1,11 +1,11 @@
 #pragma once
-#include "conoid/previous.h"
+#include "conoid/tracing/previous.h"
 
 namespace sturm::bench {
 
-/// The previous method with all that one direction has in common taken out of the loop over the depths: Snell's law, the frames and the
-/// surfaces' curvatures. It gives the numbers of PreviousMethod::blur; what is left per voxel are two refractions and two
-/// transfers of 2×2 matrices.
+/// The previous method with all that one direction has in common taken out of the loop over the depths: Snell's law,
+/// the frames and the surfaces' curvatures. It gives the numbers of PreviousMethod::blur; what is left per voxel are
+/// two refractions and two transfers of 2×2 matrices.
 class HoistedPrevious {
  public:
   HoistedPrevious(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m);

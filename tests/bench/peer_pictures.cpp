@@ -1,4 +1,5 @@
-// The figures of scripts/bench --peer that need the pictures: error of each against a reference, and how the two renderers agree.
+// The figures of scripts/bench --peer that need the pictures: error of each against a reference, and how the two
+// renderers agree.
 //   peer_pictures REFERENCE.exr --ours A.exr B.exr ... --theirs C.exr D.exr ...
 // JSON on stdout.
 #include <CLI/CLI.hpp>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "bench/picture_error.h"
-#include "io/exr.h"
+#include "io/images/exr.h"
 
 namespace sturm::bench {
 namespace {
@@ -29,10 +30,12 @@ nlohmann::ordered_json errors(const std::vector<Image>& pictures, const Image& r
   return list;
 }
 
-int run(const std::string& reference_path, const std::vector<std::string>& our_paths, const std::vector<std::string>& their_paths) {
+int run(const std::string& reference_path, const std::vector<std::string>& our_paths,
+        const std::vector<std::string>& their_paths) {
   const Image reference = main_layer(reference_path);
   const std::vector<Image> ours = main_layers(our_paths), theirs = main_layers(their_paths);
-  nlohmann::ordered_json report = {{"trimmed_relative_mse", {{"ours", errors(ours, reference)}, {"theirs", errors(theirs, reference)}}}};
+  nlohmann::ordered_json report = {
+      {"trimmed_relative_mse", {{"ours", errors(ours, reference)}, {"theirs", errors(theirs, reference)}}}};
   if (ours.size() > 1 && theirs.size() > 1) {
     const Agreement a = agreement(ours, theirs);
     report["agreement"] = {{"mean_ratio", a.mean_ratio}, {"mean_ratio_standard_error", a.standard_error},

@@ -39,7 +39,8 @@ Total total(const std::vector<Image>& pictures, int left, int top, int width, in
   return result;
 }
 
-/// |z| that the largest of n normal numbers exceeds with probability p, by bisection of the complementary error function.
+/// |z| that the largest of n normal numbers exceeds with probability p, by bisection of the complementary error
+/// function.
 double largest_of_normals(int n, double p) {
   const double each = 1.0 - std::pow(1.0 - p, 1.0 / n);
   double low = 0.0, high = 40.0;
@@ -83,7 +84,8 @@ Agreement agreement(const std::vector<Image>& ours, const std::vector<Image>& th
   for (int k = 0; k < 3; ++k) {
     const Total a = total(ours, 0, 0, width, height, k), b = total(theirs, 0, 0, width, height, k);
     result.mean_ratio[k] = a.sum / b.sum;
-    result.standard_error[k] = result.mean_ratio[k] * std::hypot(std::sqrt(a.variance) / a.sum, std::sqrt(b.variance) / b.sum);
+    result.standard_error[k] =
+        result.mean_ratio[k] * std::hypot(std::sqrt(a.variance) / a.sum, std::sqrt(b.variance) / b.sum);
     for (int top = 0; top + block <= height; top += block)
       for (int left = 0; left + block <= width; left += block) {
         const Total c = total(ours, left, top, block, block, k), d = total(theirs, left, top, block, block, k);

@@ -23,13 +23,15 @@ void __wrap_rtcIntersect8(const int* valid, RTCScene scene, RTCIntersectContext*
   if (recording) {
     const RTCRay8& r = rays->ray;
     for (int i = 0; i < 8; ++i)
-      if (valid[i]) recording->push_back({{r.org_x[i], r.org_y[i], r.org_z[i]}, {r.dir_x[i], r.dir_y[i], r.dir_z[i]}, false});
+      if (valid[i])
+        recording->push_back({{r.org_x[i], r.org_y[i], r.org_z[i]}, {r.dir_x[i], r.dir_y[i], r.dir_z[i]}, false});
   }
   __real_rtcIntersect8(valid, scene, context, rays);
 }
 
 void __wrap_rtcOccluded1(RTCScene scene, RTCIntersectContext* context, RTCRay* ray) {
-  if (recording) recording->push_back({{ray->org_x, ray->org_y, ray->org_z}, {ray->dir_x, ray->dir_y, ray->dir_z}, true});
+  if (recording)
+    recording->push_back({{ray->org_x, ray->org_y, ray->org_z}, {ray->dir_x, ray->dir_y, ray->dir_z}, true});
   __real_rtcOccluded1(scene, context, ray);
 }
 
@@ -37,7 +39,8 @@ void __wrap_rtcOccluded8(const int* valid, RTCScene scene, RTCIntersectContext* 
   if (recording) {
     const RTCRay8& r = *rays;
     for (int i = 0; i < 8; ++i)
-      if (valid[i]) recording->push_back({{r.org_x[i], r.org_y[i], r.org_z[i]}, {r.dir_x[i], r.dir_y[i], r.dir_z[i]}, true});
+      if (valid[i])
+        recording->push_back({{r.org_x[i], r.org_y[i], r.org_z[i]}, {r.dir_x[i], r.dir_y[i], r.dir_z[i]}, true});
   }
   __real_rtcOccluded8(valid, scene, context, rays);
 }

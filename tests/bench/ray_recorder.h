@@ -12,7 +12,8 @@ struct RecordedRay {
   bool shadow;  ///< rtcOccluded up to shadow_end, else rtcIntersect without limit
 };
 
-/// While one is alive, every ray that the program sends to Embree is also appended to `rays`. Not for several threads at once.
+/// While one is alive, every ray that the program sends to Embree is also appended to `rays`. Not for several threads
+/// at once.
 class RayRecorder {
  public:
   explicit RayRecorder(std::vector<RecordedRay>& rays);

@@ -20,7 +20,7 @@ target_link_libraries(consumer PRIVATE sturm::conoid)
 
 CONSUMER = """#include <cstdio>
 
-#include "conoid/footprint.h"
+#include "conoid/tracing/footprint.h"
 #include "lensmodel/ellipse.h"
 
 int main() {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace sturm {
 
@@ -15,7 +15,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(testing::TempDir()) / (std::string("sturm_io_") + test->test_suite_name() + "_" + test->name());
+    path_ = std::filesystem::path(testing::TempDir()) /
+            (std::string("sturm_io_") + test->test_suite_name() + "_" + test->name());
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

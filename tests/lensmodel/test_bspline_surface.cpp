@@ -27,7 +27,8 @@ Eigen::MatrixXd sampled(const KnotGrid& grid, Height&& height) {
 
 BSplineSurface spline_of_sphere(double curvature, double reach, double spacing) {
   const KnotGrid grid = KnotGrid::centred(reach, spacing);
-  return BSplineSurface::interpolating(grid, sampled(grid, [&](double x, double y) { return SphereSurface{curvature}.sag(x, y)->value; }));
+  return BSplineSurface::interpolating(
+      grid, sampled(grid, [&](double x, double y) { return SphereSurface{curvature}.sag(x, y)->value; }));
 }
 
 /// x³y³ and all below it, without symmetry, of the order of 1; by hand: value and derivatives.
@@ -48,19 +49,24 @@ void expect_bicubic(const BSplineSurface& surface, double tolerance) {
   const Eigen::Vector2d low = surface.grid().first, size = surface.grid().last() - low;
   for (int i = 0; i <= 20; ++i)
     for (int j = 0; j <= 20; ++j) {
-      const double x = low.x() + size.x() * (i * 0.9999 + 0.0001) / 20.001, y = low.y() + size.y() * (j * 0.9999 + 0.0001) / 20.001;
+      const double x = low.x() + size.x() * (i * 0.9999 + 0.0001) / 20.001,
+                   y = low.y() + size.y() * (j * 0.9999 + 0.0001) / 20.001;
       const Sag expected = bicubic(x, y);
       const auto got = surface.sag(x, y);
       ASSERT_TRUE(got);
-      EXPECT_NEAR(got->value, expected.value, tolerance * 40);  // the polynomial is at most 40, its derivatives 400, on these grids
+      EXPECT_NEAR(got->value, expected.value,
+                  tolerance * 40);  // the polynomial is at most 40, its derivatives 400, on these grids
       EXPECT_LE((got->gradient - expected.gradient).norm(), tolerance * 400 / surface.grid().spacing.minCoeff());
-      EXPECT_LE((got->hessian - expected.hessian).norm(), tolerance * 400 / std::pow(surface.grid().spacing.minCoeff(), 2));
+      EXPECT_LE((got->hessian - expected.hessian).norm(),
+                tolerance * 400 / std::pow(surface.grid().spacing.minCoeff(), 2));
     }
 }
 
 TEST(BSplineSurface, ReproducesBicubicPolynomialsExactly) {
   for (const KnotGrid& grid : grids)
-    expect_bicubic(BSplineSurface::interpolating(grid, sampled(grid, [](double x, double y) { return bicubic(x, y).value; })), 1e-15);
+    expect_bicubic(
+        BSplineSurface::interpolating(grid, sampled(grid, [](double x, double y) { return bicubic(x, y).value; })),
+        1e-15);
 }
 
 TEST(BSplineSurface, AFitReproducesBicubicPolynomialsFromIrregularPoints) {
@@ -68,7 +74,8 @@ TEST(BSplineSurface, AFitReproducesBicubicPolynomialsFromIrregularPoints) {
     std::vector<Eigen::Vector3d> points;
     const Eigen::Vector2d size = grid.last() - grid.first;
     for (int i = 0; i < 400; ++i) {  // Kronecker's sequence of the plastic number
-      const Eigen::Vector2d t(std::fmod(0.5 + i * 0.7548776662466927, 1.0), std::fmod(0.5 + i * 0.5698402909980532, 1.0));
+      const Eigen::Vector2d t(std::fmod(0.5 + i * 0.7548776662466927, 1.0),
+                              std::fmod(0.5 + i * 0.5698402909980532, 1.0));
       const Eigen::Vector2d at = grid.first + size.cwiseProduct(t);
       points.emplace_back(at.x(), at.y(), bicubic(at.x(), at.y()).value);
     }
@@ -81,12 +88,13 @@ TEST(BSplineSurface, AFitReproducesBicubicPolynomialsFromIrregularPoints) {
 
 RC_GTEST_PROP(BSplineSurface, DerivativesAreThoseOfTheHeight, ()) {
   static const KnotGrid grid{{-1.0, -1.0}, {0.25, 0.2}, 8, 10};
-  static const BSplineSurface surface =
-      BSplineSurface::interpolating(grid, sampled(grid, [](double x, double y) { return std::sin(3 * x + 1) * std::cos(2 * y - x); }));
+  static const BSplineSurface surface = BSplineSurface::interpolating(
+      grid, sampled(grid, [](double x, double y) { return std::sin(3 * x + 1) * std::cos(2 * y - x); }));
   const double x = *rc::gen::inRange(-99, 100) * 0.0098, y = *rc::gen::inRange(-99, 100) * 0.0098, h = 1e-4;
   const auto at = [&](double dx, double dy) { return *surface.sag(x + dx, y + dy); };
   const Sag here = at(0, 0);
-  const Eigen::Vector2d gradient((at(h, 0).value - at(-h, 0).value) / (2 * h), (at(0, h).value - at(0, -h).value) / (2 * h));
+  const Eigen::Vector2d gradient((at(h, 0).value - at(-h, 0).value) / (2 * h),
+                                 (at(0, h).value - at(0, -h).value) / (2 * h));
   // h²/6 of third derivatives below 100 within a cell; across a knot they jump, which costs half of that again.
   RC_ASSERT((gradient - here.gradient).norm() <= 50 * h * h);
   Eigen::Matrix2d hessian;
@@ -95,12 +103,13 @@ RC_GTEST_PROP(BSplineSurface, DerivativesAreThoseOfTheHeight, ()) {
   RC_ASSERT((hessian - here.hessian).norm() <= 100 * h);  // second derivatives have corners at the knots: O(h)
 }
 
-/// Largest error of height [m] and curvature [1/m] of the spline through a sphere of radius 50 mm, within 20 mm: ten cells and more from
-/// the border, whose influence falls by 0.27 for each.
+/// Largest error of height [m] and curvature [1/m] of the spline through a sphere of radius 50 mm, within 20 mm: ten
+/// cells and more from the border, whose influence falls by 0.27 for each.
 Eigen::Vector2d errors_on_a_sphere(double spacing) {
   const BSplineSurface spline = spline_of_sphere(20.0, 30 * mm, spacing);
   Eigen::Vector2d worst(0.0, 0.0);
-  const int reach = static_cast<int>(std::lround(40 * mm / spacing));  // at the knots and between them, where the errors are greatest
+  const int reach =
+      static_cast<int>(std::lround(40 * mm / spacing));  // at the knots and between them, where the errors are greatest
   for (int i = -reach; i <= reach; ++i)
     for (int j = -reach; j <= reach; ++j) {
       const double x = 0.5 * spacing * i, y = 0.5 * spacing * j;
@@ -112,7 +121,8 @@ Eigen::Vector2d errors_on_a_sphere(double spacing) {
 }
 
 TEST(BSplineSurface, ConvergesWithTheFourthPowerInHeightAndTheSecondInCurvature) {
-  const Eigen::Vector2d coarse = errors_on_a_sphere(1 * mm), middle = errors_on_a_sphere(0.5 * mm), fine = errors_on_a_sphere(0.25 * mm);
+  const Eigen::Vector2d coarse = errors_on_a_sphere(1 * mm), middle = errors_on_a_sphere(0.5 * mm),
+                        fine = errors_on_a_sphere(0.25 * mm);
   // Asymptotic orders; the next terms are below a tenth.
   EXPECT_NEAR(std::log2(coarse.x() / middle.x()), 4.0, 0.1);
   EXPECT_NEAR(std::log2(middle.x() / fine.x()), 4.0, 0.1);
@@ -143,8 +153,10 @@ TEST(BSplineSurface, HeightsAreWithinItsBounds) {
 TEST(BSplineSurface, WhatMakesNoSurface) {
   const KnotGrid grid{{0.0, 0.0}, {1.0, 1.0}, 3, 3};
   EXPECT_THROW(BSplineSurface::interpolating(grid, Eigen::MatrixXd::Zero(4, 3)), std::invalid_argument);
-  EXPECT_THROW(BSplineSurface::interpolating({{0.0, 0.0}, {1.0, 1.0}, 3, 2}, Eigen::MatrixXd::Zero(4, 3)), std::invalid_argument);
-  EXPECT_THROW(BSplineSurface::interpolating({{0.0, 0.0}, {1.0, 0.0}, 3, 3}, Eigen::MatrixXd::Zero(4, 4)), std::invalid_argument);
+  EXPECT_THROW(BSplineSurface::interpolating({{0.0, 0.0}, {1.0, 1.0}, 3, 2}, Eigen::MatrixXd::Zero(4, 3)),
+               std::invalid_argument);
+  EXPECT_THROW(BSplineSurface::interpolating({{0.0, 0.0}, {1.0, 0.0}, 3, 3}, Eigen::MatrixXd::Zero(4, 4)),
+               std::invalid_argument);
   Eigen::MatrixXd hole = Eigen::MatrixXd::Zero(4, 4);
   hole(2, 1) = std::nan("");
   EXPECT_THROW(BSplineSurface::interpolating(grid, hole), std::invalid_argument);
@@ -157,18 +169,22 @@ TEST(BSplineSurface, WhatMakesNoSurface) {
 }
 
 RC_GTEST_PROP(BSplineSurface, RaysMeetItWhereTheyMeetTheSphere, ()) {
-  static const BSplineSurface splines[] = {spline_of_sphere(-15.0, 36 * mm, 0.5 * mm), spline_of_sphere(15.0, 36 * mm, 0.5 * mm)};
+  static const BSplineSurface splines[] = {spline_of_sphere(-15.0, 36 * mm, 0.5 * mm),
+                                           spline_of_sphere(15.0, 36 * mm, 0.5 * mm)};
   const int sign = *rc::gen::element(0, 1);
   const Eigen::Vector3d eye(*rc::gen::inRange(-90, 91) * 0.1 * mm, *rc::gen::inRange(-90, 91) * 0.1 * mm, 25 * mm);
-  const LightRay ray{eye, Eigen::Vector3d(*rc::gen::inRange(-90, 91) * 0.01, *rc::gen::inRange(-90, 91) * 0.01, -1.0).normalized()};
-  const SurfaceHit exact = intersect(SphereSurface{sign ? 15.0 : -15.0}, ray, 35 * mm), got = intersect(splines[sign], ray, 35 * mm);
+  const LightRay ray{
+      eye, Eigen::Vector3d(*rc::gen::inRange(-90, 91) * 0.01, *rc::gen::inRange(-90, 91) * 0.01, -1.0).normalized()};
+  const SurfaceHit exact = intersect(SphereSurface{sign ? 15.0 : -15.0}, ray, 35 * mm),
+                   got = intersect(splines[sign], ray, 35 * mm);
   RC_PRE(exact.status != LensStatus::ok || exact.position.head<2>().norm() < 34.9 * mm);
   RC_PRE(exact.status != LensStatus::ok || outward_normal(exact.sag).dot(ray.direction) > 0.2);
   RC_ASSERT(got.status == exact.status);
   if (exact.status != LensStatus::ok) return;
   // h⁴/384 of fourth derivatives up to 3c³(1 − c²r²)^−3.5 ~ 1e5 /m³, over cos φ > 0.2.
   RC_ASSERT(std::abs(got.distance - exact.distance) <= 1e-9);
-  RC_ASSERT(std::abs(got.sag.value - got.position.z()) <= 5e-16);  // 16 units in the last place of 40 mm, 1.4e-16, over cos φ
+  RC_ASSERT(std::abs(got.sag.value - got.position.z()) <=
+            5e-16);  // 16 units in the last place of 40 mm, 1.4e-16, over cos φ
 }
 
 TEST(BSplineSurface, RaysThatMiss) {
@@ -177,8 +193,9 @@ TEST(BSplineSurface, RaysThatMiss) {
   EXPECT_EQ(intersect(spline, {{19 * mm, 0.0, 30 * mm}, outward}, 35 * mm).status, LensStatus::ok);
   EXPECT_EQ(intersect(spline, {{20.001 * mm, 0.0, 30 * mm}, outward}, 35 * mm).status, LensStatus::missed_lens);
   EXPECT_EQ(intersect(spline, {{15.001 * mm, 0.0, 30 * mm}, outward}, 15 * mm).status, LensStatus::missed_lens);
-  EXPECT_EQ(intersect(spline, {{0.0, 0.0, -1 * mm}, outward}, 35 * mm).status, LensStatus::missed_lens);   // behind it
-  EXPECT_EQ(intersect(spline, {{0.0, 0.0, 10 * mm}, -outward}, 35 * mm).status, LensStatus::missed_lens);  // away from it
+  EXPECT_EQ(intersect(spline, {{0.0, 0.0, -1 * mm}, outward}, 35 * mm).status, LensStatus::missed_lens);  // behind it
+  EXPECT_EQ(intersect(spline, {{0.0, 0.0, 10 * mm}, -outward}, 35 * mm).status,
+            LensStatus::missed_lens);  // away from it
   EXPECT_EQ(intersect(spline, {{0.0, 0.0, 30 * mm}, {1.0, 0.0, 0.0}}, 35 * mm).status, LensStatus::missed_lens);
   // From below, a level ray enters the bowl from outside first: the wrong side.
   EXPECT_EQ(intersect(spline, {{-30 * mm, 0.0, 0.5 * mm}, {1.0, 0.0, 0.0}}, 15 * mm).status,

@@ -1,7 +1,7 @@
 // Every case of tests/reference/dioptric.json (50-digit arithmetic, checked with two ray tracers by its authors).
 //
-// The file is in the examiner's frame: x is flipped against the wearer frame of PowerMatrix, so xy components change sign and a meridian θ
-// becomes 180° − θ. AXIS itself is defined in the examiner's frame and needs no change.
+// The file is in the examiner's frame: x is flipped against the wearer frame of PowerMatrix, so xy components change
+// sign and a meridian θ becomes 180° − θ. AXIS itself is defined in the examiner's frame and needs no change.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -66,7 +66,8 @@ TEST(Ellipse, OrientationIsSigned) {
 TEST(Ellipse, ACircleAndAPointHaveNoOrientation) {
   EXPECT_FALSE(Ellipse::image_of_disc(2.0 * Eigen::Matrix2d::Identity(), 1.0).orientation_deg.has_value());
   EXPECT_FALSE(Ellipse::of_second_moments(Eigen::Matrix2d::Identity()).orientation_deg.has_value());
-  EXPECT_FALSE(Ellipse::image_of_disc((Eigen::Matrix2d() << 1.0, 0.5, 0.5, 2.0).finished(), 0.0).orientation_deg.has_value());
+  EXPECT_FALSE(
+      Ellipse::image_of_disc((Eigen::Matrix2d() << 1.0, 0.5, 0.5, 2.0).finished(), 0.0).orientation_deg.has_value());
 }
 
 TEST(Ellipse, CovarianceOfADiscImageByHand) {

@@ -22,7 +22,7 @@ TEST(Accommodation, HofstettersTable) {
 
 TEST(Accommodation, BestIsClampedToItsRange) {
   const Eye eye = Eye::with({-2.0, -1.0, 30.0, 0.0}, 4e-3, BestAccommodation{3.0});  // M = −2.5 D
-  EXPECT_EQ(eye.accommodation_for(0.0), 0.0);                                        // the far point is nearer than infinity
+  EXPECT_EQ(eye.accommodation_for(0.0), 0.0);  // the far point is nearer than infinity
   EXPECT_DOUBLE_EQ(eye.accommodation_for(4.0), 1.5);
   EXPECT_EQ(eye.accommodation_for(10.0), 3.0);
   const Eye hyperope = Eye::with({+2.0, 0.0, 180.0, 0.0}, 4e-3, BestAccommodation{3.0});
@@ -62,7 +62,8 @@ TEST(Eye, CarriesTheCorrectionAtTheCornea) {
 }
 
 TEST(Eye, RefusesAnImpossiblePupil) {
-  for (double diameter : {-1e-9, 0.1000001, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (double diameter :
+       {-1e-9, 0.1000001, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     EXPECT_THROW(Eye::with({}, diameter), std::invalid_argument) << diameter;
   EXPECT_NO_THROW(Eye::with({}, 0.0));
   EXPECT_NO_THROW(Eye::with({}, 0.1));

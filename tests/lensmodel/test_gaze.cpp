@@ -21,7 +21,8 @@ TEST(GazeDirection, RightIsPlusXAndUpIsPlusY) {
   EXPECT_LT((gaze_direction(0.0, 0.0) - Eigen::Vector3d(0.0, 0.0, -1.0)).norm(), 1e-16);
   EXPECT_LT((gaze_direction(30.0 * degree, 0.0) - Eigen::Vector3d(0.5, 0.0, -0.86602540378443865)).norm(), 1e-15);
   EXPECT_LT((gaze_direction(0.0, 30.0 * degree) - Eigen::Vector3d(0.0, 0.5, -0.86602540378443865)).norm(), 1e-15);
-  EXPECT_LT((gaze_direction(90.0 * degree, 60.0 * degree) - Eigen::Vector3d(0.5, 0.86602540378443865, 0.0)).norm(), 1e-15);
+  EXPECT_LT((gaze_direction(90.0 * degree, 60.0 * degree) - Eigen::Vector3d(0.5, 0.86602540378443865, 0.0)).norm(),
+            1e-15);
 }
 
 RC_GTEST_PROP(SmallestRotation, IsARotationThatMapsOneToTheOther, ()) {
@@ -74,7 +75,8 @@ TEST(Gaze, PictureJacobianIsADerivative) {
   const Eigen::Matrix2d j = picture_jacobian(gaze, turn.col(0), turn.col(1));
   constexpr double h = 1e-6;
   for (int c : {0, 1}) {
-    const Eigen::Vector2d difference = (picture_point(gaze + h * turn.col(c)) - picture_point(gaze - h * turn.col(c))) / (2.0 * h);
+    const Eigen::Vector2d difference =
+        (picture_point(gaze + h * turn.col(c)) - picture_point(gaze - h * turn.col(c))) / (2.0 * h);
     EXPECT_LT((j.col(c) - difference).norm(), 1e-9);  // h² and 1e-16/h
   }
 }

@@ -42,12 +42,14 @@ Surface any_surface() {
 RC_GTEST_PROP(MayMeet, EveryRayThatMeetsTheSurface, ()) {
   const Surface surface = any_surface();
   // Most of them at the rim, where the bounds are tight.
-  const double rim = drawn(150, 350, 0.1 * mm), r = rim * (1.0 - std::pow(drawn(0, 100, 0.01), 4.0)), angle = drawn(0, 359, M_PI / 180.0);
+  const double rim = drawn(150, 350, 0.1 * mm), r = rim * (1.0 - std::pow(drawn(0, 100, 0.01), 4.0)),
+               angle = drawn(0, 359, M_PI / 180.0);
   const auto there = sag(surface, r * std::cos(angle), r * std::sin(angle));
   RC_PRE(there.has_value());
   const Eigen::Vector3d target(r * std::cos(angle), r * std::sin(angle), there->value);
   // From anywhere on the eye's side: also nearly parallel to the axis, and from beyond the rim.
-  const Eigen::Vector3d eye(drawn(-500, 500, 0.1 * mm), drawn(-500, 500, 0.1 * mm), there->value + drawn(1, 500, 0.1 * mm));
+  const Eigen::Vector3d eye(drawn(-500, 500, 0.1 * mm), drawn(-500, 500, 0.1 * mm),
+                            there->value + drawn(1, 500, 0.1 * mm));
   const LightRay ray{eye, (target - eye).normalized()};
   RC_PRE(intersect(surface, ray, rim).status == LensStatus::ok);
   RC_ASSERT(may_meet(surface, ray, rim));
@@ -64,7 +66,8 @@ TEST(MayMeet, ARayThroughTheRimOfASphereOfEitherSign) {
 }
 
 TEST(MayMeet, StopsARayThatPassesOutsideOfTheRim) {
-  const LightRay past{{0.0, 0.0, 25 * mm}, Eigen::Vector3d(35.0, 0.0, -15.0).normalized()};  // at 35 mm where the rim is at 30 mm
+  const LightRay past{{0.0, 0.0, 25 * mm},
+                      Eigen::Vector3d(35.0, 0.0, -15.0).normalized()};  // at 35 mm where the rim is at 30 mm
   EXPECT_FALSE(may_meet(SphereSurface{20.0}, past, 30 * mm));
 }
 

@@ -17,8 +17,8 @@ constexpr double half_root_3 = 0.86602540378443865;
 
 // A mirrored frame is invisible at AXIS 90 and 180 and in the size of a blur: only the sign of xy tells it.
 TEST(PowerMatrix, Axis30TurnsTheOtherWayThanAxis150) {
-  // 0.00 −2.00 × 30: the examiner's 30° line runs at 150° for the wearer (from the lower right to the upper left), so the power acts along
-  // 60°.
+  // 0.00 −2.00 × 30: the examiner's 30° line runs at 150° for the wearer (from the lower right to the upper left), so
+  // the power acts along 60°.
   const PowerMatrix f30 = PowerMatrix::from({0.0, -2.0, 30.0, 0.0});
   EXPECT_NEAR(f30.xx(), -0.5, 1e-15);
   EXPECT_NEAR(f30.xy(), -half_root_3, 1e-15);
@@ -42,11 +42,13 @@ TEST(PowerMatrix, AxisAtMultiplesOf45IsExact) {
   EXPECT_EQ(PowerMatrix::from({1.0, -2.0, 90.0, 0.0}).matrix(), (Eigen::Matrix2d() << -1.0, 0.0, 0.0, 1.0).finished());
   const PowerMatrix oblique = PowerMatrix::from({0.0, -2.0, 45.0, 0.0});
   EXPECT_EQ(oblique.xx(), oblique.yy());
-  EXPECT_NEAR(oblique.xy(), -1.0, 1e-15);  // examiner's J45 = +1 for a minus cylinder × 45; the wearer's xy is its negative
+  EXPECT_NEAR(oblique.xy(), -1.0,
+              1e-15);  // examiner's J45 = +1 for a minus cylinder × 45; the wearer's xy is its negative
 }
 
 TEST(PowerMatrix, Axis0IsAxis180) {
-  EXPECT_EQ(PowerMatrix::from({-1.25, -0.75, 0.0, 0.0}).matrix(), PowerMatrix::from({-1.25, -0.75, 180.0, 0.0}).matrix());
+  EXPECT_EQ(PowerMatrix::from({-1.25, -0.75, 0.0, 0.0}).matrix(),
+            PowerMatrix::from({-1.25, -0.75, 180.0, 0.0}).matrix());
 }
 
 RC_GTEST_PROP(PowerMatrix, WithoutCylinderTheAxisDoesNotMatter, ()) {
@@ -55,7 +57,8 @@ RC_GTEST_PROP(PowerMatrix, WithoutCylinderTheAxisDoesNotMatter, ()) {
 }
 
 RC_GTEST_PROP(PowerMatrix, EulersTheoremAlongEveryMeridian, ()) {
-  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, *rc::gen::inRange(-40, 41) * 0.25, *rc::gen::inRange(0, 1801) * 0.1, 0.0};
+  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, *rc::gen::inRange(-40, 41) * 0.25,
+                        *rc::gen::inRange(0, 1801) * 0.1, 0.0};
   const double phi = *rc::gen::inRange(0, 3600) * 0.1 * std::numbers::pi / 180.0;
   const Eigen::Vector2d e(std::cos(phi), std::sin(phi));
   // METALSTIGMATISM writes sin²(φ + AXIS).
@@ -64,8 +67,8 @@ RC_GTEST_PROP(PowerMatrix, EulersTheoremAlongEveryMeridian, ()) {
 }
 
 RC_GTEST_PROP(PowerMatrix, ReadingBackAPrescription, ()) {
-  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, -0.25 * *rc::gen::inRange(1, 41), static_cast<double>(*rc::gen::inRange(1, 181)),
-                        0.0};
+  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, -0.25 * *rc::gen::inRange(1, 41),
+                        static_cast<double>(*rc::gen::inRange(1, 181)), 0.0};
   const Prescription back = PowerMatrix::from(rx).as_prescription();
   RC_ASSERT(std::abs(back.sphere_D - rx.sphere_D) <= 1e-13);
   RC_ASSERT(std::abs(back.cylinder_D - rx.cylinder_D) <= 1e-13);
@@ -74,11 +77,14 @@ RC_GTEST_PROP(PowerMatrix, ReadingBackAPrescription, ()) {
   RC_ASSERT(back.axis_deg > 0.0 && back.axis_deg <= 180.0);
 }
 
-// Which focal line comes first. −1.00 −2.00 × 30, relaxed: rays leave with slopes −1/m along the wearer's 150° and −3/m along 60°.
+// Which focal line comes first. −1.00 −2.00 × 30, relaxed: rays leave with slopes −1/m along the wearer's 150° and −3/m
+// along 60°.
 TEST(PowerMatrix, TheStrongerMeridianFocusesFirst) {
   const Eye eye = Eye::with({-1.0, -2.0, 30.0, 0.0}, 4e-3);
   const Eigen::Matrix2d s = eye.slope_matrix(0.0).matrix();
-  const auto at = [&](double d) { return Ellipse::image_of_disc(Eigen::Matrix2d::Identity() + d * s, eye.pupil_radius_m); };
+  const auto at = [&](double d) {
+    return Ellipse::image_of_disc(Eigen::Matrix2d::Identity() + d * s, eye.pupil_radius_m);
+  };
 
   const Ellipse first = at(1.0 / 3.0);  // the 60° meridian is in focus: the line lies along 150° ≡ −30°
   EXPECT_NEAR(first.semi_major, 2e-3 * 2.0 / 3.0, 1e-15);
@@ -107,7 +113,8 @@ TEST(PowerMatrix, AtTheCorneaAMyopeNeedsLessAndAHyperopeMore) {
 }
 
 RC_GTEST_PROP(PowerMatrix, MovingThereAndBackIsTheSameLens, ()) {
-  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, *rc::gen::inRange(-40, 41) * 0.25, *rc::gen::inRange(0, 1801) * 0.1, 0.0};
+  const Prescription rx{*rc::gen::inRange(-80, 81) * 0.25, *rc::gen::inRange(-40, 41) * 0.25,
+                        *rc::gen::inRange(0, 1801) * 0.1, 0.0};
   const PowerMatrix f = PowerMatrix::from(rx);
   const double d = *rc::gen::inRange(0, 21) * 1e-3;
   // |dF| ≤ 0.6, so det(I − dF) ≥ 0.16: condition below 50 at 30 D.

@@ -13,7 +13,8 @@ namespace {
 
 /// Quarter dioptres and whole degrees, as prescriptions are written; every number is exact in binary.
 Prescription any_prescription() {
-  return {*rc::gen::inRange(-80, 81) * 0.25, *rc::gen::inRange(-40, 41) * 0.25, static_cast<double>(*rc::gen::inRange(0, 181)), 0.0};
+  return {*rc::gen::inRange(-80, 81) * 0.25, *rc::gen::inRange(-40, 41) * 0.25,
+          static_cast<double>(*rc::gen::inRange(0, 181)), 0.0};
 }
 
 RC_GTEST_PROP(Prescription, TranspositionIsTheSameLens, ()) {

@@ -31,10 +31,12 @@ TEST(Progressive, TheSplineHoldsThePowersAndSaysHowWell) {
   EXPECT_LE(made.power_residual.cylinder_D, 1e-3);
   EXPECT_GT(made.power_residual.mean_D, 1e-5);
   EXPECT_LE(made.knot_spacing_m, 0.125 * mm);
-  // Places that were not sampled: on circles about the vertex. Within the cells' middles and corners the error is greatest.
+  // Places that were not sampled: on circles about the vertex. Within the cells' middles and corners the error is
+  // greatest.
   const ProgressiveSurface exact = progressive_front({-1.0}, design());
   for (int i = 0; i < 5000; ++i) {
-    const double r = 30 * mm * std::sqrt(i / 5000.0), angle = 2.399963229728653 * i, x = r * std::cos(angle), y = r * std::sin(angle);
+    const double r = 30 * mm * std::sqrt(i / 5000.0), angle = 2.399963229728653 * i, x = r * std::cos(angle),
+                 y = r * std::sin(angle);
     const SurfacePower a = surface_power(*exact.sag(x, y), 1.6), b = surface_power(*sag(made.lens.front, x, y), 1.6);
     EXPECT_NEAR(a.mean_D, b.mean_D, 1.05 * made.power_residual.mean_D);  // places up to 3 knots apart were sampled
     EXPECT_NEAR(a.cylinder_D, b.cylinder_D, 1.05 * made.power_residual.cylinder_D);
@@ -63,7 +65,8 @@ TEST(Progressive, TheFarZoneIsTheSingleVisionLens) {
   }
 }
 
-/// Power along the gaze from two parallel rays, up to the effects of obliquity: outside they converge if it is positive.
+/// Power along the gaze from two parallel rays, up to the effects of obliquity: outside they converge if it is
+/// positive.
 double vertical_power_D(const Spectacles& lens, double elevation_deg) {
   const double e = elevation_deg * std::numbers::pi / 180.0, h = 1e-4;
   const Eigen::Vector3d center(0.0, 0.0, 13.5 * mm), gaze = gaze_direction(0.0, e), up(0.0, std::cos(e), std::sin(e));

@@ -59,7 +59,8 @@ TEST(ProgressiveSurface, AgreesWithTheReferenceGrid) {
 
 /// Designs that use every parameter.
 std::vector<ProgressiveSurfaceDesign> designs() {
-  ProgressiveSurfaceDesign turned{5.5, 3.0, 1.5, 4 * mm, 18 * mm, -2.5 * mm, 10 * mm}, low = turned, regressive = turned, minus = turned;
+  ProgressiveSurfaceDesign turned{5.5, 3.0, 1.5, 4 * mm, 18 * mm, -2.5 * mm, 10 * mm},
+      low = turned, regressive = turned, minus = turned;
   low.corridor_start_m = -4 * mm;
   low.near_shift_m = 2.5 * mm;
   regressive.addition_D = -2.0;
@@ -74,11 +75,13 @@ TEST(ProgressiveSurface, DerivativesAreThoseOfTheHeight) {
       for (int j = -7; j <= 7; ++j) {
         const double x = 2.9 * mm * i, y = 2.9 * mm * j, h = 1e-5;
         const auto at = [&](double dx, double dy) { return *surface.sag(x + dx, y + dy); };
-        const Eigen::Vector2d gradient((at(h, 0).value - at(-h, 0).value) / (2 * h), (at(0, h).value - at(0, -h).value) / (2 * h));
+        const Eigen::Vector2d gradient((at(h, 0).value - at(-h, 0).value) / (2 * h),
+                                       (at(0, h).value - at(0, -h).value) / (2 * h));
         Eigen::Matrix2d hessian;
         hessian.col(0) = (at(h, 0).gradient - at(-h, 0).gradient) / (2 * h);
         hessian.col(1) = (at(0, h).gradient - at(0, -h).gradient) / (2 * h);
-        // h²/6 of the third derivative, up to 4e4 /m² in the corner of a circular section's corridor, and of the fourth, up to 2e7 /m³.
+        // h²/6 of the third derivative, up to 4e4 /m² in the corner of a circular section's corridor, and of the
+        // fourth, up to 2e7 /m³.
         EXPECT_LE((gradient - at(0, 0).gradient).norm(), 1e4 * h * h);
         EXPECT_LE((hessian - at(0, 0).hessian).norm(), 5e6 * h * h);
       }
@@ -120,12 +123,15 @@ TEST(ProgressiveSurface, MinkwitzsTheoremHoldsOnTheUmbilic) {
     for (const double t : {0.2, 0.35, 0.5, 0.65, 0.8}) {
       const double s = -design.corridor_start_m + t * design.corridor_length_m, h = 0.01 * mm;
       const Sag here = *surface.sag(surface.umbilic_at(s).x(), surface.umbilic_at(s).y());
-      const Eigen::Vector2d across = surface.umbilic_at(1.0).unitOrthogonal(), beside = surface.umbilic_at(s) + h * across;
+      const Eigen::Vector2d across = surface.umbilic_at(1.0).unitOrthogonal(),
+                            beside = surface.umbilic_at(s) + h * across;
       const double cylinder = surface_power(*surface.sag(beside.x(), beside.y()), design.refractive_index).cylinder_D;
-      // Along the umbilic one metre of arc is longer than its projection by √(1 + slope²); across it the surface is level there.
+      // Along the umbilic one metre of arc is longer than its projection by √(1 + slope²); across it the surface is
+      // level there.
       const double arc = std::sqrt(1.0 + here.gradient.squaredNorm());
       const double gain = (surface.umbilic_power_D(s + h) - surface.umbilic_power_D(s - h)) / (2 * h) / arc;
-      EXPECT_NEAR(cylinder / h, 2.0 * std::abs(gain), 0.01 * 2.0 * std::abs(gain));  // linear in the distance up to O(h)
+      EXPECT_NEAR(cylinder / h, 2.0 * std::abs(gain),
+                  0.01 * 2.0 * std::abs(gain));  // linear in the distance up to O(h)
     }
   }
 }
@@ -138,7 +144,9 @@ TEST(ProgressiveSurface, AFadingAdditionLeavesTheNeighbourhoodOfTheUmbilicAlone)
   const double near = circles.sag(1 * mm, -20 * mm)->value - fading.sag(1 * mm, -20 * mm)->value;
   EXPECT_NEAR(near, 1e-12 / (2 * 1.01e-4) * 2.0 / 0.498 / 0.956, 0.01 * near);
   // In the corridor's periphery it takes most of the cylinder away.
-  const auto cylinder = [](const ProgressiveSurface& s) { return surface_power(*s.sag(20 * mm, -7 * mm), 1.498).cylinder_D; };
+  const auto cylinder = [](const ProgressiveSurface& s) {
+    return surface_power(*s.sag(20 * mm, -7 * mm), 1.498).cylinder_D;
+  };
   EXPECT_GT(cylinder(circles), 13.0);
   EXPECT_LT(cylinder(fading), 4.0);
 }

@@ -26,7 +26,8 @@ Spectacles slab(double thickness_m, double index) {
 }
 
 TEST(Spectacles, APlaneSlabShiftsTheRayAndKeepsItsDirection) {
-  // 30° into n = 1.5: sin φ' = 1/3, tan φ' = 1/√8. From the pupil's centre as if it did not turn: back point 12·tan 30° to the right.
+  // 30° into n = 1.5: sin φ' = 1/3, tan φ' = 1/√8. From the pupil's centre as if it did not turn: back point 12·tan 30°
+  // to the right.
   const LensPath path = trace(slab(6 * mm, 1.5), {{0.0, 0.0, 0.0}, {0.5, 0.0, -0.86602540378443865}});
   ASSERT_EQ(path.status, LensStatus::ok);
   EXPECT_NEAR(path.back_point.x(), 6.9282032302755091 * mm, 1e-17);
@@ -45,9 +46,11 @@ TEST(Spectacles, AMinusLensBendsTheLineOfSightOutward) {
 }
 
 TEST(Spectacles, AnObliqueCylinderBendsUpOrDown) {
-  // Thin lens: slope −F p. Looking to the right through a minus cylinder, AXIS 30: power along (−1/2, −√3/2), so the ray goes up as well;
-  // through AXIS 150 down; through 180 and 90 neither.
-  const auto rise = [](double axis) { return chief_ray(single_vision({0.0, -4.0, axis}, {}), 20, 0).exit.direction.y(); };
+  // Thin lens: slope −F p. Looking to the right through a minus cylinder, AXIS 30: power along (−1/2, −√3/2), so the
+  // ray goes up as well; through AXIS 150 down; through 180 and 90 neither.
+  const auto rise = [](double axis) {
+    return chief_ray(single_vision({0.0, -4.0, axis}, {}), 20, 0).exit.direction.y();
+  };
   EXPECT_GT(rise(30), 0.01);
   EXPECT_LT(rise(150), -0.01);
   EXPECT_NEAR(rise(30), -rise(150), 1e-15);
@@ -64,7 +67,8 @@ TEST(Spectacles, TheRimStopsTheRay) {
 }
 
 TEST(Spectacles, TotalReflectionInsideIsAStatus) {
-  // A front that bends away steeply, R = −20 mm: 25° to the right the ray meets it at about 61°, the critical angle is 41.8°.
+  // A front that bends away steeply, R = −20 mm: 25° to the right the ray meets it at about 61°, the critical angle
+  // is 41.8°.
   Spectacles lens = slab(2 * mm, 1.5);
   lens.front = SphereSurface{-50.0};
   EXPECT_EQ(chief_ray(lens, 25, 0).status, LensStatus::total_internal_reflection);
@@ -80,13 +84,15 @@ TEST(Spectacles, AnIndexOf1IsNoLens) {
 }
 
 TEST(SingleVision, TheDocumentedExample) {
-  // −2.00 −1.50 × 30, front of 250 mm = 2 D, 2 mm of n = 1.5: back 124.833 along AXIS 30, 90.821 across, as the formats' example prints.
+  // −2.00 −1.50 × 30, front of 250 mm = 2 D, 2 mm of n = 1.5: back 124.833 along AXIS 30, 90.821 across, as the
+  // formats' example prints.
   const Spectacles lens = single_vision({-2.0, -1.5, 30.0}, {2.0, 2 * mm, 1.5, 12 * mm, 70 * mm});
   const auto& torus = std::get<TorusSurface>(lens.back);
   EXPECT_NEAR(1.0 / std::get<SphereSurface>(lens.front).curvature, 250 * mm, 1e-15);
   EXPECT_NEAR(1.0 / torus.sweep_curvature(), 124.833 * mm, 5e-7);  // half a unit of the last printed place
   EXPECT_NEAR(1.0 / torus.generator_curvature(), 90.821 * mm, 5e-7);
-  EXPECT_NEAR(std::abs(torus.sweep_direction().dot(Eigen::Vector2d(-0.86602540378443865, 0.5))), 1.0, 1e-15);  // the wearer's 150°
+  EXPECT_NEAR(std::abs(torus.sweep_direction().dot(Eigen::Vector2d(-0.86602540378443865, 0.5))), 1.0,
+              1e-15);  // the wearer's 150°
 }
 
 RC_GTEST_PROP(SingleVision, BackVertexPowerIsThePrescription, ()) {
@@ -94,7 +100,8 @@ RC_GTEST_PROP(SingleVision, BackVertexPowerIsThePrescription, ()) {
                index = 1.5 + 0.01 * *rc::gen::inRange(0, 40);
   const SingleVisionDesign design{0.25 * *rc::gen::inRange(0, 40), 0.1 * mm * *rc::gen::inRange(5, 100), index};
   const Spectacles lens = single_vision({sphere, cylinder, 35.0}, design);
-  // Independent of the maker's formula: a paraxial ray at unit height from infinity; power is −slope/height behind the lens.
+  // Independent of the maker's formula: a paraxial ray at unit height from infinity; power is −slope/height behind the
+  // lens.
   const auto power = [&](double front_curvature, double back_curvature) {
     double height = 1.0, slope = -(index - 1.0) * front_curvature / index;
     height += design.center_thickness_m * slope;
@@ -112,7 +119,8 @@ RC_GTEST_PROP(SingleVision, BackVertexPowerIsThePrescription, ()) {
 }
 
 RC_GTEST_PROP(SingleVision, BothWaysOfWritingMakeTheSameLens, ()) {
-  const Prescription rx{*rc::gen::inRange(-40, 41) * 0.25, *rc::gen::inRange(-20, 21) * 0.25, 1.0 * *rc::gen::inRange(0, 181)};
+  const Prescription rx{*rc::gen::inRange(-40, 41) * 0.25, *rc::gen::inRange(-20, 21) * 0.25,
+                        1.0 * *rc::gen::inRange(0, 181)};
   const Spectacles a = single_vision(rx, {}), b = single_vision(transposed(rx), {});
   const double x = 0.1 * mm * *rc::gen::inRange(-150, 151), y = 0.1 * mm * *rc::gen::inRange(-150, 151);
   RC_ASSERT(std::abs(sag(a.back, x, y)->value - sag(b.back, x, y)->value) <= 1e-17);

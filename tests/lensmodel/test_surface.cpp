@@ -43,8 +43,8 @@ TEST(Sag, IsPositiveWhereTheCentreLiesOnTheEyesSide) {
 }
 
 TEST(Sag, OfATorus) {
-  // Generator of radius 30: at 18 across it stands at 30 − 24 = 6. Its circle about the axis at 50 has the radius 44: at 26.4 along the
-  // sweep it stands at 50 − 35.2 = 14.8. Sweep along the examiner's 180°, that is horizontally.
+  // Generator of radius 30: at 18 across it stands at 30 − 24 = 6. Its circle about the axis at 50 has the radius 44:
+  // at 26.4 along the sweep it stands at 50 − 35.2 = 14.8. Sweep along the examiner's 180°, that is horizontally.
   const TorusSurface torus(20.0, 1.0 / (30 * mm), 180.0);
   EXPECT_NEAR(torus.sag(26.4 * mm, 18 * mm)->value, 14.8 * mm, 1e-16);
   EXPECT_NEAR(torus.sag(-26.4 * mm, -18 * mm)->value, 14.8 * mm, 1e-16);
@@ -53,11 +53,13 @@ TEST(Sag, OfATorus) {
 }
 
 TEST(Sag, SweepMeridian30LiesAlongTheWearers150) {
-  // A cylinder with power along the sweep only: no sag across it. (−√3/2, 1/2) is 150°, (1/2, √3/2) is 60°, (√3/2, 1/2) would be 30°.
+  // A cylinder with power along the sweep only: no sag across it. (−√3/2, 1/2) is 150°, (1/2, √3/2) is 60°, (√3/2, 1/2)
+  // would be 30°.
   const TorusSurface cylinder(20.0, 0.0, 30.0);
   EXPECT_NEAR(cylinder.sag(0.5 * 30 * mm, 0.86602540378443865 * 30 * mm)->value, 0.0, 1e-17);
   EXPECT_NEAR(cylinder.sag(-0.86602540378443865 * 30 * mm, 0.5 * 30 * mm)->value, 10 * mm, 1e-16);
-  EXPECT_NEAR(cylinder.sag(0.86602540378443865 * 30 * mm, 0.5 * 30 * mm)->value, 50 * mm - 47.69696007084728 * mm, 1e-15);  // √(50² − 15²)
+  EXPECT_NEAR(cylinder.sag(0.86602540378443865 * 30 * mm, 0.5 * 30 * mm)->value, 50 * mm - 47.69696007084728 * mm,
+              1e-15);  // √(50² − 15²)
 }
 
 TEST(Sag, Axis0And180AreOneMeridian) {
@@ -68,7 +70,8 @@ TEST(Sag, Axis0And180AreOneMeridian) {
 
 TEST(Sag, OfConics) {
   EXPECT_NEAR((ConicSurface{20.0, -1.0}.sag(0.0, 10 * mm)->value), 1 * mm, 1e-17);  // parabola: r²/(2R)
-  // Ellipsoid k = 3, R = 50: half axes R/(1 + k) = 12.5 along z and R/√(1 + k) = 25 across; at r = 15 it stands at 12.5 (1 − 0.8).
+  // Ellipsoid k = 3, R = 50: half axes R/(1 + k) = 12.5 along z and R/√(1 + k) = 25 across; at r = 15 it stands at 12.5
+  // (1 − 0.8).
   EXPECT_NEAR((ConicSurface{20.0, 3.0}.sag(15 * mm, 0.0)->value), 2.5 * mm, 1e-17);
   EXPECT_FALSE((ConicSurface{20.0, 3.0}.sag(26 * mm, 0.0)));
 }
@@ -111,15 +114,16 @@ RC_GTEST_PROP(Intersect, FindsThePointThatTheRayIsAimedAt, ()) {
   const Eigen::Vector2d xy(drawn(-150, 150, 0.1 * mm), drawn(-150, 150, 0.1 * mm));
   const auto there = sag(surface, xy.x(), xy.y());
   RC_PRE(there.has_value());
-  const Eigen::Vector3d target(xy.x(), xy.y(), there->value), eye(drawn(-90, 90, 0.1 * mm), drawn(-90, 90, 0.1 * mm), 25 * mm);
+  const Eigen::Vector3d target(xy.x(), xy.y(), there->value),
+      eye(drawn(-90, 90, 0.1 * mm), drawn(-90, 90, 0.1 * mm), 25 * mm);
   const LightRay ray{eye, (target - eye).normalized()};
   // In front of the surface, and the first crossing: no steeper than 60° on it.
   RC_PRE(outward_normal(*there).dot(ray.direction) > 0.5 && sag(surface, eye.x(), eye.y()) &&
          sag(surface, eye.x(), eye.y())->value < eye.z());
   const SurfaceHit hit = intersect(surface, ray, 35 * mm);
   RC_ASSERT(hit.status == LensStatus::ok);
-  // The iteration stops within 16 units in the last place of 40 mm, 1.4e-16; rounding of height and direction over cos φ > 0.5 adds as
-  // much.
+  // The iteration stops within 16 units in the last place of 40 mm, 1.4e-16; rounding of height and direction over cos
+  // φ > 0.5 adds as much.
   RC_ASSERT((hit.position - target).norm() <= 5e-16);
 }
 
@@ -127,9 +131,11 @@ RC_GTEST_PROP(Intersect, NewtonAndTheClosedFormOfTheSphereAgree, ()) {
   const double c = any_curvature();
   const Eigen::Vector3d eye(drawn(-90, 90, 0.1 * mm), drawn(-90, 90, 0.1 * mm), 25 * mm);
   const LightRay ray{eye, Eigen::Vector3d(drawn(-100, 100, 0.01), drawn(-100, 100, 0.01), -1.0).normalized()};
-  const SurfaceHit closed = intersect(SphereSurface{c}, ray, 35 * mm), newton = intersect(ConicSurface{c, 0.0}, ray, 35 * mm),
+  const SurfaceHit closed = intersect(SphereSurface{c}, ray, 35 * mm),
+                   newton = intersect(ConicSurface{c, 0.0}, ray, 35 * mm),
                    torus = intersect(TorusSurface(c, c, 20.0), ray, 35 * mm);
-  RC_PRE(closed.status != LensStatus::ok || outward_normal(closed.sag).dot(ray.direction) > 0.05);  // grazing rays may differ
+  RC_PRE(closed.status != LensStatus::ok ||
+         outward_normal(closed.sag).dot(ray.direction) > 0.05);  // grazing rays may differ
   RC_ASSERT(closed.status == newton.status && closed.status == torus.status);
   if (closed.status == LensStatus::ok) {
     RC_ASSERT(std::abs(closed.distance - newton.distance) <= 1e-15);  // rounding over cos φ ≥ 0.05
@@ -162,7 +168,8 @@ TEST_P(Misses, TheRimBelongsToTheLens) {
 TEST_P(Misses, ARayPastTheSurfaceWithinTheRim) {
   // The surface ends at its radius of 30 mm, the rim lies at 35 mm.
   EXPECT_EQ(intersect(shape(1.0 / (30 * mm)), {{29 * mm, 0.0, 40 * mm}, outward}, 35 * mm).status, LensStatus::ok);
-  EXPECT_EQ(intersect(shape(1.0 / (30 * mm)), {{31 * mm, 0.0, 40 * mm}, outward}, 35 * mm).status, LensStatus::missed_lens);
+  EXPECT_EQ(intersect(shape(1.0 / (30 * mm)), {{31 * mm, 0.0, 40 * mm}, outward}, 35 * mm).status,
+            LensStatus::missed_lens);
 }
 
 TEST_P(Misses, ACrossingJustBeforeTheSurfacesEdgeIsFound) {
@@ -176,7 +183,8 @@ TEST_P(Misses, ACrossingJustBeforeTheSurfacesEdgeIsFound) {
 TEST_P(Misses, TheOtherSheetIsNotTheSurface) {
   // From z = 70 mm, beyond the centre at 30 mm, a ray sideways crosses the far hemisphere only.
   const Eigen::Vector3d sideways = Eigen::Vector3d(1.0, 0.0, -0.1).normalized();
-  EXPECT_EQ(intersect(shape(1.0 / (30 * mm)), {{0.0, 0.0, 55 * mm}, sideways}, 35 * mm).status, LensStatus::missed_lens);
+  EXPECT_EQ(intersect(shape(1.0 / (30 * mm)), {{0.0, 0.0, 55 * mm}, sideways}, 35 * mm).status,
+            LensStatus::missed_lens);
 }
 
 TEST_P(Misses, ARayThatLeavesTheSurfaceBehind) {
@@ -186,8 +194,8 @@ TEST_P(Misses, ARayThatLeavesTheSurfaceBehind) {
 }
 
 TEST_P(Misses, TheFirstOfTwoCrossingsCounts) {
-  // Convex towards the eye, R = −30 mm: at the height of −2 mm its half width is √(30² − 28²) = 10.77 mm. A level ray from the left goes in
-  // there and would come out at the right; a slightly inclined one does so too.
+  // Convex towards the eye, R = −30 mm: at the height of −2 mm its half width is √(30² − 28²) = 10.77 mm. A level ray
+  // from the left goes in there and would come out at the right; a slightly inclined one does so too.
   const LightRay level{{-20 * mm, 0.0, -2 * mm}, {1.0, 0.0, 0.0}};
   const SurfaceHit hit = intersect(shape(-1.0 / (30 * mm)), level, 25 * mm);
   ASSERT_EQ(hit.status, LensStatus::ok);
@@ -195,9 +203,10 @@ TEST_P(Misses, TheFirstOfTwoCrossingsCounts) {
 }
 
 TEST(Intersect, ASurfaceThatIsInterruptedBetweenTheEndsOfTheWayIsSearchedInPieces) {
-  // A steep sweep (radius 9 mm) with a weak generator of the other sign reaches far along the generator and ends 9 mm from it along the
-  // sweep, so an oblique ray finds surface at both ends of its way and none between them. Newton's iteration in the bracket of the whole
-  // way met the gap and gave up (no_convergence), although the ray crosses the surface well before it. sturm stress found these.
+  // A steep sweep (radius 9 mm) with a weak generator of the other sign reaches far along the generator and ends 9 mm
+  // from it along the sweep, so an oblique ray finds surface at both ends of its way and none between them. Newton's
+  // iteration in the bracket of the whole way met the gap and gave up (no_convergence), although the ray crosses the
+  // surface well before it. sturm stress found these.
   struct Case {
     TorusSurface torus;
     double rim_radius;
@@ -210,11 +219,13 @@ TEST(Intersect, ASurfaceThatIsInterruptedBetweenTheEndsOfTheWayIsSearchedInPiece
   const std::vector<Case> cases{
       {TorusSurface(1.0 / (9.639824857228763 * mm), -1.0 / (25.44644772246195 * mm), 122.03920144796109),
        42.09365890485692 * mm,
-       from_eye(8.357516212984038 * mm, 15.82838842734457 * mm, {-0.2996212720472478, -0.08141222950157229, -0.950578319879205}),
+       from_eye(8.357516212984038 * mm, 15.82838842734457 * mm,
+                {-0.2996212720472478, -0.08141222950157229, -0.950578319879205}),
        {-0.007270760723619083, -0.0019755901730133243}},
       {TorusSurface(1.0 / (8.878450371518507 * mm), -1.0 / (29.30803214468138 * mm), 159.62358032518645),
        37.49689547500397 * mm,
-       from_eye(9.012128888769553 * mm, 15.601569252738905 * mm, {0.4892786924994799, -0.2673701966347581, -0.8301322418852854}),
+       from_eye(9.012128888769553 * mm, 15.601569252738905 * mm,
+                {0.4892786924994799, -0.2673701966347581, -0.8301322418852854}),
        {0.012584491677369133, -0.006876894632664263}}};
   for (const Case& c : cases) {
     const SurfaceHit hit = intersect(c.torus, c.ray, c.rim_radius);

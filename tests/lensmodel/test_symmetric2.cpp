@@ -19,13 +19,16 @@ struct IntegerMatrix {
 
   Real determinant() const { return static_cast<Real>(a * d - b * c); }
   Eigen::Matrix2d as_double() const {
-    return (Eigen::Matrix2d() << static_cast<double>(a), static_cast<double>(b), static_cast<double>(c), static_cast<double>(d)).finished();
+    return (Eigen::Matrix2d() << static_cast<double>(a), static_cast<double>(b), static_cast<double>(c),
+            static_cast<double>(d))
+        .finished();
   }
 };
 
 /// Rows nearly proportional: the condition number reaches 10¹⁶.
 IntegerMatrix nearly_singular() {
-  const std::int64_t a = *rc::gen::inRange(-30000, 30001), b = *rc::gen::inRange(-30000, 30001), k = *rc::gen::inRange(-30000, 30001);
+  const std::int64_t a = *rc::gen::inRange(-30000, 30001), b = *rc::gen::inRange(-30000, 30001),
+                     k = *rc::gen::inRange(-30000, 30001);
   const auto nudge = [] { return static_cast<std::int64_t>(*rc::gen::inRange(-1, 2)); };
   return {a + nudge(), b + nudge(), k * a + nudge(), k * b + nudge()};
 }
@@ -59,10 +62,12 @@ RC_GTEST_PROP(SingularValues, KeepTheirRelativeAccuracyNearACircle, ()) {
 RC_GTEST_PROP(PrincipalValues, KeepTheirRelativeAccuracyNearAZeroEigenvalue, ()) {
   const std::int64_t p = *rc::gen::inRange(-30000, 30001), q = *rc::gen::inRange(-30000, 30001);
   const std::int64_t sign = *rc::gen::element(-1, 1);
-  const IntegerMatrix n{sign * p * p + *rc::gen::inRange(-1, 2), sign * p * q, sign * p * q, sign * q * q + *rc::gen::inRange(-1, 2)};
+  const IntegerMatrix n{sign * p * p + *rc::gen::inRange(-1, 2), sign * p * q, sign * p * q,
+                        sign * q * q + *rc::gen::inRange(-1, 2)};
   const Real mean = (n.a + n.d) / Real(2), radius = std::hypot((n.a - n.d) / Real(2), static_cast<Real>(n.b));
   const Real big = mean >= 0 ? mean + radius : mean - radius, little = big != 0 ? n.determinant() / big : Real(0);
-  const PrincipalValues v = principal_values(static_cast<double>(n.a), static_cast<double>(n.b), static_cast<double>(n.d));
+  const PrincipalValues v =
+      principal_values(static_cast<double>(n.a), static_cast<double>(n.b), static_cast<double>(n.d));
   RC_ASSERT(v.high >= v.low);
   RC_ASSERT(std::abs((mean >= 0 ? v.high : v.low) - big) <= 4 * unit * std::abs(big));
   RC_ASSERT(std::abs((mean >= 0 ? v.low : v.high) - little) <= 8 * unit * std::abs(little));
@@ -92,12 +97,14 @@ TEST(PrincipalValues, EqualOnesHaveNoDirection) {
 }
 
 TEST(SingularValues, ByHand) {
-  const SingularValues s = singular_values((Eigen::Matrix2d() << 0.0, -2.0, 3.0, 0.0).finished());  // e_x → 3 e_y, e_y → −2 e_x
+  const SingularValues s =
+      singular_values((Eigen::Matrix2d() << 0.0, -2.0, 3.0, 0.0).finished());  // e_x → 3 e_y, e_y → −2 e_x
   EXPECT_EQ(s.large, 3.0);
   EXPECT_EQ(s.small, 2.0);
   EXPECT_EQ(s.large_direction, Eigen::Vector2d(0.0, 1.0));
   EXPECT_TRUE(singular_values(Eigen::Matrix2d::Zero()).isotropic);
-  EXPECT_TRUE(singular_values((Eigen::Matrix2d() << 1.0, 0.0, 0.0, -1.0).finished()).isotropic);  // a mirror image of a circle is a circle
+  EXPECT_TRUE(singular_values((Eigen::Matrix2d() << 1.0, 0.0, 0.0, -1.0).finished())
+                  .isotropic);  // a mirror image of a circle is a circle
 }
 
 TEST(DifferenceOfProducts, SurvivesCancellation) {

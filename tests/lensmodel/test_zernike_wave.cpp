@@ -1,5 +1,5 @@
-// Zernike polynomials against tests/reference/zernike.json (50-digit arithmetic, prysm, POPPY, Optiland), and wavefronts: frames, signs,
-// smaller pupils.
+// Zernike polynomials against tests/reference/zernike.json (50-digit arithmetic, prysm, POPPY, Optiland), and
+// wavefronts: frames, signs, smaller pupils.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,8 @@ TEST(Zernike, ValuesAndGradientsAreTheReferences) {
     for (int j = 0; j < 28; ++j) {
       const PlanePolynomial z = zernike_polynomial(j);
       // What the reference promises to a double-precision implementation; gradients are up to 82.
-      EXPECT_NEAR(z(x, y), c["outputs"]["Z"][static_cast<std::size_t>(j)].get<double>(), 1e-12) << c["id"] << " j = " << j;
+      EXPECT_NEAR(z(x, y), c["outputs"]["Z"][static_cast<std::size_t>(j)].get<double>(), 1e-12)
+          << c["id"] << " j = " << j;
       EXPECT_NEAR(z.derivative_x()(x, y), c["outputs"]["dZdx"][static_cast<std::size_t>(j)].get<double>(), 1e-12)
           << c["id"] << " j = " << j;
       EXPECT_NEAR(z.derivative_y()(x, y), c["outputs"]["dZdy"][static_cast<std::size_t>(j)].get<double>(), 1e-12)
@@ -48,8 +49,8 @@ TEST(Zernike, TheSingleIndexIsItsOwnInverse) {
 }
 
 TEST(ZernikeWave, AMyopesDefocusIsPositive) {
-  // −1 D over 6 mm: c = −M a²/(4√3) = 9e-6/6.9282 = 1.29904 µm. The ray at the upper rim leaves downwards by 3 mrad: it diverges as seen
-  // from the scene, so the scene must lie near.
+  // −1 D over 6 mm: c = −M a²/(4√3) = 9e-6/6.9282 = 1.29904 µm. The ray at the upper rim leaves downwards by 3 mrad: it
+  // diverges as seen from the scene, so the scene must lie near.
   const auto wave = ZernikeWave::from_examiner(only(4, 1.2990381056766578 * um), 3 * mm);
   EXPECT_NEAR(wave.power(SecondOrder::LeastSquares).spherical_equivalent(), -1.0, 1e-12);
   EXPECT_NEAR(wave.slope({0.0, 3 * mm}).y(), -3e-3, 1e-15);
@@ -57,9 +58,10 @@ TEST(ZernikeWave, AMyopesDefocusIsPositive) {
 }
 
 TEST(ZernikeWave, Axis30IsNotAxis150) {
-  // −1 D cylinder × 30 at the cornea: J0 = ½ cos 60° = 0.25, J45 = ½ sin 60° = 0.4330127, M = −0.5; the coefficients over 3 mm of diameter
-  // are those of case E05 of tests/reference/wave_psf.json.
-  const std::vector<double> c{0.0, 0.0, 0.0, -0.19887378220871652 * um, 0.16237976320958225 * um, -0.11481983169296153 * um};
+  // −1 D cylinder × 30 at the cornea: J0 = ½ cos 60° = 0.25, J45 = ½ sin 60° = 0.4330127, M = −0.5; the coefficients
+  // over 3 mm of diameter are those of case E05 of tests/reference/wave_psf.json.
+  const std::vector<double> c{
+      0.0, 0.0, 0.0, -0.19887378220871652 * um, 0.16237976320958225 * um, -0.11481983169296153 * um};
   const PowerMatrix f = ZernikeWave::from_examiner(c, 1.5 * mm).power(SecondOrder::LeastSquares);
   const Prescription rx = f.as_prescription();
   EXPECT_NEAR(rx.sphere_D, 0.0, 1e-12);
@@ -68,12 +70,15 @@ TEST(ZernikeWave, Axis30IsNotAxis150) {
   EXPECT_NEAR(f.xy(), -0.4330127018922193, 1e-12);  // the wearer's sign
   auto mirrored = c;
   mirrored[3] = -mirrored[3];
-  EXPECT_NEAR(ZernikeWave::from_examiner(mirrored, 1.5 * mm).power(SecondOrder::LeastSquares).as_prescription().axis_deg, 150.0, 1e-10);
+  EXPECT_NEAR(
+      ZernikeWave::from_examiner(mirrored, 1.5 * mm).power(SecondOrder::LeastSquares).as_prescription().axis_deg, 150.0,
+      1e-10);
 }
 
 TEST(ZernikeWave, ComaFollowsTheExaminersX) {
-  // Z(3,1) = √8 (3r³ − 2r) cos θ. In the middle its slope along the examiner's +x is −2√8 c/a, so W falls towards the wearer's left, and
-  // the ray −∇W there goes to the wearer's … examiner's +x is the wearer's −x: slope = (−2√8 c/a, 0) in the wearer frame.
+  // Z(3,1) = √8 (3r³ − 2r) cos θ. In the middle its slope along the examiner's +x is −2√8 c/a, so W falls towards the
+  // wearer's left, and the ray −∇W there goes to the wearer's … examiner's +x is the wearer's −x: slope = (−2√8 c/a, 0)
+  // in the wearer frame.
   const double c = 0.3 * um, a = 3 * mm;
   const auto wave = ZernikeWave::from_examiner(only(8, c), a);
   EXPECT_NEAR(wave.slope({0.0, 0.0}).x(), -5.656854249492381 * c / a, 1e-18);
@@ -103,14 +108,16 @@ TEST(ZernikeWave, RescalingIsTheLeastSquaresFitOverTheSmallerPupil) {
   const auto wave = ZernikeWave::from_examiner(some_coefficients(), 3 * mm);
   for (const double radius : {2.9 * mm, 2 * mm, 0.7 * mm}) {
     const auto small = wave.rescaled(radius);
-    // The least-squares coefficients over the disc are the projections ⟨W, Z_j⟩, by a quadrature that is exact for 7 + 7 orders.
+    // The least-squares coefficients over the disc are the projections ⟨W, Z_j⟩, by a quadrature that is exact for 7 +
+    // 7 orders.
     std::vector<double> fit(36, 0.0);
     for (const auto& node : testing::gauss_legendre_unit(12))
       for (int k = 0; k < 24; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 24, x = std::sqrt(node.x) * std::cos(angle),
                      y = std::sqrt(node.x) * std::sin(angle);
         for (int j = 0; j < 36; ++j)
-          fit[static_cast<std::size_t>(j)] += node.weight / 24 * wave.height({radius * x, radius * y}) * zernike_polynomial(j)(x, y);
+          fit[static_cast<std::size_t>(j)] +=
+              node.weight / 24 * wave.height({radius * x, radius * y}) * zernike_polynomial(j)(x, y);
       }
     for (std::size_t j = 0; j < 36; ++j) EXPECT_NEAR(small.coefficients()[j], fit[j], 1e-18) << "j = " << j;
   }
@@ -124,7 +131,8 @@ TEST(ZernikeWave, RaysOfASmallerPupilAreTheSameRays) {
 }
 
 TEST(ZernikeWave, SphericalAberrationSeparatesTheTwoPowers) {
-  // W = c√5 (6r⁴ − 6r² + 1): curvature −12√5 c/a² at the centre, so F = +12√5 c/a²; the nearest parabola over the whole pupil is flat.
+  // W = c√5 (6r⁴ − 6r² + 1): curvature −12√5 c/a² at the centre, so F = +12√5 c/a²; the nearest parabola over the whole
+  // pupil is flat.
   const double c = 0.2 * um, a = 3 * mm;
   const auto wave = ZernikeWave::from_examiner(only(12, c), a);
   EXPECT_NEAR(wave.power(SecondOrder::LeastSquares).spherical_equivalent(), 0.0, 1e-15);

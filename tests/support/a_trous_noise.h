@@ -9,8 +9,8 @@ namespace sturm::testing {
 
 inline constexpr double b3_taps[5] = {0.0625, 0.25, 0.375, 0.25, 0.0625};
 
-/// Squared norm of the kernel of some levels without edge stopping, in one dimension: (1, 4, 6, 4, 1)/16 with gaps of 1, 2, 4 … put one
-/// after the other. Its square is what is left of the variance: (70/256)² = 0.0748 after one level.
+/// Squared norm of the kernel of some levels without edge stopping, in one dimension: (1, 4, 6, 4, 1)/16 with gaps of
+/// 1, 2, 4 … put one after the other. Its square is what is left of the variance: (70/256)² = 0.0748 after one level.
 inline double squared_norm(int levels) {
   std::vector<double> kernel{1.0};
   for (int level = 0; level < levels; ++level) {
@@ -25,8 +25,8 @@ inline double squared_norm(int levels) {
   return sum;
 }
 
-/// Part of the variance that one level leaves of uniform noise where a tap that differs by d standard deviations counts `falloff`(d²) of its
-/// weight: the mean over draws of 25 taps.
+/// Part of the variance that one level leaves of uniform noise where a tap that differs by d standard deviations counts
+/// `falloff`(d²) of its weight: the mean over draws of 25 taps.
 template <class Falloff>
 double left_by_falloff(const Falloff& falloff, int draws = 50000) {
   std::mt19937_64 random(7);
@@ -46,8 +46,9 @@ double left_by_falloff(const Falloff& falloff, int draws = 50000) {
   return squares;
 }
 
-/// The same for the falloff exp(−d²/(2·width²)). Without limit on the taps the middle value x keeps x/(1 + width²) (a normal density times
-/// the weight has its mean there), which is what edge stopping adds to the norm of the kernel: 1/(1 + width²)².
+/// The same for the falloff exp(−d²/(2·width²)). Without limit on the taps the middle value x keeps x/(1 + width²) (a
+/// normal density times the weight has its mean there), which is what edge stopping adds to the norm of the kernel:
+/// 1/(1 + width²)².
 inline double left_with_edge_stopping(double width) {
   return left_by_falloff([width](double d2) { return std::exp(-d2 / (2.0 * width * width)); });
 }

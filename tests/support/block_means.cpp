@@ -1,7 +1,8 @@
 // Writes tests/reference/scene_plain/block_means.json from somebody else's renderings of that scene:
 //   block_means VARIANT SAMPLES SEED_A.exr SEED_B.exr [VARIANT SAMPLES SEED_A.exr SEED_B.exr ...] > block_means.json
-// A block is 16×16 pixels; its mean is summed in double and printed with nine digits, enough for a float. Blocks do not feel a blur that
-// is wrong by a fraction of a pixel, so the profile across the lamp's two horizontal edges, where it shows most, is kept row by row.
+// A block is 16×16 pixels; its mean is summed in double and printed with nine digits, enough for a float. Blocks do not
+// feel a blur that is wrong by a fraction of a pixel, so the profile across the lamp's two horizontal edges, where it
+// shows most, is kept row by row.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -17,13 +18,16 @@
 namespace {
 
 constexpr int block = 16;
-constexpr int lamp_x = 112, lamp_y = 24, lamp_width = 32, lamp_height = 24;  // the lamp covers rows 31…41 all along this rectangle
+constexpr int lamp_x = 112, lamp_y = 24, lamp_width = 32,
+              lamp_height = 24;  // the lamp covers rows 31…41 all along this rectangle
 
 struct Picture {
   int width, height;
   std::vector<float> channels[3];
 
-  double at(int x, int y, int k) const { return static_cast<double>(channels[k][static_cast<std::size_t>(y) * width + x]); }
+  double at(int x, int y, int k) const {
+    return static_cast<double>(channels[k][static_cast<std::size_t>(y) * width + x]);
+  }
 };
 
 Picture read(const char* path) {
@@ -33,12 +37,13 @@ Picture read(const char* path) {
   Imf::FrameBuffer frame;
   const char* names[] = {"R", "G", "B"};
   for (int k = 0; k < 3; ++k) {
-    if (!file.header().channels().findChannel(names[k])) throw std::runtime_error(std::string(path) + " has no channel " + names[k]);
+    if (!file.header().channels().findChannel(names[k]))
+      throw std::runtime_error(std::string(path) + " has no channel " + names[k]);
     std::vector<float>& channel = picture.channels[k];
     channel.resize(static_cast<std::size_t>(picture.width) * picture.height);
     const long first = window.min.x + static_cast<long>(window.min.y) * picture.width;
-    frame.insert(names[k],
-                 Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(channel.data() - first), sizeof(float), sizeof(float) * picture.width));
+    frame.insert(names[k], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(channel.data() - first), sizeof(float),
+                                      sizeof(float) * picture.width));
   }
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
@@ -70,7 +75,8 @@ std::vector<double> lamp_rows(const Picture& picture) {
 
 void print(const char* name, const std::vector<double>& values) {
   std::printf("\"%s\": [", name);
-  for (std::size_t i = 0; i < values.size(); ++i) std::printf("%s%.9g", i == 0 ? "" : i % 12 == 0 ? ",\n" : ", ", values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    std::printf("%s%.9g", i == 0 ? "" : i % 12 == 0 ? ",\n" : ", ", values[i]);
   std::printf("]");
 }
 
@@ -97,7 +103,8 @@ int main(int argc, char** argv) try {
 "variants": {)",
       lamp_x, lamp_y, lamp_width, lamp_height);
   for (int i = 1; i < argc; i += 4) {
-    std::printf("%s\n\"%s\": {\"samples_per_pixel_of_each_seed\": %d, \"seeds\": [\n", i > 1 ? "," : "", argv[i], std::atoi(argv[i + 1]));
+    std::printf("%s\n\"%s\": {\"samples_per_pixel_of_each_seed\": %d, \"seeds\": [\n", i > 1 ? "," : "", argv[i],
+                std::atoi(argv[i + 1]));
     print_seed(argv[i + 2]);
     std::printf(",\n");
     print_seed(argv[i + 3]);

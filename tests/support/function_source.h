@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "pathtrace/pixel_source.h"
-#include "pathtrace/sequence.h"
+#include "pathtrace/film/pixel_source.h"
+#include "pathtrace/sampling/sequence.h"
 
 namespace sturm::testing {
 
@@ -17,7 +17,8 @@ class FunctionSource : public PixelSource {
   int width() const override { return width_; }
   int height() const override { return height_; }
 
-  void add_samples(int x, int y, const SampleRange& range, const PixelRecords& records, RenderCounters& counters) const override {
+  void add_samples(int x, int y, const SampleRange& range, const PixelRecords& records,
+                   RenderCounters& counters) const override {
     const PixelSequence sequence(sequence_, seed_ + (std::uint64_t{1} << 54) * static_cast<std::uint64_t>(range.stream),
                                  static_cast<std::uint32_t>(y * width_ + x));
     for (std::uint32_t i = 0; i < range.count; ++i) {

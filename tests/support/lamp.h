@@ -1,11 +1,12 @@
 #pragma once
 #include <Eigen/Geometry>
 
-#include "pathtrace/scene_description.h"
+#include "pathtrace/scene/scene_description.h"
 
 namespace sturm::testing {
 
-/// A ball of triangles with normals outwards: an octahedron, each face divided into `steps`² triangles, corners on the sphere.
+/// A ball of triangles with normals outwards: an octahedron, each face divided into `steps`² triangles, corners on the
+/// sphere.
 inline Mesh round_lamp(const Eigen::Vector3f& center, float radius, int steps, int material) {
   Mesh mesh;
   mesh.name = "round lamp";
@@ -19,7 +20,8 @@ inline Mesh round_lamp(const Eigen::Vector3f& center, float radius, int steps, i
   };
   const auto n = static_cast<float>(steps);
   for (int octant = 0; octant < 8; ++octant) {
-    const Eigen::Vector3f x(octant & 1 ? -1.0f : 1.0f, 0, 0), y(0, octant & 2 ? -1.0f : 1.0f, 0), z(0, 0, octant & 4 ? -1.0f : 1.0f);
+    const Eigen::Vector3f x(octant & 1 ? -1.0f : 1.0f, 0, 0), y(0, octant & 2 ? -1.0f : 1.0f, 0),
+        z(0, 0, octant & 4 ? -1.0f : 1.0f);
     const bool turned = x.cross(y).dot(z) < 0.0f;
     const auto at = [&](int i, int j) {
       const auto a = static_cast<float>(i) / n, b = static_cast<float>(j) / n;

@@ -15,12 +15,13 @@ inline std::vector<Node> gauss_legendre_unit(int n) {
   for (int k = 1; k < n; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = k / std::sqrt(4.0 * k * k - 1.0);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobi);
   std::vector<Node> nodes;
-  for (int k = 0; k < n; ++k) nodes.push_back({0.5 * (1.0 + solver.eigenvalues()[k]), std::pow(solver.eigenvectors()(0, k), 2)});
+  for (int k = 0; k < n; ++k)
+    nodes.push_back({0.5 * (1.0 + solver.eigenvalues()[k]), std::pow(solver.eigenvectors()(0, k), 2)});
   return nodes;
 }
 
-/// Covariance of f(p) about its mean for p uniform over the disc of radius `radius`; exact for polynomials of degree < 2·radial in r²
-/// and trigonometric degree < azimuthal.
+/// Covariance of f(p) about its mean for p uniform over the disc of radius `radius`; exact for polynomials of degree <
+/// 2·radial in r² and trigonometric degree < azimuthal.
 template <class Function>
 Eigen::Matrix2d covariance_over_disc(double radius, int radial, int azimuthal, Function&& f) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -28,7 +29,8 @@ Eigen::Matrix2d covariance_over_disc(double radius, int radial, int azimuthal, F
   for (const Node& node : gauss_legendre_unit(radial)) {
     for (int k = 0; k < azimuthal; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / azimuthal, weight = node.weight / azimuthal;
-      const Eigen::Vector2d value = f(Eigen::Vector2d(radius * std::sqrt(node.x) * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+      const Eigen::Vector2d value =
+          f(Eigen::Vector2d(radius * std::sqrt(node.x) * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
       mean += weight * value;
       second += weight * value * value.transpose();
     }

@@ -3,8 +3,8 @@
 #include <numbers>
 #include <string>
 
-#include "pathtrace/camera.h"
-#include "pathtrace/scene_description.h"
+#include "pathtrace/cameras/camera.h"
+#include "pathtrace/scene/scene_description.h"
 #include "support/reference_file.h"
 
 namespace sturm::testing {

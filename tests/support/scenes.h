@@ -2,14 +2,15 @@
 #include <Eigen/Core>
 #include <initializer_list>
 
-#include "io/image.h"
-#include "pathtrace/camera.h"
-#include "pathtrace/scene_description.h"
+#include "io/images/image.h"
+#include "pathtrace/cameras/camera.h"
+#include "pathtrace/scene/scene_description.h"
 
 namespace sturm::testing {
 
 /// A parallelogram; its normal, from which it emits, is edge1 × edge2.
-inline Mesh parallelogram(const Eigen::Vector3f& corner, const Eigen::Vector3f& edge1, const Eigen::Vector3f& edge2, int material) {
+inline Mesh parallelogram(const Eigen::Vector3f& corner, const Eigen::Vector3f& edge1, const Eigen::Vector3f& edge2,
+                          int material) {
   Mesh mesh;
   mesh.name = "parallelogram";
   mesh.positions = {corner, corner + edge1, corner + edge1 + edge2, corner + edge2};
@@ -20,9 +21,11 @@ inline Mesh parallelogram(const Eigen::Vector3f& corner, const Eigen::Vector3f& 
 
 /// The six faces of the cube |x|, |y|, |z| ≤ half, normals inwards.
 inline std::vector<Mesh> room(float half, int material) {
-  const Eigen::Vector3f low(-half, -half, -half), high(half, half, half), x(2 * half, 0, 0), y(0, 2 * half, 0), z(0, 0, 2 * half);
-  return {parallelogram(low, x, y, material),    parallelogram(low, y, z, material),    parallelogram(low, z, x, material),
-          parallelogram(high, -y, -x, material), parallelogram(high, -z, -y, material), parallelogram(high, -x, -z, material)};
+  const Eigen::Vector3f low(-half, -half, -half), high(half, half, half), x(2 * half, 0, 0), y(0, 2 * half, 0),
+      z(0, 0, 2 * half);
+  return {parallelogram(low, x, y, material),    parallelogram(low, y, z, material),
+          parallelogram(low, z, x, material),    parallelogram(high, -y, -x, material),
+          parallelogram(high, -z, -y, material), parallelogram(high, -x, -z, material)};
 }
 
 inline Material lambertian(const Eigen::Vector3f& albedo, const Eigen::Vector3f& emission = Eigen::Vector3f::Zero()) {

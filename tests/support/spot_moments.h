@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "io/image.h"
+#include "io/images/image.h"
 #include "lensmodel/ellipse.h"
 
 namespace sturm::testing {
@@ -10,8 +10,8 @@ struct Rectangle {
   int x, y, width, height;  ///< [px]
 };
 
-/// Second moments of a spot on a background that is taken from the rectangle's own edge, two pixels wide. Pixels count by the mean of
-/// their channels. Frame: x right, y up; the variance of the pixel box is taken off.
+/// Second moments of a spot on a background that is taken from the rectangle's own edge, two pixels wide. Pixels count
+/// by the mean of their channels. Frame: x right, y up; the variance of the pixel box is taken off.
 struct SpotMoments {
   double sum;
   Eigen::Vector2d centroid_px;  ///< from the picture's upper left corner, y down

@@ -1,0 +1,17 @@
+#include "compare/findings/judged_report.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "compare/findings/gate_statistics.h"
+#include "compare/gates/gates.h"
+
+namespace sturm {
+
+Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline) {
+  std::optional<Statistics> before;
+  if (baseline && !baseline->is_null()) before = statistics_of(*baseline);
+  return evaluate_gates(gates, statistics_of(report), before ? &*before : nullptr);
+}
+
+}  // namespace sturm

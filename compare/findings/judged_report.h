@@ -1,0 +1,13 @@
+#pragma once
+#include <span>
+
+#include "io/json/json.h"
+#include "io/specs/experiment/gate_spec.h"
+
+namespace sturm {
+
+/// Evaluates gates on a stored report, against the stored report `baseline` (null: there is none). See
+/// compare/gates/gates.h.
+Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline);
+
+}  // namespace sturm

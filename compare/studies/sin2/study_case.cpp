@@ -1,0 +1,160 @@
+#include "compare/studies/sin2/study_case.h"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/files/formatted_text.h"
+#include "io/json/json_numbers.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr std::array quantity_names{"V1_D",
+                                    "V2_D",
+                                    "true_semi_major_arcmin",
+                                    "true_semi_minor_arcmin",
+                                    "semi_major_arcmin",
+                                    "semi_minor_arcmin",
+                                    "error_D",
+                                    "error_arcmin",
+                                    "error_percent",
+                                    "theory_deviation",
+                                    "closed_form_deviation",
+                                    "radial_deviation_D",
+                                    "difference_ratio",
+                                    "lost_variance_ratio",
+                                    "uniform_polar_rms",
+                                    "uniform_polar_weighted_rms",
+                                    "rings_rms",
+                                    "rays",
+                                    "rays_dropped",
+                                    "rays_negative_focus",
+                                    "repaired_deviation",
+                                    "mutant_repaired_as_sin2",
+                                    "mutant_wrong_coefficient",
+                                    "mutant_mirrored_axis",
+                                    "mutant_sin2_as_matrix"};
+static_assert(quantity_names.size() == quantity_count);
+
+std::string length_text(double metres) {
+  return std::isinf(metres) ? "inf" : plain_number(metres) + " m";
+}
+
+/// Nine digits: all that is to be read off so many lines; the report has the extremes in full.
+void append_number(std::string& csv, double value) {
+  char buffer[32];
+  csv.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 9).ptr);
+}
+
+/// What the checks on wrong inputs read is no finding about a case.
+constexpr std::size_t quantities_in_csv = static_cast<std::size_t>(Quantity::mutant_repaired_as_sin2);
+
+}  // namespace
+
+std::string name_of(StudyModel model) {
+  switch (model) {
+    case StudyModel::metalstigmatism:
+      return "metalstigmatism";
+    case StudyModel::sin2_radial:
+      return "sin2_radial";
+    default:
+      return "power_matrix";
+  }
+}
+
+const char* title_of(StudyModel model) {
+  switch (model) {
+    case StudyModel::metalstigmatism:
+      return "focal distances added, as printed";
+    case StudyModel::sin2_radial:
+      return "sin², vergences added";
+    default:
+      return "wavefront theory";
+  }
+}
+
+const char* name_of(Quantity quantity) {
+  return quantity_names[static_cast<std::size_t>(quantity)];
+}
+
+const char* name_of(StudyStatus status) {
+  switch (status) {
+    case StudyStatus::undefined:
+      return "undefined";
+    case StudyStatus::pole:
+      return "pole";
+    default:
+      return "ok";
+  }
+}
+
+double relative_deviation(const Eigen::Matrix2d& is, const Eigen::Matrix2d& should, double a) {
+  return (is - should).norm() / (should.norm() + 0.25 * a * a);
+}
+
+Json row_of(const StudyCase& c) {
+  Json row = {c.eye, c.distance, c.pupil, c.accommodation, static_cast<int>(c.model), static_cast<int>(c.status)};
+  for (const auto& value : c.values) row.push_back(number_or_null(value));
+  return row;
+}
+
+StudyCase case_of(const Json& row) {
+  StudyCase c;
+  c.eye = row.at(0);
+  c.distance = row.at(1);
+  c.pupil = row.at(2);
+  c.accommodation = row.at(3);
+  c.model = static_cast<StudyModel>(row.at(4).get<int>());
+  c.status = static_cast<StudyStatus>(row.at(5).get<int>());
+  constexpr std::size_t first_number = 6;
+  for (std::size_t i = 0; i < quantity_count; ++i)
+    if (const Json& value = row.at(first_number + i); value.is_number()) c.values[i] = value.get<double>();
+  return c;
+}
+
+std::string label_of(const Accommodation& accommodation) {
+  if (const auto* fixed = std::get_if<FixedAccommodation>(&accommodation))
+    return fixed->focus_distance_m > 0.0 ? "focus " + length_text(fixed->focus_distance_m)
+                                         : "accommodation " + plain_number(fixed->power_D) + " D";
+  if (const auto* best = std::get_if<BestAccommodation>(&accommodation))
+    return "best, up to " + plain_number(best->amplitude_D) + " D";
+  return "relaxed";
+}
+
+std::string label_of(const StudyCase& c, const Sin2StudySpec& spec) {
+  return spec.eyes.at(c.eye).id + "|" + length_text(spec.distances_m.at(c.distance)) + "|" +
+         plain_number(1e3 * spec.pupil_diameters_m.at(c.pupil)) + " mm|" +
+         label_of(spec.accommodations.at(c.accommodation)) + "|" + name_of(c.model);
+}
+
+std::string sin2_study_csv(const std::vector<StudyCase>& cases, const Sin2StudySpec& spec) {
+  std::string csv =
+      "eye,sphere_D,cylinder_D,axis_deg,vertex_distance_mm,distance_m,pupil_mm,accommodation,ray_model,status";
+  for (std::size_t i = 0; i < quantities_in_csv; ++i) csv.append(",").append(quantity_names[i]);
+  csv += "\r\n";
+  for (const StudyCase& c : cases) {
+    const StudyEye& eye = spec.eyes.at(c.eye);
+    csv += eye.id;
+    const double distance = spec.distances_m.at(c.distance);
+    for (const double value :
+         {eye.prescription.sphere_D, eye.prescription.cylinder_D, eye.prescription.axis_deg,
+          1e3 * eye.prescription.vertex_distance_m, distance, 1e3 * spec.pupil_diameters_m.at(c.pupil)}) {
+      csv += ',';
+      append_number(csv, value);
+    }
+    // The only label with a comma in it.
+    const std::string accommodation = label_of(spec.accommodations.at(c.accommodation));
+    csv += accommodation.find(',') == std::string::npos ? "," + accommodation : ",\"" + accommodation + "\"";
+    csv.append(",").append(name_of(c.model)).append(",").append(name_of(c.status));
+    for (std::size_t i = 0; i < quantities_in_csv; ++i) {
+      csv += ',';
+      if (c.values[i]) append_number(csv, *c.values[i]);
+    }
+    csv += "\r\n";
+  }
+  return csv;
+}
+
+}  // namespace sturm

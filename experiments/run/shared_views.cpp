@@ -1,0 +1,52 @@
+#include "experiments/run/shared_views.h"
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/run/scene_fingerprint.h"
+#include "pathtrace/plan/simplest_model.h"
+#include "stages/json_values.h"
+
+namespace sturm {
+
+SharedViews::SharedViews(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) : spec_(spec) {
+  if (!spec.share_views) return;
+  for (const SceneDescription& scene : scenes) fingerprints_.push_back(scene_fingerprint(scene));
+  for (std::size_t i = 0; i < spec.images.size(); ++i)
+    for (const std::string& model : spec.images[i].ray_models) ++views_[key(i, *ray_model_named(model))].requests;
+}
+
+/// All that the bits of a picture depend on within one experiment.
+std::string SharedViews::key(std::size_t index, RayModel model) const {
+  const ImageExperiment& image = spec_.images[index];
+  const CameraSpec& camera = image.camera;
+  const SimplestModel simplest = simplest_model(model, image.eye);
+  const RayModel used = simplest.claim == PlanClaim::same_bits ? simplest.model : model;
+  const PowerMatrix& power = image.eye.correction;
+  return Json{fingerprints_[index],
+              json_of(camera.position),
+              json_of(camera.look_at),
+              json_of(camera.up),
+              camera.vfov,
+              camera.width,
+              camera.height,
+              {power.xx(), power.xy(), power.yy(), image.eye.pupil_radius_m, image.eye.accommodation_for(0.0)},
+              number_or_null(image.eye.stated_focus_distance_m()),
+              name_of(used),
+              image.samples_per_pixel,
+              image.max_bounces,
+              image.guide_emitters,
+              image.replicates}
+      .dump();
+}
+
+std::shared_ptr<const SharedViews::View> SharedViews::get(std::size_t index, RayModel model,
+                                                          const std::function<View()>& make) {
+  if (!spec_.share_views) return std::make_shared<const View>(make());
+  Shared& shared = views_.at(key(index, model));
+  if (!shared.view) shared.view = std::make_shared<const View>(make());
+  std::shared_ptr<const View> view = shared.view;
+  if (--shared.requests == 0) shared.view.reset();
+  return view;
+}
+
+}  // namespace sturm

@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+
+#include "compare/studies/sin2/study_case.h"
+#include "stages/render_stage.h"
+
+namespace sturm {
+
+/// All cases of one group of eyes: traced rays of each model against wavefront theory (the conoid) and against the
+/// model's closed form. A list of rows (compare/studies/sin2/study_case.h). Eyes are traced in parallel; the result
+/// does not depend on the number of threads.
+Json sin2_study_rows(const Sin2StudySpec& spec, const StudyEyeGroup& group, const ProgressFunction& progress);
+
+/// Point-spread functions of one gallery view by wavefront theory, sin², sin² with the tangential term and added focal
+/// distances: their distances from the first, and their densities as EXR files in `folder`.
+Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
+                        const std::filesystem::path& folder);
+
+/// The study's checks again with inputs that are wrong on purpose; each must be noticed. From the finished section.
+Json sin2_study_mutants(const Json& section);
+
+/// What the study measured, in one sentence; null without numbers.
+Json sin2_study_sentence(const Json& section);
+
+}  // namespace sturm

@@ -1,0 +1,21 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace sturm {
+
+/// The user's input is wrong (exit status 2). The message names the file, the JSON pointer, the value and what was
+/// expected; parts that do not apply are left empty.
+class InputError : public std::runtime_error {
+ public:
+  InputError(const std::string& file, const std::string& pointer, const std::string& value,
+             const std::string& expected);
+};
+
+/// Something failed while the work was being done (exit status 3): an unwritable folder, a full disk, a broken module.
+class RuntimeFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace sturm

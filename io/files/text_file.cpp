@@ -1,0 +1,14 @@
+#include "io/files/text_file.h"
+
+#include <fstream>
+#include <iterator>
+
+namespace sturm {
+
+std::optional<std::string> file_contents(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+}  // namespace sturm

@@ -1,0 +1,108 @@
+#include "io/images/image_formats.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "io/files/error.h"
+#include "io/images/imageformats/abi.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr std::size_t max_pixels = std::size_t{1} << 28;
+
+/// The functions of the module. Never closed: OpenImageIO keeps threads and thread-local memory.
+struct Module {
+  decltype(&sturm_imageformats_read) read;
+  decltype(&sturm_imageformats_read_memory) read_memory;
+  decltype(&sturm_imageformats_encode_png) encode_png;
+  decltype(&sturm_imageformats_free) free;
+};
+
+Module open_module() {
+  std::error_code code;
+  const std::filesystem::path bin = std::filesystem::read_symlink("/proc/self/exe", code).parent_path();
+  std::string reasons;
+  // The same place relative to the program in the build tree and where it is installed.
+  for (const std::filesystem::path folder : {"../lib/sturm", STURM_MODULE_FOLDER}) {
+    const std::filesystem::path file = (bin / folder / "sturm_imageformats.so").lexically_normal();
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library) {
+      reasons += std::string("\n  ") + dlerror();
+      continue;
+    }
+    const Module module{
+        reinterpret_cast<decltype(Module::read)>(dlsym(library, "sturm_imageformats_read")),
+        reinterpret_cast<decltype(Module::read_memory)>(dlsym(library, "sturm_imageformats_read_memory")),
+        reinterpret_cast<decltype(Module::encode_png)>(dlsym(library, "sturm_imageformats_encode_png")),
+        reinterpret_cast<decltype(Module::free)>(dlsym(library, "sturm_imageformats_free"))};
+    if (!module.read || !module.read_memory || !module.encode_png || !module.free)
+      throw RuntimeFailure(file.string() + " is not the image format module of this program");
+    return module;
+  }
+  throw RuntimeFailure("the image format module (PNG, JPEG, textures) could not be loaded:" + reasons);
+}
+
+const Module& module() {
+  static const Module opened = open_module();
+  return opened;
+}
+
+/// What a function of the module decodes; `name` is for messages.
+template <class Read>
+Image decoded(const std::string& name, const Read& read) {
+  Image image;
+  float* pixels = nullptr;
+  std::array<char, 1024> error{};
+  if (read(image, &pixels, error.data(), error.size()))
+    throw InputError(name, "", error.data(), "an image that OpenImageIO reads");
+  const std::unique_ptr<float, decltype(Module::free)> owner(pixels, module().free);
+  image.pixels.assign(pixels, pixels + static_cast<std::size_t>(image.width) * image.height * image.channels);
+  return image;
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& path) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) throw InputError(path.string(), "", "no such file", "an image");
+  return decoded(path.string(), [&](Image& image, float** pixels, char* error, std::size_t error_size) {
+    return module().read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, pixels, error,
+                         error_size);
+  });
+}
+
+Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {
+  return decoded(name, [&](Image& image, float** pixels, char* error, std::size_t error_size) {
+    return module().read_memory(bytes.data(), bytes.size(), max_pixels, &image.width, &image.height, &image.channels,
+                                pixels, error, error_size);
+  });
+}
+
+std::vector<unsigned char> encode_png(const Image& display) {
+  if (display.width < 1 || display.height < 1 || (display.channels != 1 && display.channels != 3))
+    throw std::invalid_argument("a PNG is made of an image with 1 or 3 channels");
+  std::vector<unsigned char> rounded(display.pixels.size());
+  std::transform(display.pixels.begin(), display.pixels.end(), rounded.begin(), [](float value) {
+    if (!std::isfinite(value)) throw std::invalid_argument("a PNG cannot hold a value that is not finite");
+    return static_cast<unsigned char>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+  });
+  const Module& formats = module();
+  unsigned char* bytes = nullptr;
+  std::size_t size = 0;
+  std::array<char, 1024> error{};
+  if (formats.encode_png(rounded.data(), display.width, display.height, display.channels, &bytes, &size, error.data(),
+                         error.size()))
+    throw RuntimeFailure(std::string("PNG encoding failed: ") + error.data());
+  const std::unique_ptr<unsigned char, decltype(Module::free)> owner(bytes, formats.free);
+  return {bytes, bytes + size};
+}
+
+}  // namespace sturm

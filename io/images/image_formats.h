@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/images/image.h"
+
+namespace sturm {
+
+/// Reads an 8- or 16-bit image (PNG, JPEG, TGA, TIFF, …) with OpenImageIO, which is loaded on first use. Values as
+/// stored, 0…1: not decoded (see srgb_to_linear), alpha not multiplied in. Channels as in the file. Throws InputError
+/// for missing, broken or oversized (> 2^28 pixels) files, RuntimeFailure where the format module is not installed.
+Image read_image(const std::filesystem::path& path);
+
+/// The same of a file that stands in memory: a PNG or JPEG embedded in another file. `name` is for messages.
+Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name);
+
+/// 8-bit PNG of a display-referred image (0…1, 1 or 3 channels; values are clamped and rounded to nearest). Throws
+/// std::invalid_argument for other channel counts, empty images and non-finite values, RuntimeFailure if encoding
+/// fails.
+std::vector<unsigned char> encode_png(const Image& display);
+
+}  // namespace sturm

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+
+/// Plain C interface between the program and its image format module (OpenImageIO), which is opened only when a file
+/// needs it. Functions return 0, or 1 with a message in `error`; memory they hand out is given back by
+/// sturm_imageformats_free.
+extern "C" {
+
+/// Values as stored, 0…1 for integer formats; height × width × channels floats, row 0 at the top.
+int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels,
+                            float** pixels, char* error, std::size_t error_size);
+
+/// The same of a PNG or JPEG file of `size` bytes in memory.
+int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size, std::size_t max_pixels, int* width,
+                                   int* height, int* channels, float** pixels, char* error, std::size_t error_size);
+
+int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int height, int channels,
+                                  unsigned char** bytes, std::size_t* size, char* error, std::size_t error_size);
+
+void sturm_imageformats_free(void* memory);
+}

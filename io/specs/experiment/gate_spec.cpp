@@ -1,0 +1,84 @@
+#include "io/specs/experiment/gate_spec.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "io/json/json_numbers.h"
+#include "io/json/schema.h"
+
+namespace sturm {
+
+namespace {
+constexpr std::array<std::pair<Comparison, const char*>, 5> comparison_names = {{{Comparison::AtMost, "at_most"},
+                                                                                 {Comparison::AtLeast, "at_least"},
+                                                                                 {Comparison::Differs, "differs"},
+                                                                                 {Comparison::Baseline, "baseline"},
+                                                                                 {Comparison::MustFail, "must_fail"}}};
+
+Comparison comparison_of(const Json& name) {
+  for (const auto& [comparison, word] : comparison_names)
+    if (name == word) return comparison;
+  throw std::logic_error("the schema of gates allows a comparison that is not known");
+}
+std::optional<double> number_or_none(const Json& value) {
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+}  // namespace
+
+std::string to_string(Comparison comparison) {
+  for (const auto& [known, word] : comparison_names)
+    if (known == comparison) return word;
+  throw std::logic_error("comparison without a name");
+}
+
+Json calibration_json(const GateSpec& gate) {
+  if (!gate.calibration) return Json::object();
+  const auto& [level, tolerance, noise] = *gate.calibration;
+  return {{"level", number_or_null(level)},
+          {"tolerance", {{"value", tolerance.value}, {"reason", tolerance.reason}}},
+          {"noise", {{"standard_deviation", number_or_null(noise.standard_deviation)}, {"source", noise.source}}}};
+}
+
+std::optional<GateCalibration> read_calibration(const Json& gate) {
+  if (!gate.contains("level") || !gate.contains("tolerance") || !gate.contains("noise")) return std::nullopt;
+  const Json &tolerance = gate["tolerance"], &noise = gate["noise"];
+  return GateCalibration{number_or_none(gate["level"]),
+                         {tolerance["value"].get<double>(), tolerance["reason"].get<std::string>()},
+                         {number_or_none(noise["standard_deviation"]), noise["source"].get<std::string>()}};
+}
+
+void require_calibrated(const std::vector<GateSpec>& gates, const std::string& file) {
+  for (std::size_t i = 0; i < gates.size(); ++i)
+    if (!gates[i].calibration)
+      (Source{file, ""} / "gates" / i)
+          .fail(gates[i].id, "a gate with \"level\", \"tolerance\" and \"noise\": what its bound was calibrated on");
+}
+
+std::vector<GateSpec> read_gates(const Json& document, const std::string& file) {
+  validate(document, "gates", file);
+  std::vector<GateSpec> gates;
+  std::set<std::string> ids;
+  for (const Json& value : document["gates"]) {
+    GateSpec gate;
+    const Source where = Source{file, ""} / "gates" / gates.size();
+    gate.id = value["id"].get<std::string>();
+    if (!ids.insert(gate.id).second) (where / "id").fail(value["id"], "an id that no other gate has");
+    gate.title = value["title"].get<std::string>();
+    gate.statistic = value["statistic"].get<std::string>();
+    gate.comparison = comparison_of(value["comparison"]);
+    gate.bound = value["bound"].get<double>();
+    gate.unit = value.value("unit", "");
+    gate.reason = value["reason"].get<std::string>();
+    gate.calibration = read_calibration(value);
+    if (!gate.calibration && (value.contains("level") || value.contains("tolerance") || value.contains("noise")))
+      where.fail(gate.id, "\"level\", \"tolerance\" and \"noise\" together, or none of them");
+    if (gate.calibration && gate.calibration->noise.standard_deviation == 0.0 && gate.calibration->level != 0.0)
+      (where / "level").fail(value["level"], "0, as the statistic does not depend on chance");
+    gates.push_back(std::move(gate));
+  }
+  return gates;
+}
+
+}  // namespace sturm

@@ -1,0 +1,173 @@
+#include "io/specs/eye_spec.h"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/files/error.h"
+#include "io/json/named_file.h"
+#include "lensmodel/units.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double default_vertex_distance_mm = 12.0;
+constexpr double default_rotation_center_mm = 13.5;
+constexpr double largest_human_pupil_mm = 10.0;
+
+/// Throws unless exactly one of two members is there.
+void require_one_of(const Json& value, const char* a, const char* b, const Source& where) {
+  const std::string expected = "exactly one of \"" + std::string(a) + "\" and \"" + b + "\" for mode \"" +
+                               value["mode"].get<std::string>() + "\"";
+  if (value.contains(a) == value.contains(b)) where.fail(value, expected);
+}
+
+void require_absent(const Json& value, std::initializer_list<const char*> keys, const Source& where) {
+  for (const char* key : keys)
+    if (value.contains(key))
+      (where / key)
+          .fail(value[key], "no \"" + std::string(key) + "\" for mode \"" + value["mode"].get<std::string>() + "\"");
+}
+
+/// Coefficients [m] from j = 0 on, as given.
+std::vector<double> read_coefficients(const Json& value, const Source& where) {
+  constexpr std::size_t most = 231;  // order 20
+  std::vector<double> c;
+  if (value.is_array()) {
+    for (const Json& coefficient : value) c.push_back(metres_per_micrometre * coefficient.get<double>());
+    return c;
+  }
+  for (const auto& [key, coefficient] : value.items()) {
+    const std::size_t j = std::stoul(key);
+    if (j >= most) (where / key).fail(coefficient, "an index from 0 to 230");
+    c.resize(std::max(c.size(), j + 1), 0.0);
+    c[j] = metres_per_micrometre * coefficient.get<double>();
+  }
+  return c;
+}
+
+/// An eye with a measured wavefront; `rx` is its prescription, if it has one too.
+Eye read_wavefront_eye(const Json& value, const Source& where, const std::optional<Prescription>& rx, double pupil_mm,
+                       const Accommodation& accommodation) {
+  if (rx.has_value() != value.value("combine", false))
+    where.fail(value, rx ? "\"combine\": true where there is a prescription too" : "a prescription for \"combine\"");
+  const double wave_pupil_mm = value["pupil_diameter_mm"].get<double>();
+  if (pupil_mm > wave_pupil_mm)
+    (where / "pupil_diameter_mm")
+        .fail(value["pupil_diameter_mm"], "at least the eye's own " + Json(pupil_mm).dump() + " mm");
+  const SecondOrder rule =
+      value.value("second_order", "least_squares") == "paraxial" ? SecondOrder::Paraxial : SecondOrder::LeastSquares;
+  const ZernikeWave measured =
+      ZernikeWave::from_examiner(read_coefficients(value["coefficients_um"], where / "coefficients_um"),
+                                 0.5 * metres_per_millimetre * wave_pupil_mm);
+  return Eye::with(measured, rule, rx, metres_per_millimetre * pupil_mm, accommodation);
+}
+
+}  // namespace
+
+double read_distance(const Json& value, const Source& where) {
+  if (value.is_string() && value == "inf") return std::numeric_limits<double>::infinity();
+  if (!value.is_number() || !(value.get<double>() > 0.0)) where.fail(value, "a number > 0 or \"inf\" (distance [m])");
+  return value.get<double>();
+}
+
+Prescription read_prescription(const Json& value, const Source& where) {
+  Prescription rx;
+  rx.sphere_D = value.at("sphere_D").get<double>();
+  rx.cylinder_D = value.value("cylinder_D", 0.0);
+  if (rx.cylinder_D != 0.0 && !value.contains("axis_deg"))
+    throw InputError(where.file, where.pointer, "no \"axis_deg\"", "the AXIS of the cylinder [deg], from 0 to 180");
+  rx.axis_deg = value.value("axis_deg", rx.axis_deg);
+  rx.vertex_distance_m = metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm);
+  rx.prism_cm_per_m = value.value("prism_cm_per_m", 0.0);
+  rx.prism_base_deg = value.value("prism_base_deg", 0.0);
+  if (rx.prism_cm_per_m != 0.0 && !value.contains("prism_base_deg"))
+    throw InputError(where.file, where.pointer, "no \"prism_base_deg\"", "the base of the prism [deg], from 0 to 360");
+  try {
+    validate(rx);
+    power_at_cornea(rx);
+  } catch (const std::domain_error&) {
+    where.fail(value, "a vertex distance that is not a focal length of the lens");
+  } catch (const std::invalid_argument& error) {
+    where.fail(value, error.what());
+  }
+  return rx;
+}
+
+Accommodation read_accommodation(const Json& value, const Source& where) {
+  const std::string mode = value.at("mode").get<std::string>();
+  if (mode == "relaxed") {
+    require_absent(value, {"focus_distance_m", "power_D", "amplitude_D", "age_years"}, where);
+    return RelaxedAccommodation{};
+  }
+  if (mode == "fixed") {
+    require_absent(value, {"amplitude_D", "age_years"}, where);
+    require_one_of(value, "focus_distance_m", "power_D", where);
+    if (value.contains("power_D")) return FixedAccommodation{value["power_D"].get<double>(), 0.0};
+    const double distance_m = read_distance(value["focus_distance_m"], where / "focus_distance_m");
+    return FixedAccommodation{1.0 / distance_m, distance_m};
+  }
+  require_absent(value, {"focus_distance_m", "power_D"}, where);
+  require_one_of(value, "amplitude_D", "age_years", where);
+  if (value.contains("amplitude_D")) return BestAccommodation{value["amplitude_D"].get<double>()};
+  return BestAccommodation{hofstetter_amplitude(value["age_years"].get<double>())};
+}
+
+Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation, const Source& where) {
+  try {
+    return Eye::with(rx, pupil_diameter_m, accommodation);
+  } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
+    throw InputError(where.file, where.pointer, error.what(), "an eye that can be computed");
+  }
+}
+
+void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model,
+                                  const Source& where) {
+  if (std::holds_alternative<BestAccommodation>(accommodation))
+    throw InputError(where.file, where.pointer, "mode \"best\"",
+                     "\"relaxed\" or \"fixed\": in camera gaze one accommodation holds for all distances");
+  const auto* fixed = std::get_if<FixedAccommodation>(&accommodation);
+  if (ray_model == "metalstigmatism" && !(fixed && fixed->focus_distance_m > 0.0))
+    throw InputError(where.file, where.pointer, "no \"focus_distance_m\"",
+                     "mode \"fixed\" with a \"focus_distance_m\", which ray model metalstigmatism needs");
+}
+
+Json eye_object(const Json& value, const Source& where) {
+  return value.is_string() ? load_named_document(value, where, "eye") : value;
+}
+
+EyeSpec read_eye_spec(const Json& value, const Source& where) {
+  EyeSpec spec;
+  const Json object = eye_object(value, where);
+  Source place = where;
+  if (value.is_string()) {
+    place = {path_beside(value.get<std::string>(), where.file).string(), ""};
+    spec.input_files.push_back(place.file);
+  }
+  if (!object.contains("prescription") && !object.contains("wavefront"))
+    throw InputError(place.file, place.pointer, "no \"prescription\"", "a \"prescription\" or a \"wavefront\"");
+  std::optional<Prescription> rx;
+  if (object.contains("prescription")) rx = read_prescription(object["prescription"], place / "prescription");
+  Accommodation accommodation;
+  if (object.contains("accommodation"))
+    accommodation = read_accommodation(object["accommodation"], place / "accommodation");
+  const double pupil_mm = object.at("pupil_diameter_mm").get<double>();
+  spec.eye = object.contains("wavefront")
+                 ? read_wavefront_eye(object["wavefront"], place / "wavefront", rx, pupil_mm, accommodation)
+                 : make_eye(*rx, metres_per_millimetre * pupil_mm, accommodation, place);
+  spec.eye.rotation_center_m = metres_per_millimetre * object.value("rotation_center_mm", default_rotation_center_mm);
+  spec.eye.stiles_crawford_per_m2 =
+      object.value("stiles_crawford_per_mm2", 0.0) / (metres_per_millimetre * metres_per_millimetre);
+  if (pupil_mm > largest_human_pupil_mm)
+    spec.notes.push_back(place.file + ": " + place.pointer + "/pupil_diameter_mm is " +
+                         object["pupil_diameter_mm"].dump() + " mm, more than a human pupil's 10 mm");
+  return spec;
+}
+
+Eye read_eye(const Json& value, const Source& where) {
+  return read_eye_spec(value, where).eye;
+}
+
+}  // namespace sturm

@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "io/json/json.h"
+#include "lensmodel/eye.h"
+
+namespace sturm {
+
+/// An eye as a configuration gives it, and what is remarkable about it.
+struct EyeSpec {
+  Eye eye;
+  std::vector<std::string> notes;        ///< e.g. a pupil beyond 10 mm; for the manifest
+  std::vector<std::string> input_files;  ///< absolute path of the eye's own file, if it has one
+};
+
+/// Reads an eye object or the path of an eye file (relative to `where.file`). Throws InputError.
+EyeSpec read_eye_spec(const Json& value, const Source& where);
+
+/// The eye alone.
+Eye read_eye(const Json& value, const Source& where);
+
+/// Reads {"sphere_D", "cylinder_D", "axis_deg", "vertex_distance_mm"}; a cylinder needs an axis, the vertex distance is
+/// 12 mm by default and must not lie at the lens's focal length.
+Prescription read_prescription(const Json& value, const Source& where);
+
+/// Reads {"mode": "relaxed" | "fixed" | "best", …}.
+Accommodation read_accommodation(const Json& value, const Source& where);
+
+/// A distance [m]: a number > 0, or "inf".
+double read_distance(const Json& value, const Source& where);
+
+/// Eye::with, its errors turned into InputErrors about `where`.
+Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation, const Source& where);
+
+/// Throws InputError unless an eye can accommodate so in `camera` gaze, where one accommodation holds for all
+/// distances, and with the ray model, of which metalstigmatism needs a stated focus distance.
+void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model,
+                                  const Source& where);
+
+/// The contents of the eye file that `value` names, validated; `value` itself if it is an object.
+Json eye_object(const Json& value, const Source& where);
+
+}  // namespace sturm

@@ -1,0 +1,214 @@
+#include "io/specs/spectacles_spec.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/files/error.h"
+#include "io/json/named_file.h"
+#include "io/specs/eye_spec.h"
+#include "io/specs/progressive_spec.h"
+#include "io/specs/sag_grid.h"
+#include "lensmodel/progressive.h"
+#include "lensmodel/single_vision.h"
+#include "lensmodel/units.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double default_vertex_distance_mm = 12.0;
+constexpr double default_diameter_mm = 70.0;
+constexpr double smallest_radius_mm = 1.0;
+
+[[noreturn]] void missing(const char* key, const Source& where, const std::string& expected) {
+  throw InputError(where.file, where.pointer, "no \"" + std::string(key) + "\"", expected);
+}
+
+double required(const Json& value, const char* key, const Source& where, const char* expected) {
+  if (!value.contains(key)) missing(key, where, expected);
+  return value[key].get<double>();
+}
+
+/// 1/R [1/m] of a radius [mm]; null is flat.
+double read_curvature(const Json& surface, const char* key, const Source& where) {
+  if (!surface.contains(key))
+    missing(key, where,
+            "\"" + std::string(key) + "\" for a " + surface["type"].get<std::string>() +
+                ": a radius [mm], or null where it is flat");
+  const Json& radius = surface[key];
+  if (radius.is_null()) return 0.0;
+  if (!(std::abs(radius.get<double>()) >= smallest_radius_mm))
+    (where / key)
+        .fail(radius,
+              "a radius of at least " + Json(smallest_radius_mm).dump() + " mm either way, or null for a flat surface");
+  return 1.0 / (metres_per_millimetre * radius.get<double>());
+}
+
+Surface read_named_grid(const Json& value, const Source& where, const char* side, double rim_radius,
+                        SpectaclesSpec& spec) {
+  if (!value.contains("file"))
+    missing("file", where, "\"file\" for a sag_grid: the path of a table of x_mm, y_mm, z_mm");
+  const std::string file =
+      existing_file(value["file"], where / "file", "the path of a table of x_mm, y_mm, z_mm").string();
+  std::optional<double> knot_spacing;
+  if (value.contains("knot_spacing_mm")) knot_spacing = metres_per_millimetre * value["knot_spacing_mm"].get<double>();
+  const SagGrid grid = read_sag_grid(file, knot_spacing, rim_radius);
+  spec.input_files.push_back(file);
+  spec.fits.push_back({side, grid.surface.grid().spacing, grid.residual, std::nullopt});
+  return grid.surface;
+}
+
+Surface read_surface(const Json& value, const Source& where, const char* side, double rim_radius,
+                     SpectaclesSpec& spec) {
+  const std::string type = value["type"].get<std::string>();
+  const auto refuse = [&](std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (value.contains(key)) (where / key).fail(value[key], "no \"" + std::string(key) + "\" for a " + type);
+  };
+  if (type == "sag_grid") {
+    refuse({"radius_mm", "conic_constant", "sweep_radius_mm", "generator_radius_mm", "sweep_meridian_deg"});
+    return read_named_grid(value, where, side, rim_radius, spec);
+  }
+  refuse({"file", "knot_spacing_mm"});
+  if (type == "torus") {
+    refuse({"radius_mm", "conic_constant"});
+    return TorusSurface(read_curvature(value, "sweep_radius_mm", where),
+                        read_curvature(value, "generator_radius_mm", where),
+                        required(value, "sweep_meridian_deg", where,
+                                 "\"sweep_meridian_deg\" for a torus: the meridian of the sweep in TABO degrees"));
+  }
+  refuse({"sweep_radius_mm", "generator_radius_mm", "sweep_meridian_deg"});
+  const double curvature = read_curvature(value, "radius_mm", where);
+  if (type == "conic") return ConicSurface{curvature, value.value("conic_constant", 0.0)};
+  refuse({"conic_constant"});
+  return SphereSurface{curvature};
+}
+
+double vertex_distance(const Json& value) {
+  return metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm);
+}
+double diameter(const Json& value) {
+  return metres_per_millimetre * value.value("diameter_mm", default_diameter_mm);
+}
+
+/// How the lens stands before the eye; straight if nothing is said.
+Mounting read_mounting(const Json& value) {
+  const auto stated = value.find("mounting");
+  if (stated == value.end()) return {};
+  const Json decentration = stated->value("decentration_mm", Json::array({0.0, 0.0}));
+  return {metres_per_millimetre * Eigen::Vector2d(decentration[0].get<double>(), decentration[1].get<double>()),
+          radians_per_degree * stated->value("pantoscopic_tilt_deg", 0.0),
+          radians_per_degree * stated->value("wrap_deg", 0.0)};
+}
+
+/// Stated, or that of the named material.
+double read_index(const Json& value, const Source& where, SpectaclesSpec& spec) {
+  const auto named = value.find("material");
+  if (named == value.end())
+    return required(value, "refractive_index", where, "\"refractive_index\": a number from 1 to 4, or \"material\"");
+  if (value.contains("refractive_index"))
+    (where / "refractive_index").fail(value["refractive_index"], "no \"refractive_index\" beside \"material\"");
+  spec.material = lens_material(named->get<std::string>());  // the schema lists the same names
+  if (!spec.material) (where / "material").fail(*named, "a known material");
+  return spec.material->refractive_index;
+}
+
+Spectacles read_two_surfaces(const Json& value, const Source& where, SpectaclesSpec& spec) {
+  for (const char* side : {"front", "back"})
+    if (!value.contains(side)) missing(side, where, "\"front\" and \"back\", or \"single_vision\", or \"progressive\"");
+  Spectacles lens;
+  const double rim_radius = 0.5 * diameter(value);
+  lens.front = read_surface(value["front"], where / "front", "front", rim_radius, spec);
+  lens.back = read_surface(value["back"], where / "back", "back", rim_radius, spec);
+  lens.center_thickness_m =
+      metres_per_millimetre *
+      required(value, "center_thickness_mm", where, "\"center_thickness_mm\": the lens's thickness at its centre [mm]");
+  lens.refractive_index = read_index(value, where, spec);
+  lens.vertex_distance_m = vertex_distance(value);
+  lens.diameter_m = diameter(value);
+  lens.mounting = read_mounting(value);
+  return lens;
+}
+
+/// The back vertex power: stated, or what the eye needs where the lens is worn.
+Prescription lens_power(const Json& value, const Source& where, const Eye& eye, double vertex_distance_m) {
+  if (const auto stated = value.find("prescription"); stated != value.end()) {
+    Prescription rx = read_prescription(*stated, where / "prescription");
+    rx.vertex_distance_m = vertex_distance_m;
+    return rx;
+  }
+  if (eye.prescription.vertex_distance_m == vertex_distance_m) return eye.prescription;
+  Prescription moved = eye.correction.moved_towards_eye(-vertex_distance_m).as_prescription();
+  moved.prism_cm_per_m = eye.prescription.prism_cm_per_m;
+  moved.prism_base_deg = eye.prescription.prism_base_deg;
+  return moved;
+}
+
+/// What single-vision and progressive lenses have in common.
+SingleVisionDesign read_design(const Json& value, const Source& where, SpectaclesSpec& spec) {
+  SingleVisionDesign design;
+  if (value.contains("base_curve_D")) design.base_curve_D = value["base_curve_D"].get<double>();
+  design.center_thickness_m = metres_per_millimetre * value["center_thickness_mm"].get<double>();
+  design.refractive_index = read_index(value, where, spec);
+  design.vertex_distance_m = vertex_distance(value);
+  design.diameter_m = diameter(value);
+  design.mounting = read_mounting(value);
+  return design;
+}
+
+Spectacles read_progressive(const Json& value, const Source& where, const Prescription& rx,
+                            const SingleVisionDesign& lens, SpectaclesSpec& spec) {
+  const ProgressiveLens made = progressive_lens(rx, read_progressive_design(value, where, lens));
+  spec.fits.push_back({"front", Eigen::Vector2d::Constant(made.knot_spacing_m), std::nullopt, made.power_residual});
+  return made.lens;
+}
+
+/// A lens by its maker, "single_vision" or "progressive".
+Spectacles read_made(const std::string& maker, const Json& value, const Source& where, const Eye& eye,
+                     SpectaclesSpec& spec) {
+  const SingleVisionDesign design = read_design(value, where, spec);
+  const Prescription rx = lens_power(value, where, eye, design.vertex_distance_m);
+  spec.made_for = rx;
+  try {
+    return maker == "progressive" ? read_progressive(value, where, rx, design, spec) : single_vision(rx, design);
+  } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
+    throw InputError(where.file, where.pointer, error.what(), "a lens that can be made");
+  }
+}
+
+}  // namespace
+
+SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye& eye) {
+  SpectaclesSpec spec;
+  if (value.is_null()) return spec;
+  if (value.is_string()) {
+    const Source file{path_beside(value.get<std::string>(), where.file).string(), ""};
+    spec = read_spectacles(load_named_document(value, where, "spectacles"), file, eye);
+    spec.input_files.insert(spec.input_files.begin(), file.file);
+    return spec;
+  }
+  const std::string maker = value.contains("progressive") ? "progressive" : "single_vision";
+  if (!value.contains(maker)) {
+    spec.lens = read_two_surfaces(value, where, spec);
+    return spec;
+  }
+  for (const auto& [key, member] : value.items())
+    if (key != maker && key != "format" && key != "$schema")
+      (where / key).fail(member, "no \"" + key + "\" beside \"" + maker + "\": it belongs inside");
+  spec.lens = read_made(maker, value[maker], where / maker, eye, spec);
+  return spec;
+}
+
+SpectaclesSpec read_lens_alone(const Json& value, const Source& where) {
+  if (value.is_null()) where.fail(value, "a lens");
+  const bool named = value.is_string();
+  const Json lens = named ? load_named_document(value, where, "spectacles") : value;
+  const Source place = named ? Source{path_beside(value.get<std::string>(), where.file).string(), ""} : where;
+  for (const char* maker : {"single_vision", "progressive"})
+    if (const auto made = lens.find(maker); made != lens.end() && !made->contains("prescription"))
+      missing("prescription", place / maker, "\"prescription\": there is no eye here to take it from");
+  return read_spectacles(value, where, Eye{});
+}
+
+}  // namespace sturm

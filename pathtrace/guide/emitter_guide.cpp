@@ -1,0 +1,95 @@
+#include "pathtrace/guide/emitter_guide.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <numbers>
+
+namespace sturm {
+
+namespace {
+
+/// The bounding sphere and a little more: rays are not parallel to the line of sight, so they meet the sphere up to
+/// 1/cos of the angle off the centre. What lies outside all the same is left to plain sampling.
+constexpr float margin = 1.5f;
+
+/// More than what single precision loses in a distance across the line of sight.
+constexpr float rounding = 1.0f + 1e-4f;
+
+}  // namespace
+
+EmitterGuide::EmitterGuide(const EmitterClusters& clusters, const EyeCamera& camera, float largest_share)
+    : camera_(camera), radius_(camera.rays().pupil_radius()), lens_of_cluster_(clusters.clusters().size(), -1) {
+  const float pupil_area = std::numbers::pi_v<float> * radius_ * radius_;
+  if (!(pupil_area > 0.0f) || camera.rays().model() == RayModel::metalstigmatism) return;
+  for (std::size_t k = 0; k < clusters.clusters().size(); ++k) {
+    const EmitterCluster& cluster = clusters.clusters()[k];
+    const Eigen::Vector3f local = camera.in_eye_frame(cluster.center);
+    if (!(local.z() > 2.0f * cluster.radius) || !(cluster.luminance > 0.0f)) continue;  // behind the eye, or around it
+    const Eigen::Matrix2f x = Eigen::Matrix2f::Identity() + local.z() * camera.rays().slope_matrix();
+    const Eigen::JacobiSVD<Eigen::Matrix2f> svd(x, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Lens lens{static_cast<int>(k),
+              local.head<2>(),
+              local.z(),
+              margin * cluster.radius,
+              0.0f,
+              cluster.luminance,
+              svd.matrixU().col(0),
+              svd.matrixU().col(1),
+              svd.matrixV().col(0),
+              svd.matrixV().col(1),
+              svd.singularValues()};
+    lens.farthest = rounding * (lens.sigma.norm() * radius_ + std::numbers::sqrt2_v<float> * lens.reach);
+    // Seen from straight behind it.
+    const PupilRectangle seen = rectangle(lens, lens.lateral.x() / lens.distance, lens.lateral.y() / lens.distance);
+    if (!(seen.area() < largest_share * pupil_area)) continue;
+    lens_of_cluster_[k] = static_cast<int>(lenses_.size());
+    lenses_.push_back(lens);
+  }
+}
+
+PupilRectangle EmitterGuide::rectangle(const Lens& lens, float qx, float qy, float widening) const {
+  const Eigen::Vector2f offset = lens.lateral - lens.distance * Eigen::Vector2f(qx, qy);
+  return PupilRectangle::that_reaches({lens.u1.dot(offset), lens.u2.dot(offset)}, lens.sigma, lens.reach + widening,
+                                      radius_);
+}
+
+void EmitterGuide::find_targets(int x, int y, std::vector<GuidedTarget>& targets) const {
+  targets.clear();
+  const float qx = camera_.slope_x(static_cast<float>(x) + 0.5f), qy = camera_.slope_y(static_cast<float>(y) + 0.5f);
+  const float diagonal = std::numbers::sqrt2_v<float> * (camera_.slope_x(1.0f) - camera_.slope_x(0.0f));
+  float sum = 0.0f;
+  for (const Lens& lens : lenses_) {
+    const float dx = lens.lateral.x() - lens.distance * qx, dy = lens.lateral.y() - lens.distance * qy;
+    const float farthest = lens.farthest + lens.distance * diagonal;
+    if (dx * dx + dy * dy > farthest * farthest) continue;  // most are not even near
+    const PupilRectangle r = rectangle(lens, qx, qy, 0.5f * lens.distance * diagonal);
+    if (!(r.area() > 0.0f) || !r.meets_disc(radius_)) continue;
+    const float expected = lens.luminance * r.area();
+    targets.push_back({lens.cluster, expected});
+    sum += expected;
+  }
+  for (GuidedTarget& target : targets) target.probability /= sum;
+}
+
+EmitterGuide::Proposal EmitterGuide::propose(int cluster, float qx, float qy, float u, float v) const {
+  const Lens& lens = lens_of(cluster);
+  const PupilRectangle r = rectangle(lens, qx, qy);
+  const float area = r.area();
+  if (!(area > 0.0f)) return {0.0f, 0.0f, 0.0f};
+  const Eigen::Vector2f t = r.point(u, v), p = t.x() * lens.v1 + t.y() * lens.v2;
+  if (p.squaredNorm() > radius_ * radius_) return {0.0f, 0.0f, 0.0f};
+  return {p.x(), p.y(), 1.0f / area};
+}
+
+float EmitterGuide::pdf(int cluster, float qx, float qy, float px, float py) const {
+  const int index = lens_of_cluster_[static_cast<std::size_t>(cluster)];
+  if (index < 0) return 0.0f;
+  const Lens& lens = lenses_[static_cast<std::size_t>(index)];
+  const PupilRectangle r = rectangle(lens, qx, qy);
+  const Eigen::Vector2f p(px, py), t(lens.v1.dot(p), lens.v2.dot(p));
+  if (!r.contains(t)) return 0.0f;
+  const float area = r.area();
+  return area > 0.0f ? 1.0f / area : 0.0f;
+}
+
+}  // namespace sturm

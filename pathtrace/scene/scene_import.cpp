@@ -1,0 +1,202 @@
+#include "pathtrace/scene/scene_import.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/images/image_formats.h"
+#include "io/json/suggest.h"
+#include "pathtrace/materials/fresnel.h"
+#include "pathtrace/materials/named_metals.h"
+#include "pathtrace/scene/assimp_import.h"
+
+namespace sturm {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T>&& from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+Conductor conductor(const ConductorSpec& spec) {
+  Conductor c;
+  c.roughness = static_cast<float>(spec.roughness);
+  if (!spec.metal) {
+    c.eta = spec.eta.cast<float>();
+    c.kappa = spec.kappa.cast<float>();
+    return c;
+  }
+  const auto metal = std::find_if(named_metals.begin(), named_metals.end(),
+                                  [&](const NamedMetal& m) { return m.name == *spec.metal; });
+  if (metal == named_metals.end()) throw InputError("", "metal", *spec.metal, "gold, copper, silver or aluminium");
+  c.eta = Eigen::Vector3f(metal->eta.data());
+  c.kappa = Eigen::Vector3f(metal->kappa.data());
+  return c;
+}
+
+struct SurfaceBuilder {
+  SurfaceModel operator()(const DiffuseSpec&) const { return Diffuse{}; }
+  SurfaceModel operator()(const ConductorSpec& s) const { return conductor(s); }
+  SurfaceModel operator()(const DielectricSpec& s) const {
+    return Dielectric{static_cast<float>(s.index), static_cast<float>(s.roughness)};
+  }
+  SurfaceModel operator()(const PlasticSpec& s) const {
+    return Plastic(static_cast<float>(s.index), static_cast<float>(s.roughness));
+  }
+  SurfaceModel operator()(const SeedDiffuseSpec&) const { return SeedDiffuse{}; }
+  SurfaceModel operator()(const SeedMetalSpec& s) const { return SeedMetal{static_cast<float>(s.alpha)}; }
+  SurfaceModel operator()(const SeedDielectricSpec& s) const { return SeedDielectric{static_cast<float>(s.index)}; }
+};
+
+Material build_material(const MaterialSpec& spec) {
+  Material material;
+  material.name = spec.name;
+  material.albedo = spec.albedo.cast<float>();
+  material.emission = spec.emission.cast<float>();
+  material.surface = std::visit(SurfaceBuilder{}, spec.surface);
+  // The albedo layer shows a metal by its colour seen straight on.
+  if (const auto* metal = std::get_if<Conductor>(&material.surface))
+    material.albedo = fresnel_conductor(1.0f, metal->eta, metal->kappa);
+  return material;
+}
+
+/// The picture of an environment as three finite channels ≥ 0.
+std::shared_ptr<const Image> read_environment_picture(const std::filesystem::path& file) {
+  constexpr std::size_t most_pixels = std::size_t{1} << 25;  // 8192 × 4096
+  Image stored;
+  if (file.extension() == ".exr") {
+    LayeredImage layers = read_exr(file);
+    if (!layers.layers.contains(""))
+      throw InputError(file.string(), "", "no channels R, G and B", "a picture in colour");
+    stored = std::move(layers.layers.at(""));
+  } else {
+    stored = read_image(file);
+  }
+  if (stored.channels < 3)
+    throw InputError(file.string(), "", std::to_string(stored.channels) + " channels", "a picture in colour");
+  if (static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height) > most_pixels)
+    throw InputError(file.string(), "",
+                     std::to_string(stored.width) + " x " + std::to_string(stored.height) + " pixels",
+                     "at most 2^25 pixels (8192 x 4096)");
+  auto rgb = std::make_shared<Image>(stored.width, stored.height, 3);
+  for (int y = 0; y < stored.height; ++y)
+    for (int x = 0; x < stored.width; ++x)
+      for (int k = 0; k < 3; ++k) {
+        const float value = stored.at(x, y)[k];
+        if (!(value >= 0.0f && std::isfinite(value)))
+          throw InputError(file.string(), "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")",
+                           std::to_string(value), "finite radiances of at least 0");
+        rgb->at(x, y)[k] = value;
+      }
+  return rgb;
+}
+
+void apply_overrides(SceneDescription& model, const ModelSpec& spec) {
+  for (const MaterialOverride& change : spec.overrides) {
+    std::vector<std::string> names;
+    bool found = false;
+    for (std::vector<Mesh>* meshes : {&model.meshes, &model.prototypes})
+      for (Mesh& mesh : *meshes) {
+        if (std::find(names.begin(), names.end(), mesh.name) == names.end()) names.push_back(mesh.name);
+        if (mesh.name != change.mesh) continue;
+        found = true;
+        mesh.material = static_cast<int>(model.materials.size());
+      }
+    if (!found)
+      throw InputError(spec.file.string(), "overrides", "\"" + change.mesh + "\"" + did_you_mean(change.mesh, names),
+                       one_of(names) + " (meshes of this model)");
+    model.materials.push_back(build_material(change.material));
+  }
+}
+
+/// Turns the model about +y and moves it to its place.
+void place(SceneDescription& model, const ModelSpec& spec) {
+  if (spec.turn == 0.0 && spec.position.isZero()) return;
+  const Eigen::Matrix3f turn = Eigen::AngleAxisd(spec.turn, Eigen::Vector3d::UnitY()).toRotationMatrix().cast<float>();
+  const Eigen::Vector3f position = spec.position.cast<float>();
+  for (Mesh& mesh : model.meshes) {
+    for (Eigen::Vector3f& p : mesh.positions) p = turn * p + position;
+    for (Eigen::Vector3f& n : mesh.normals) n = turn * n;
+  }
+  for (Instance& instance : model.instances) {
+    instance.world_from_prototype = (turn * instance.world_from_prototype).eval();
+    instance.world_from_prototype.col(3) += position;
+  }
+}
+
+/// Lights must know where they are: instances of emitters become meshes in place.
+void place_emitters(SceneDescription& model) {
+  std::erase_if(model.instances, [&](const Instance& instance) {
+    const Mesh& prototype = model.prototypes[static_cast<std::size_t>(instance.prototype)];
+    if (!(model.materials[static_cast<std::size_t>(prototype.material)].emission.maxCoeff() > 0.0f)) return false;
+    Mesh mesh = prototype;
+    const Eigen::Matrix3f turn = instance.world_from_prototype.leftCols<3>();
+    for (Eigen::Vector3f& p : mesh.positions) p = turn * p + instance.world_from_prototype.col(3);
+    for (Eigen::Vector3f& n : mesh.normals) n = (turn.inverse().transpose() * n).normalized();
+    if (turn.determinant() < 0.0f)
+      for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    model.meshes.push_back(std::move(mesh));
+    return true;
+  });
+  std::vector<int> kept(model.prototypes.size(), -1);
+  std::vector<Mesh> prototypes;
+  for (Instance& instance : model.instances) {
+    int& number = kept[static_cast<std::size_t>(instance.prototype)];
+    if (number < 0) {
+      number = static_cast<int>(prototypes.size());
+      prototypes.push_back(std::move(model.prototypes[static_cast<std::size_t>(instance.prototype)]));
+    }
+    instance.prototype = number;
+  }
+  model.prototypes = std::move(prototypes);
+}
+
+void append_model(SceneDescription& scene, SceneDescription&& model) {
+  const int first_material = static_cast<int>(scene.materials.size());
+  for (Mesh& mesh : model.meshes) mesh.material += first_material;
+  for (Mesh& mesh : model.prototypes) mesh.material += first_material;
+  for (Instance& instance : model.instances) instance.prototype += static_cast<int>(scene.prototypes.size());
+  append(scene.materials, std::move(model.materials));
+  append(scene.meshes, std::move(model.meshes));
+  append(scene.prototypes, std::move(model.prototypes));
+  append(scene.instances, std::move(model.instances));
+  append(scene.notes, std::move(model.notes));
+}
+
+}  // namespace
+
+SceneDescription build_scene(const SceneSpec& spec) {
+  SceneDescription scene;
+  for (const MaterialSpec& m : spec.materials) scene.materials.push_back(build_material(m));
+  for (const MeshSpec& m : spec.meshes) {
+    Mesh mesh;
+    mesh.name = m.name;
+    mesh.material = m.material;
+    mesh.triangles = m.triangles;
+    for (const Eigen::Vector3d& p : m.positions) mesh.positions.push_back(p.cast<float>());
+    scene.meshes.push_back(std::move(mesh));
+  }
+  for (const SphereSpec& s : spec.spheres)
+    scene.spheres.push_back({s.center.cast<float>(), static_cast<float>(s.radius), s.material});
+  for (const PointLightSpec& l : spec.lights)
+    scene.lights.push_back({l.position.cast<float>(), l.intensity.cast<float>()});
+  for (const ModelSpec& spec_of_model : spec.models) {
+    SceneDescription model = import_model(spec_of_model);
+    apply_overrides(model, spec_of_model);
+    place(model, spec_of_model);
+    place_emitters(model);
+    append_model(scene, std::move(model));
+  }
+  if (spec.environment)
+    scene.environment =
+        Environment{spec.environment->radiance.cast<float>(),
+                    spec.environment->file ? read_environment_picture(*spec.environment->file) : nullptr,
+                    static_cast<float>(spec.environment->rotation)};
+  return scene;
+}
+
+}  // namespace sturm

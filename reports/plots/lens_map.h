@@ -1,0 +1,37 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace sturm {
+
+/// A quantity over a lens, as the wearer looks through it. Coordinates: mm on the lens about its back vertex, x to the
+/// wearer's right, y up.
+struct LensMap {
+  std::string title;       ///< plain text; \\n (two characters) begins a new line
+  std::string unit = "D";  ///< of the values
+  double rim_radius_mm = 0.0;
+  Eigen::Vector2d fitting_cross_mm =
+      Eigen::Vector2d::Zero();  ///< where the line of sight of primary gaze meets the lens
+  Eigen::MatrixXd values;  ///< square, (row, column) = (y, x) from −rim to +rim in equal steps; not finite = no value
+  bool signed_scale = true;                     ///< blue – white – red about 0, or light to dark from 0
+  double contour_step = 0.25;                   ///< > 0; every fourth line is thick
+  std::optional<Eigen::MatrixXd> limit_values;  ///< a second quantity on the same places …
+  double limit = 0.0;                           ///< … whose contour at this value is drawn as a heavy line
+};
+
+/// gnuplot's commands for maps side by side (no terminal, no output).
+std::string lens_map_script(std::span<const LensMap> maps);
+
+/// The maps as an <svg> element for an HTML page (reports/plots/gnuplot.h). `id`: unique on the page.
+std::string lens_map_svg(std::span<const LensMap> maps, const std::string& id);
+inline std::string lens_map_svg(const LensMap& map, const std::string& id) {
+  return lens_map_svg(std::span(&map, 1), id);
+}
+
+/// The same as a file of its own: SVG, or PNG.
+std::string lens_map_svg_file(std::span<const LensMap> maps);
+std::string lens_map_png_file(std::span<const LensMap> maps);
+
+}  // namespace sturm

@@ -1,0 +1,217 @@
+#include "reports/sections/bench/bench_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "compare/studies/bench/measured_view.h"
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
+#include "reports/plots/gnuplot.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr const char* colours[] = {"#2166ac", "#b2182b", "#238b45", "#d94801",
+                                   "#54278f", "#b8860b", "#636363", "#0097a7"};
+
+constexpr const char* style = R"(
+set border 3 lc rgb '#666666'
+set tics nomirror out
+set grid lc rgb '#e4e4e4' lw 1 lt 1
+set logscale xy
+set format "%g"
+set key outside right top Left reverse samplen 2 spacing 1.2 noenhanced
+)";
+
+/// Range of an axis a little wider than the values, with ticks at 1, 2, 5 × 10ⁿ (at the powers of ten alone over more
+/// than three decades).
+std::string axis(char name, double smallest, double largest) {
+  const double low = 0.8 * smallest, high = 1.25 * largest;
+  std::string ticks;
+  for (int decade = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, decade) <= high; ++decade)
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double tick = digit * std::pow(10.0, decade);
+      if (tick < low || tick > high || (digit > 1.0 && high > 1e3 * low)) continue;
+      ticks += (ticks.empty() ? "" : ", ") + plain_number(tick);
+    }
+  return std::string("set ") + name + "range [" + plain_number(low) + ":" + plain_number(high) + "]\nset " + name +
+         "tics (" + ticks + ")\n";
+}
+
+struct Series {
+  std::string name, title, rows, look;
+};
+
+/// What the points of all curves span.
+struct Span {
+  double low_x = std::numeric_limits<double>::infinity(), high_x = 0.0, low_y = low_x, high_y = 0.0;
+
+  void add(double x, double y) {
+    low_x = std::min(low_x, x), high_x = std::max(high_x, x);
+    low_y = std::min(low_y, y), high_y = std::max(high_y, y);
+  }
+};
+
+/// One line of a data block: x, value, and the ends of its error bar (at the lower end not below a hundredth of the
+/// value: the axis is logarithmic).
+std::string row(double x, const Json& error) {
+  const double value = *number_at(error, "value"), sigma = number_at(error, "standard_error").value_or(0.0);
+  return plain_number(x, 9) + " " + plain_number(value, 9) + " " +
+         plain_number(std::max(value - sigma, 0.01 * value), 9) + " " + plain_number(value + sigma, 9) + "\n";
+}
+
+/// A curve for each method of the view, by what stands at `x_path` of its points.
+std::vector<Series> series_of(const Json& view, std::string_view x_path, double x_scale, const std::string& error,
+                              Span& span) {
+  std::vector<Series> result;
+  for (const Json& method : array_at(view, "methods")) {
+    const std::size_t k = result.size();
+    std::string title = text_at(method, "title").empty() ? text_at(method, "id") : text_at(method, "title");
+    std::erase_if(title, [](char c) { return c == '"' || c == '\\'; });
+    const bool biased = boolean_at(method, "biased").value_or(false);
+    Series series{"$series" + std::to_string(k), biased ? title + " (biased)" : title, "",
+                  std::string("lc rgb '") + colours[k % std::size(colours)] + "'" + (biased ? " dt 2" : "")};
+    for (const Json& point : array_at(method, "points")) {
+      const auto x = number_at(point, x_path);
+      const auto value = number_at(point, "errors/" + error + "/value");
+      if (!x || !value) continue;
+      series.rows += row(x_scale * *x, value_at(point, "errors/" + error));
+      span.add(x_scale * *x, *value);
+    }
+    result.push_back(std::move(series));
+  }
+  return result;
+}
+
+std::string plot_of(const std::vector<Series>& all) {
+  std::string blocks, plots;
+  for (const Series& s : all) {
+    if (s.rows.empty()) continue;
+    blocks += s.name + " << END\n" + s.rows + "END\n";
+    plots += (plots.empty() ? "plot " : ", ") + s.name + " with yerrorlines pt 7 ps 0.6 lw 1.5 " + s.look +
+             " title \"" + s.title + "\"";
+  }
+  return plots.empty() ? "" : blocks + plots;
+}
+
+std::string heading(const Json& view) {
+  return text_at(view, "title").empty() ? text_at(view, "id") : text_at(view, "title");
+}
+
+/// A line of slope −1/2 through the first point of the first method, drawn a little below it.
+std::string guide_line(const Json& view, double pixels) {
+  for (const Json& method : array_at(view, "methods"))
+    for (const Json& point : array_at(method, "points")) {
+      const auto samples = number_at(point, "samples"), error = number_at(point, "errors/rmse/value");
+      if (samples && error)
+        return ", " + plain_number(0.8 * *error, 9) + "*(x/" + plain_number(*samples / pixels, 9) +
+               ")**-0.5 with lines lw 1 dt 3 lc rgb '#666666' title 'slope −1/2'";
+    }
+  return "";
+}
+
+std::optional<Figure> convergence_figure(const Json& view) {
+  const double pixels = number_at(view, "resolution/0").value_or(1.0) * number_at(view, "resolution/1").value_or(1.0);
+  Span span;
+  const std::string plot = plot_of(series_of(view, "samples", 1.0 / pixels, "rmse", span));
+  if (plot.empty()) return std::nullopt;
+  Figure figure;
+  figure.id = "convergence_" + text_at(view, "id");
+  figure.title = heading(view) + ": RMSE against samples";
+  figure.caption =
+      "RMSE against the reference, whose own noise is taken off, with standard errors from the scatter of the rounds. "
+      "Samples are "
+      "camera rays per pixel, guided ones among them.";
+  const std::string script =
+      std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
+      "set xlabel \"samples per pixel\"\nset ylabel \"RMSE [radiance]\"\n" + plot + guide_line(view, pixels);
+  figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
+  return figure;
+}
+
+/// Steps along the Pareto front: what the best of all settings reaches in a given time.
+std::string front_steps(const Json& view, const std::string& error) {
+  std::string rows;
+  for (const Json& point : array_at(view, "pareto/" + error)) {
+    const auto seconds = number_at(point, "seconds"), value = number_at(point, "value");
+    if (seconds && value) rows += plain_number(*seconds, 9) + " " + plain_number(*value, 9) + "\n";
+  }
+  return rows.empty() ? "" : "$front << END\n" + rows + "END\n";
+}
+
+/// A dotted line at each level that the view's methods were timed to.
+std::string level_lines(const Json& view, const std::string& error, const Span& span) {
+  std::string lines;
+  for (const Json& time : array_at(view, "methods/0/times")) {
+    const auto level = number_at(time, "level");
+    if (text_at(time, "error") != error || !level || *level < 0.8 * span.low_y || *level > 1.25 * span.high_y) continue;
+    const std::string y = plain_number(*level, 9);
+    lines +=
+        "set arrow from graph 0, first " + y + " to graph 1, first " + y + " nohead dt 3 lw 1.5 lc rgb '#666666'\n";
+  }
+  return lines;
+}
+
+/// RMSE and trimmed relative MSE, and the errors that levels were asked for.
+std::vector<const ErrorKind*> errors_against_time(const Json& view) {
+  std::vector<const ErrorKind*> kinds;
+  for (const ErrorKind& kind : error_kinds) {
+    bool wanted = kind.name == "rmse" || kind.name == "relative_mse_trimmed";
+    for (const Json& time : array_at(view, "methods/0/times")) wanted = wanted || text_at(time, "error") == kind.name;
+    if (wanted) kinds.push_back(&kind);
+  }
+  return kinds;
+}
+
+std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
+  Span span;
+  const std::string error(kind.name), plot = plot_of(series_of(view, "seconds/median", 1.0, error, span)),
+                                      steps = front_steps(view, error);
+  if (plot.empty() || steps.empty()) return std::nullopt;
+  Figure figure;
+  figure.id = "pareto_" + text_at(view, "id") + "_" + error;
+  figure.title = heading(view) + ": " + std::string(kind.title) + " against time";
+  figure.caption =
+      "Medians of the seconds over all rounds, without loading the scene; grey steps: the best that any setting "
+      "reaches in that time "
+      "(Pareto front); dotted: errors whose time is asked for.";
+  const std::string script = std::string(style) + axis('x', span.low_x, span.high_x) +
+                             axis('y', span.low_y, span.high_y) + "set xlabel \"time [s]\"\nset ylabel \"" +
+                             std::string(kind.title) + "\"\n" + level_lines(view, error, span) + steps + plot +
+                             ", $front using 1:2 with steps lw 4 lc rgb '#66999999' title 'best in that time'";
+  figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> bench_figures(const Json& view, const std::string& command) {
+  std::vector<Figure> figures;
+  if (auto figure = convergence_figure(view)) figures.push_back(std::move(*figure));
+  for (const ErrorKind* kind : errors_against_time(view))
+    if (auto figure = pareto_figure(view, *kind)) figures.push_back(std::move(*figure));
+  for (Figure& figure : figures) {
+    figure.section = text_at(view, "id");
+    figure.command = command;
+  }
+  return figures;
+}
+
+std::vector<Figure> bench_figures_of_experiment(const Json& view, const std::string& command) {
+  std::vector<Figure> figures = bench_figures(view, command);
+  for (Figure& figure : figures) {
+    figure.id = "bench_" + figure.id;
+    figure.section = bench_figure_section(figure.section);
+  }
+  return figures;
+}
+
+std::string bench_figure_section(const std::string& id) {
+  return "bench/" + id;
+}
+
+}  // namespace sturm

@@ -1,0 +1,17 @@
+#include "reports/sections/command.h"
+
+#include "io/files/formatted_text.h"
+#include "io/json/stored.h"
+#include "reports/markup/markup.h"
+
+namespace sturm {
+
+std::string made_by(const Json& report) {
+  const std::string experiment = text_at(report, "provenance/inputs/0/file");
+  if (experiment.empty()) return "";
+  std::string command = "sturm run " + experiment;
+  if (const auto seed = number_at(report, "provenance/seed")) command += " --seed " + plain_number(*seed, 15);
+  return element("p", "class=\"made-by\"", "Made by: <code>" + escaped(command) + "</code>");
+}
+
+}  // namespace sturm

@@ -1,0 +1,252 @@
+#include "stages/ellipse_stage.h"
+
+#include <cmath>
+#include <optional>
+
+#include "conoid/tracing/footprint.h"
+#include "conoid/tracing/previous.h"
+#include "conoid/tracing/published.h"
+#include "conoid/tracing/spectacle_conoid.h"
+#include "lensmodel/gaze.h"
+#include "lensmodel/units.h"
+#include "pathtrace/sampling/pupil_sampler.h"
+#include "stages/json_values.h"
+#include "stages/lens_status_word.h"
+#include "stages/ray_bundle.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr std::string_view ray_prefix = "rays:";
+
+/// One target as the turned eye sees it, through its spectacles if it has some.
+struct View {
+  double distance_m, vergence_D;
+  LensStatus status = LensStatus::ok;  ///< of the chief ray; unless ok there is neither footprint nor chief ray
+  std::optional<double> accommodation_D;
+  Eigen::Vector3d gaze;  ///< line of sight
+  LightRay chief;        ///< from the pupil's centre or the exit point
+  Eigen::Vector3d pupil_center;
+  Eigen::Matrix3d turn;                   ///< takes primary axes to the turned pupil frame; Listing
+  std::optional<SpectacleConoid> conoid;  ///< only with spectacles
+  std::optional<LensView> lens;           ///< only with spectacles that the chief ray comes through
+};
+
+View view_of(const Target& target, const EllipseQuery& query) {
+  View v;
+  v.distance_m = target.distance_m;
+  v.vergence_D = vergence_of(target.distance_m);
+  const Eye& eye = query.eye;
+  const Eigen::Vector3d gaze = gaze_direction(target.azimuth, target.elevation);
+  v.pupil_center = turned_pupil_center(gaze, eye.rotation_center_m);
+  v.turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
+  v.gaze = gaze;
+  v.chief = {v.pupil_center, gaze};
+  if (!query.spectacles) {
+    v.accommodation_D = eye.accommodation_for(v.vergence_D);
+    return v;
+  }
+  v.conoid = trace_conoid(*query.spectacles, gaze, eye.rotation_center_m);
+  v.status = v.conoid->status;
+  if (v.status == LensStatus::ok) {
+    v.accommodation_D = accommodation_through(*v.conoid, eye, v.vergence_D);
+    v.chief = v.conoid->chief_ray;
+    v.lens = LensView::along(*query.spectacles, gaze, eye.rotation_center_m);
+  }
+  return v;
+}
+
+/// Nothing could be computed: all numbers are null.
+void write_failure(Json& result, const std::string& status) {
+  result["status"] = status;
+  for (const char* key : {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2",
+                          "centroid_m", "centroid_rad"})
+    result[key] = nullptr;
+}
+
+/// Quantities at the target: in metres only where it is at a finite distance.
+struct AtTarget {
+  const View& view;
+
+  bool finite() const { return !std::isinf(view.distance_m); }
+  Json metres(Json (*write)(const Eigen::Matrix2d&), const Eigen::Matrix2d& angular, int power) const {
+    if (!finite()) return nullptr;
+    return write(std::pow(view.distance_m, power) * angular);
+  }
+  Json metres(const Eigen::Vector2d& angular) const {
+    return finite() ? json_of(Eigen::Vector2d(view.distance_m * angular)) : Json(nullptr);
+  }
+  Json semi_axes(const Ellipse& angular) const {
+    return finite() ? semi_axes_json(angular, view.distance_m) : Json(nullptr);
+  }
+};
+
+void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, const Eigen::Matrix2d& covariance,
+                   const Eigen::Vector2d& centroid) {
+  result["semi_axes_m"] = at.semi_axes(ellipse);
+  result["semi_axes_rad"] = semi_axes_json(ellipse);
+  result["orientation_deg"] = number_or_null(ellipse.orientation_deg);
+  result["covariance_m2"] = at.metres(symmetric_json, covariance, 2);
+  result["covariance_rad2"] = symmetric_json(covariance);
+  result["centroid_m"] = at.metres(centroid);
+  result["centroid_rad"] = json_of(centroid);
+}
+
+void write_conoid(Json& result, const View& view, const Eye& eye) {
+  const AtTarget at{view};
+  const Footprint f = view.conoid ? spectacle_footprint(*view.conoid, eye, view.distance_m, *view.accommodation_D)
+                                  : naked_eye_footprint(eye, view.distance_m, *view.accommodation_D);
+  result["status"] = "ok";
+  result["footprint"] = rows_json(at.finite() ? f.transverse() : f.angular);
+  write_ellipse(result, at, Ellipse::image_of_disc(f.angular, eye.pupil_radius_m),
+                covariance_of_disc_image(f.angular, eye.pupil_radius_m), Eigen::Vector2d::Zero());
+  result["wavefront_curvature_D"] = f.wavefront_curvature ? symmetric_json(*f.wavefront_curvature) : Json(nullptr);
+}
+
+/// A method that knows only an ellipse, as a map of the pupil divided by the distance [rad/m].
+void write_map(Json& result, const View& view, const std::optional<Eigen::Matrix2d>& map, double pupil_radius_m) {
+  if (!map) {
+    write_failure(result, "undefined");
+    return;
+  }
+  result["status"] = "ok";
+  write_ellipse(result, AtTarget{view}, Ellipse::image_of_disc(*map, pupil_radius_m),
+                covariance_of_disc_image(*map, pupil_radius_m), Eigen::Vector2d::Zero());
+}
+
+/// Conoid tracing as printed; `best` accommodation by its own eq. 12.
+void write_published(Json& result, const View& view, const EllipseQuery& query) {
+  const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
+  const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, view.chief.direction);
+  const auto map = [&](double accommodation_D) -> std::optional<Eigen::Matrix2d> {
+    const auto conoid = trace_published(query.eye, accommodation_D, lens, view.gaze);
+    if (!conoid) return std::nullopt;
+    return angular_map(*conoid, across.col(0), across.col(1), view.vergence_D);
+  };
+  const auto* best = std::get_if<BestAccommodation>(&query.eye.accommodation);
+  if (!best) return write_map(result, view, map(*view.accommodation_D), query.eye.pupil_radius_m);
+  const auto relaxed = map(0.0), tense = map(best->amplitude_D);
+  result["accommodation_D"] = nullptr;
+  if (!relaxed || !tense) return write_map(result, view, std::nullopt, 0.0);
+  const PublishedAccommodation mix = mixed(*relaxed, *tense);
+  result["accommodation_D"] = mix.t * best->amplitude_D;
+  write_map(result, view, mix.map, query.eye.pupil_radius_m);
+}
+
+void write_previous(Json& result, const View& view, const EllipseQuery& query) {
+  const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
+  write_map(result, view,
+            previous_angular_footprint(query.eye, *view.accommodation_D, lens, view.gaze, view.distance_m),
+            query.eye.pupil_radius_m);
+}
+
+void write_standard_errors(Json& result, const AtTarget& at, const BundleEllipse& e) {
+  const auto covariance = e.covariance_standard_error();
+  if (!covariance) {
+    result["standard_error"] = nullptr;
+    return;
+  }
+  const double d2 = at.view.distance_m * at.view.distance_m;
+  Json& errors = result["standard_error"];
+  errors["covariance_rel"] = number_or_null(e.covariance_rel());
+  errors["covariance_rad2"] = json_of(*covariance);
+  errors["covariance_m2"] = at.finite() ? json_of(Eigen::Vector3d(d2 * *covariance)) : Json(nullptr);
+  if (const auto axes = e.semi_axis_standard_errors()) {
+    errors["semi_axes_rad"] = json_of(*axes);
+    errors["semi_axes_m"] = at.metres(*axes);
+  }
+  if (e.centroid_standard_error) errors["centroid_m"] = at.metres(*e.centroid_standard_error);
+}
+
+/// The ray that leaves the eye, or the spectacles, in the wearer frame of primary gaze; none if it is lost.
+std::optional<LightRay> exit_ray(const View& view, const PupilRay<double>& ray) {
+  if (ray.status == LaunchStatus::dropped) return std::nullopt;
+  if (view.lens) {
+    const LensPath path = view.lens->worn.path_of(ray);
+    return path.status == LensStatus::ok ? std::optional(path.exit) : std::nullopt;
+  }
+  return LightRay{view.pupil_center + view.turn * Eigen::Vector3d(ray.px, ray.py, 0.0),
+                  (view.turn * Eigen::Vector3d(ray.sx, ray.sy, -1.0)).normalized()};
+}
+
+Json exit_rays(const View& view, const EyeRays<double>& rays, const std::vector<Eigen::Vector2d>& pupil_points) {
+  Json list = Json::array();
+  for (const Eigen::Vector2d& p : pupil_points) {
+    const auto exit = exit_ray(view, rays.through(p.x(), p.y()));
+    list.push_back(exit ? Json{{"exit_point_m", json_of(exit->origin)}, {"exit_direction", json_of(exit->direction)}}
+                        : Json(nullptr));
+  }
+  return list;
+}
+
+/// Why a bundle has no ellipse: the most frequent reason, or `ok` for a single given ray.
+std::string status_without_ellipse(const MeasuredBundle& bundle) {
+  const LensLosses& lost = bundle.losses;
+  if (lost.total() == 0 && bundle.counters.dropped == 0) return "ok";
+  if (bundle.counters.dropped >= lost.total()) return "undefined";
+  if (lost.rim >= lost.total_reflection && lost.rim >= lost.no_convergence) return word_for(LensStatus::missed_lens);
+  return word_for(lost.total_reflection >= lost.no_convergence ? LensStatus::total_internal_reflection
+                                                               : LensStatus::no_convergence);
+}
+
+void write_rays(Json& result, const View& view, const EllipseQuery& query, RayModel model) {
+  const AtTarget at{view};
+  const auto rays = eye_rays_for(model, query.eye, *view.accommodation_D);
+  const MeasuredBundle bundle =
+      rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed, view.lens ? &*view.lens : nullptr,
+                            apodization_of(query.eye.stiles_crawford_per_m2, query.eye.pupil_radius_m))
+           : MeasuredBundle{};
+  result["rays"] = {{"launched", bundle.counters.launched},       {"lost_rim", bundle.losses.rim},
+                    {"lost_tir", bundle.losses.total_reflection}, {"lost_no_convergence", bundle.losses.no_convergence},
+                    {"undefined", bundle.counters.dropped},       {"negative_focus", bundle.counters.negative_focus}};
+  if (rays && !query.rays.pupil_points_m.empty())
+    result["exit_rays"] = exit_rays(view, *rays, query.rays.pupil_points_m);
+  if (!bundle.angular) {
+    write_failure(result, rays ? status_without_ellipse(bundle) : "undefined");
+    result["standard_error"] = nullptr;
+    return;
+  }
+  result["status"] = "ok";
+  write_ellipse(result, at, bundle.angular->ellipse, bundle.angular->covariance, bundle.angular->centroid);
+  write_standard_errors(result, at, *bundle.angular);
+}
+
+/// One method's answer for one target.
+Json result_of(const View& view, const std::string& method, const EllipseQuery& query) {
+  Json result = {{"method", method}, {"accommodation_D", number_or_null(view.accommodation_D)}};
+  if (view.status != LensStatus::ok) {
+    write_failure(result, word_for(view.status));
+    result["chief_ray"] = nullptr;
+    if (method == "conoid") result["footprint"] = result["wavefront_curvature_D"] = nullptr;
+    return result;
+  }
+  result["chief_ray"] = {{"origin_m", json_of(view.chief.origin)}, {"direction", json_of(view.chief.direction)}};
+  if (method.starts_with(ray_prefix))
+    write_rays(result, view, query, *ray_model_named(std::string_view(method).substr(ray_prefix.size())));
+  else if (method == "conoid_published")
+    write_published(result, view, query);
+  else if (method == "previous")
+    write_previous(result, view, query);
+  else
+    write_conoid(result, view, query.eye);
+  return result;
+}
+
+}  // namespace
+
+Json blur_ellipses(const EllipseQuery& query) {
+  Json results = Json::array();
+  for (std::size_t t = 0; t < query.targets.size(); ++t) {
+    const View view = view_of(query.targets[t], query);
+    for (const std::string& method : query.methods) {
+      results.push_back(result_of(view, method, query));
+      results.back()["target"] = t;
+    }
+  }
+  Json document = {{"format", "sturm.ellipse_result/1"}, {"results", std::move(results)}};
+  if (!query.notes.empty()) document["notes"] = query.notes;
+  return document;
+}
+
+}  // namespace sturm

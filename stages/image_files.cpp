@@ -1,0 +1,31 @@
+#include "stages/image_files.h"
+
+#include <string_view>
+
+#include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/images/image_formats.h"
+#include "io/images/tone_map.h"
+
+namespace sturm {
+
+void write_png(const std::filesystem::path& path, const Image& linear, double exposure) {
+  const std::vector<unsigned char> bytes = encode_png(to_display(linear, exposure));
+  write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+void write_picture(const std::filesystem::path& path_without_suffix, const Image& linear, double exposure) {
+  write_exr(path_without_suffix.string() + ".exr", LayeredImage{{{"", linear}}, {}});
+  write_png(path_without_suffix.string() + ".png", linear, exposure);
+}
+
+Image read_main_layer(const std::filesystem::path& path) {
+  LayeredImage image = read_exr(path);
+  const auto layer = image.layers.find("");
+  if (layer == image.layers.end() || layer->second.channels != 3)
+    throw InputError(path.string(), "", "no channels R, G, B", "an RGB image");
+  return std::move(layer->second);
+}
+
+}  // namespace sturm

@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+
+#include "io/images/image.h"
+
+namespace sturm {
+
+/// Writes `path_without_suffix`.exr (linear) and .png (display space, see io/images/tone_map.h).
+void write_picture(const std::filesystem::path& path_without_suffix, const Image& linear, double exposure);
+
+/// Writes the display version of a linear 3-channel image as PNG.
+void write_png(const std::filesystem::path& path, const Image& linear, double exposure);
+
+/// Reads the main layer (R, G, B) of an EXR. Throws InputError where it has none.
+Image read_main_layer(const std::filesystem::path& path);
+
+}  // namespace sturm

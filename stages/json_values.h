@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "io/json/json_numbers.h"
+#include "lensmodel/ellipse.h"
+
+namespace sturm {
+
+inline Json json_of(const Eigen::Vector2d& v) {
+  return {number_or_null(v.x()), number_or_null(v.y())};
+}
+inline Json json_of(const Eigen::Vector3d& v) {
+  return {number_or_null(v.x()), number_or_null(v.y()), number_or_null(v.z())};
+}
+
+/// Symmetric matrix as [xx, xy, yy].
+inline Json symmetric_json(const Eigen::Matrix2d& m) {
+  return {number_or_null(m(0, 0)), number_or_null(m(0, 1)), number_or_null(m(1, 1))};
+}
+
+/// The same read back.
+inline Eigen::Matrix2d symmetric_from(const Json& xx_xy_yy) {
+  Eigen::Matrix2d m;
+  m << xx_xy_yy.at(0).get<double>(), xx_xy_yy.at(1).get<double>(), xx_xy_yy.at(1).get<double>(),
+      xx_xy_yy.at(2).get<double>();
+  return m;
+}
+
+/// Full matrix as rows.
+inline Json rows_json(const Eigen::Matrix2d& m) {
+  return {{m(0, 0), m(0, 1)}, {m(1, 0), m(1, 1)}};
+}
+
+inline Json semi_axes_json(const Ellipse& e, double scale = 1.0) {
+  return {number_or_null(scale * e.semi_major), number_or_null(scale * e.semi_minor)};
+}
+
+}  // namespace sturm

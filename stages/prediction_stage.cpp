@@ -1,0 +1,152 @@
+#include "stages/prediction_stage.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "conoid/pictures/fragment_filter.h"
+#include "conoid/pictures/layered_predictor.h"
+#include "conoid/pictures/multipass.h"
+#include "pathtrace/film/fragment_view.h"
+#include "stages/plan/camera_pose.h"
+#include "stages/plan/render_plan.h"
+#include "stages/stopwatch.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr int passes_to_find_unseen =
+    16;  // of a sharp pixel: what less than a sixteenth of the pupil sees hardly matters
+
+/// One picture on its way: the sharp view, and what both predictors do with it.
+class PredictionRun {
+ public:
+  PredictionRun(const Scene& scene, const SightField& field, const PredictionSpec& prediction,
+                const RenderSettings& settings, PredictedView& result)
+      : scene_(scene),
+        field_(field),
+        prediction_(prediction),
+        settings_(settings),
+        result_(result),
+        seen_{scene.embree(),
+              [&scene](const RTCHit& hit, const Eigen::Vector3f& direction) { return scene.shines(hit, direction); }} {
+    const int n = prediction.oversampling;
+    settings_.guide_emitters = false;
+    settings_.samples_per_pixel = std::max(1, settings.samples_per_pixel / (n * n));
+    passes_.rays_per_place = settings_.samples_per_pixel;
+  }
+
+  void render_sharp_view() {
+    const PicturePlane& plane = field_.plane();
+    const int n = prediction_.oversampling;
+    const double sharp_slope = plane.pixel_slope / n;
+    RenderCounters& counters = result_.shaded;
+    view_ = render_fragments(
+        scene_, plane.width * n, plane.height * n,
+        [&](double x, double y) {
+          return field_.chief_ray({x / n, y / n});
+        },
+        sharp_slope, settings_, counters);
+    result_.seconds["sharp_view"] = watch_.lap();
+    if (prediction_.smooth) {
+      view_ = filtered(view_, sharp_slope, plane.position);
+      result_.seconds["filter"] = watch_.lap();
+    }
+    result_.counters["sharp_view"] = counters_json(counters);
+    result_.counters["fragments"] = view_.fragments.size();
+  }
+
+  void blend_passes() {
+    passes_.passes = prediction_.passes;
+    PassPrediction predicted = predict_by_passes(view_, prediction_.oversampling, field_, seen_, shader(), passes_);
+    result_.seconds["passes"] = watch_.lap() - shading_seconds_;
+    report(predicted.counters);
+    result_.layers[""] = std::move(predicted.radiance);
+    result_.layers["unseen"] = std::move(predicted.unseen);
+  }
+
+  void spread_layers(const PredictorSettings& spreading) {
+    const int n = prediction_.oversampling;
+    passes_.passes = passes_to_find_unseen * n * n;
+    PassCounters found;
+    const std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, seen_, shader(), passes_, found);
+    result_.seconds["passes"] = watch_.lap() - shading_seconds_;
+    report(found);
+    Prediction predicted = predict_by_layers(view_, n, field_, unseen, spreading);
+    result_.seconds["spreading"] = watch_.lap();
+    result_.spread = predicted.counters;
+    result_.counters["depth_layers"] = predicted.counters.layers;
+    result_.counters["spread_pixels"] = predicted.counters.splatted_pixels;
+    result_.counters["copied_pixels"] = predicted.counters.sharp_pixels;
+    result_.layers[""] = std::move(predicted.radiance);
+    result_.layers["coverage"] = std::move(predicted.coverage);
+  }
+
+ private:
+  /// The path tracer's colours for the conoid's rays.
+  PlaceShader shader() {
+    return [this](const UnseenPlaces& places) {
+      const Stopwatch of_shading;
+      RenderSettings quiet = settings_;
+      quiet.progress = nullptr;
+      const auto rays_of = [&places](std::size_t k) {
+        PlaceRays at{places.keys[k], {}};
+        for (std::uint32_t i = places.first[k]; i < places.first[k + 1]; ++i)
+          at.rays.emplace_back(places.rays[i].origin, places.rays[i].direction);
+        return at;
+      };
+      auto radiance = shade_places(scene_, places.count(), rays_of, quiet, unseen_);
+      shading_seconds_ = of_shading.seconds();
+      return radiance;
+    };
+  }
+
+  void report(const PassCounters& c) {
+    result_.seconds["unseen_places"] = shading_seconds_;
+    result_.counters["pupil_rays"] = c.rays;
+    result_.counters["unseen_rays"] = c.unseen_rays;
+    result_.counters["unseen_places"] = c.unseen_places;
+    result_.counters["lamp_pixels"] = c.lamp_pixels;
+    result_.counters["bright_lamp_pixels"] = c.bright_lamp_pixels;
+    result_.counters["lost_pixels"] = c.lost_pixels;
+    result_.counters["unseen_shading"] = counters_json(unseen_);
+  }
+
+  const Scene& scene_;
+  const SightField& field_;
+  const PredictionSpec& prediction_;
+  RenderSettings settings_;
+  PredictedView& result_;
+  SeenScene seen_;
+  PassSettings passes_;
+  FragmentImage view_;
+  RenderCounters unseen_;
+  double shading_seconds_ = 0.0;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+SightField sight_field(const CameraSpec& camera, const WornEye& worn, double sideways_m) {
+  const CameraPose pose = moved_sideways(camera_pose(camera), sideways_m);
+  return SightField({pose.position, head_axes(pose), pose.width, pose.height, pixel_slope(pose), camera.gaze}, worn.eye,
+                    worn.spectacles);
+}
+
+PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const WornEye& worn, double sideways_m,
+                           const PredictionSpec& prediction, const RenderSettings& settings,
+                           const PredictorSettings& spreading) {
+  PredictedView result;
+  Stopwatch watch;
+  const SightField field = sight_field(camera, worn, sideways_m);
+  result.seconds["blur_field"] = watch.lap();
+  PredictionRun run(scene, field, prediction, settings, result);
+  run.render_sharp_view();
+  if (prediction.kind == PredictionKind::Layered)
+    run.spread_layers(spreading);
+  else
+    run.blend_passes();
+  return result;
+}
+
+}  // namespace sturm

@@ -1,0 +1,63 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "conoid/pictures/image_predictor.h"
+#include "io/json/json.h"
+#include "io/specs/render_spec.h"
+#include "pathtrace/film/render.h"
+#include "stages/pass_watch.h"
+#include "stages/plan/render_plan.h"
+
+namespace sturm {
+
+using ProgressFunction = std::function<void(double fraction)>;
+
+/// Path traces one view. `accommodation` and focus distance come from the eye (relaxed or fixed).
+/// Throws InputError where metalstigmatism has no focus distance.
+RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model,
+                        const RenderSettings& settings, const CameraSkips& skips = {});
+
+/// Path traces what one eye of a render document sees; `sideways_m` is where it is to the right of the camera's
+/// position.
+RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
+                             const RenderSettings& settings, const ViewPlan& plan);
+
+struct PredictionTimes {
+  double sharp_view_seconds = 0.0, spreading_seconds = 0.0;
+};
+
+struct PredictedImage {
+  Prediction prediction;
+  SharpView source;  ///< that it was spread from
+  PredictionTimes times;
+  RenderCounters sharp_counters;
+  int margin_px = 0;
+};
+
+/// Predicts the same view: one pinhole rendering of `settings.samples_per_pixel` samples per output pixel, spread by
+/// the conoid's ellipses.
+PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling,
+                       const RenderSettings& settings, const PredictorSettings& spreading = {});
+
+Json counters_json(const RenderCounters& counters);
+
+/// What `sturm render` writes: the layers, the counters, the seconds of each part, and what was left out of model
+/// files.
+struct RenderOutput {
+  LayeredImage image;
+  Json counters;
+  std::vector<std::string> notes;
+  std::map<std::string, double> seconds;
+};
+
+/// The plan of work of a document, as a table for people; nothing is rendered. Throws InputError.
+std::string explain_view(const RenderSpec& spec);
+
+/// The main layer is what was rendered; "denoised", where the document asks for it, is never in its place.
+RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress, const Preview& preview = {});
+
+}  // namespace sturm
