@@ -6,7 +6,7 @@ namespace sturm {
 /// The eye's lens at rest: A = 0.
 struct RelaxedAccommodation {};
 
-/// A given power, however it was stated; physics.md §3 `fixed`.
+/// A given power, however it was stated; docs/theory.md#31-accommodation-modes `fixed`.
 struct FixedAccommodation {
   double power_D = 0.0;  ///< A ≥ 0 [D]; 1/focus distance where that was given
   double focus_distance_m =

@@ -8,7 +8,8 @@
 
 namespace sturm {
 
-/// Thin-lens eye (physics.md §3). Pupil, cornea and principal plane coincide. Both predictors read this one object.
+/// Thin-lens eye (docs/theory.md#3-the-eye). Pupil, cornea and principal plane coincide. Both predictors read this one
+/// object.
 struct Eye {
   Prescription
       prescription;  ///< as written; `correction` is the same at the cornea. Of a wavefront: its second-order power

@@ -19,7 +19,7 @@ constexpr double exposure = 1.0;
 constexpr std::uint64_t reference_stream =
     0x5245464552454e43ull;  // the reference shares no numbers with what is compared with it
 
-/// E[r²] over that of a uniform disc (physics.md §5).
+/// E[r²] over that of a uniform disc (docs/theory.md#53-pupil-sampling).
 double mean_square_radius(const PupilSamplingSpec& spec) {
   if (spec.kind == PupilSampling::UniformPolar) return 2.0 / 3.0;
   if (spec.kind == PupilSampling::Rings) return (spec.rings + 1.0) / spec.rings;

@@ -9,7 +9,7 @@ namespace sturm {
 
 enum class Projection { Perspective, Equirectangular };
 
-/// physics.md §3: one gaze for the whole picture, or the eye turns to each of its points.
+/// docs/theory.md#32-gaze-models: one gaze for the whole picture, or the eye turns to each of its points.
 enum class Gaze { Camera, Foveal };
 
 /// In primary gaze the pupil's centre is `position` and the line of sight meets `look_at`; in a stereo pair `position`

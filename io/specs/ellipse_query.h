@@ -9,7 +9,7 @@
 
 namespace sturm {
 
-/// A point to look at (physics.md §3, `foveal` gaze).
+/// A point to look at (docs/theory.md#32-gaze-models, `foveal` gaze).
 struct Target {
   double azimuth = 0.0;     ///< to the wearer's right [rad], |.| ≤ 89°
   double elevation = 0.0;   ///< up [rad], |.| ≤ 89°

@@ -5,8 +5,8 @@
 
 namespace sturm {
 
-/// How points are spread over the pupil (physics.md §5). All but the first are other pupils than a uniform one, except
-/// for the weighted.
+/// How points are spread over the pupil (docs/theory.md#53-pupil-sampling). All but the first are other pupils than a
+/// uniform one, except for the weighted.
 enum class PupilSampling {
   UniformDisk,   ///< uniform over the area: the reference
   UniformPolar,  ///< radius and angle uniform, as METALSTIGMATISM prints it: denser at the centre, E[r²] = a²/3
