@@ -189,7 +189,6 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
 
   // Everything that can be wrong with the input shows before the output folder is touched.
   const Json reference = spec.reference ? reference_agreement(*spec.reference) : Json(nullptr);
-  for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
   const LoadedScenes scenes(spec);
   std::optional<BenchKeys> bench_key;
   if (spec.bench) bench_key = bench_keys(*spec.bench, options.threads);

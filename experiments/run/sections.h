@@ -28,9 +28,6 @@ Json sin2_findings(const Json& ellipses);
 Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
                  const std::filesystem::path& folder, const ProgressFunction& progress);
 
-/// Throws InputError where a PSF asks for a ray model that its eye leaves undefined.
-void require_defined_models(const PsfExperiment& spec);
-
 /// Image number `index` of an experiment: one scene path traced with each ray model and predicted once: a list of
 /// "images" entries.
 Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description,

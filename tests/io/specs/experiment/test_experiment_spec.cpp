@@ -87,6 +87,8 @@ TEST_F(ExperimentSpecTest, ErrorsNameTheirPlace) {
               HasSubstr("/images/0/accommodation: got mode \"best\""));
   EXPECT_THAT(error_with("/images/0/ray_models/0=metalstigmatism"),
               HasSubstr("/images/0/accommodation: got no \"focus_distance_m\""));
+  EXPECT_THAT(error_with("/psfs/0/ray_models/0=metalstigmatism"),
+              HasSubstr("/psfs/0/accommodation: got no \"focus_distance_m\""));
   EXPECT_THAT(error_with("/ellipses/rays/replicates=1"), HasSubstr("/ellipses/rays/replicates: got 1"));
   EXPECT_THAT(error_with("/images/0/replicates=1"), HasSubstr("/images/0/replicates: got 1"));
   EXPECT_THAT(error_with("/ellipses/prescriptions/0={\"id\": \"a\", \"sphere_D\": 40, \"vertex_distance_mm\": 25}"),
