@@ -103,8 +103,9 @@ Json lens_study(const LensStudySpec& spec, Parts& parts, double& seconds) {
     seconds += parts.seconds();
   }
   Json field = nullptr;
-  if (spec.field) {
-    field = parts("lens_field", "wide field", [&](const ProgressFunction&) { return field_study(spec, *spec.field); });
+  if (spec.wide_gaze) {
+    field = parts("lens_field", "wide field",
+                  [&](const ProgressFunction&) { return wide_gaze_study(spec, *spec.wide_gaze); });
     seconds += parts.seconds();
   }
   return assembled_lens_study(spec, lenses, field);

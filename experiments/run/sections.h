@@ -46,7 +46,7 @@ Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses);
 Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const ProgressFunction& progress);
 
 /// The ellipses of all methods over the wide field.
-Json field_study(const LensStudySpec& spec, const FieldStudy& field);
+Json wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze);
 
 /// The section, put together from what the lenses gave; `field` may be null.
 Json assembled_lens_study(const LensStudySpec& spec, const Json& lenses, const Json& field);

@@ -132,9 +132,9 @@ TEST_F(LensStudySpecTest, IsRead) {
   EXPECT_EQ(std::get<FixedAccommodation>(study.accommodation).power_D, 1);
   EXPECT_EQ(study.quadrature.radial, 10);
   EXPECT_EQ(study.quadrature.azimuthal, 40);
-  ASSERT_TRUE(study.field);
-  EXPECT_EQ(study.field->lens, 1u);
-  EXPECT_EQ(study.field->azimuths_deg.back(), 50);
+  ASSERT_TRUE(study.wide_gaze);
+  EXPECT_EQ(study.wide_gaze->lens, 1u);
+  EXPECT_EQ(study.wide_gaze->azimuths_deg.back(), 50);
   EXPECT_EQ(std::get<FigureFile>(spec.figures[0].drawing).file, folder_ / "map.svg");
   EXPECT_THAT(spec.input_files, ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "lenses/l.json").string(),
                                             (folder_ / "map.svg").string()));
