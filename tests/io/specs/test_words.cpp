@@ -15,6 +15,7 @@
 #include "io/specs/words.h"
 #include "lensmodel/field_method.h"
 #include "lensmodel/ray_model.h"
+#include "lensmodel/zernike_wave.h"
 
 namespace sturm {
 namespace {
@@ -48,6 +49,7 @@ TEST(Words, AreThoseOfTheSchemas) {
       table("blurfield", "/properties/method", field_method_words),
       table("render", "/definitions/prediction", prediction_kind_words),
       table("experiment", "/properties/agreement/items/properties/predictions/items", prediction_kind_words),
+      table("eye", "/definitions/wavefront/properties/second_order", second_order_words),
       table("bench", "/properties/require/items/properties/statistic", bench_statistic_words)};
   for (const Table& t : tables) {
     EXPECT_THAT(t.words, ElementsAreArray(accepted(t.schema, t.pointer))) << t.schema << t.pointer;
