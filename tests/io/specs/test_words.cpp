@@ -14,12 +14,14 @@
 #include "io/specs/ray_bundle_spec.h"
 #include "io/specs/words.h"
 #include "lensmodel/field_method.h"
+#include "lensmodel/lens_status.h"
 #include "lensmodel/ray_model.h"
 #include "lensmodel/zernike_wave.h"
 
 namespace sturm {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 
@@ -63,6 +65,12 @@ TEST(Words, MethodsOfEllipsesAreConoidsAndRayModels) {
   for (const auto& entry : conoid_method_words.entries) names.push_back(name_of(entry.value));
   for (const auto& entry : ray_model_words.entries) names.push_back(name_of(EllipseMethod(entry.value)));
   EXPECT_THAT(names, ElementsAreArray(accepted("ellipse", "/definitions/method")));
+}
+
+TEST(Words, OfALensAreAmongThoseOfTheResults) {
+  for (const auto& [schema, pointer] : {std::pair("ellipse_result", "/properties/results/items/properties/status"),
+                                        std::pair("lens_report", "/properties/gazes/items/properties/status")})
+    for (const std::string& word : lens_status_words.all()) EXPECT_THAT(accepted(schema, pointer), Contains(word));
 }
 
 TEST(Words, AWordThatIsNoneOfThemIsRefusedWithItsPlace) {
