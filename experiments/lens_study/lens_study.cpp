@@ -10,11 +10,10 @@
 #include "conoid/tracing/published.h"
 #include "conoid/tracing/spectacle_conoid.h"
 #include "experiments/run/sections.h"
+#include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
-#include "stages/lens_status_word.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -234,7 +233,7 @@ GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const S
       trace_conoid(lens.lens, {-direction.x(), direction.y(), direction.z()}, spec.rotation_center_m);
   GazeResult result{gaze_json(gaze), Json::array()};
   result.gaze["lens"] = lens.id;
-  result.gaze["status"] = word_for(sight.conoid.status);
+  result.gaze["status"] = name_of(sight.conoid.status);
   const bool ok = sight.conoid.status == LensStatus::ok;
   result.gaze["eq11"] =
       ok ? Json{{"principal", word_for(sight.published[0])}, {"incidence", word_for(sight.published[1])}}
@@ -284,13 +283,13 @@ Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const Progr
   return part;
 }
 
-Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
-  const StudyLens& lens = spec.lenses[field.lens];
-  const double vergence = vergence_of(field.distance_m), a = 0.5 * field.pupil_diameter_m;
+Json wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze) {
+  const StudyLens& lens = spec.lenses[gaze.lens];
+  const double vergence = vergence_of(gaze.distance_m), a = 0.5 * gaze.pupil_diameter_m;
   Json points = Json::array();
-  for (const double azimuth : field.azimuths_deg) {
+  for (const double azimuth : gaze.azimuths_deg) {
     const Sight sight = sight_of(spec, lens, gaze_direction(azimuth * radians_per_degree, 0.0));
-    Json point = {{"azimuth_deg", azimuth}, {"status", word_for(sight.conoid.status)},
+    Json point = {{"azimuth_deg", azimuth}, {"status", name_of(sight.conoid.status)},
                   {"real_rays", nullptr},   {"ray_transfer", nullptr},
                   {"published", nullptr},   {"previous", nullptr}};
     if (sight.conoid.status == LensStatus::ok) {
@@ -306,7 +305,7 @@ Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
     points.push_back(std::move(point));
   }
   return {{"lens", lens.id},
-          {"distance_m", distance_json(field.distance_m)},
+          {"distance_m", distance_json(gaze.distance_m)},
           {"pupil_mm", 2e3 * a},
           {"points", std::move(points)}};
 }
