@@ -35,14 +35,14 @@ namespace sturm {
 /// | lens_published_min_of_largest_D | smallest over the lenses of eyes with a cylinder of the largest first-order error of `published` |
 /// | lens_previous_unscaled_max | `previous` with the true magnification in place of its own, against exact first order |
 /// | lens_previous_min_of_largest_D | smallest over all lenses of the largest first-order error of `previous` |
-/// | agreement_ssim_display/ID/KIND, …_min/KIND | predicted and path-traced view ID: SSIM in display space (compare/studies/agreement/agreement_statistics.h) |
+/// | agreement_ssim_display/ID/KIND, …_min/KIND | predicted and path-traced view ID: SSIM in display space  |
 /// | agreement_times_faster/ID/KIND, …_min/KIND | path tracing to the same error over that prediction, in time |
 /// | sampling_unbiased_max_z | sampling study, `uniform_disk`, `uniform_polar_weighted` and all of `pinhole`: largest abs(z) of the bias |
 /// | sampling_raw_polar_min_z | smallest z of the bias of `uniform_polar` over all ray models but `pinhole` |
 /// | sin2_study/NAME | the entry NAME of `sin2_study.checks` in the report: its value, cases and worst case |
 /// | sin2_study/gallery_sin2_over_noise_min | gallery views with a cylinder: smallest total variation of sin² ÷ that of two runs of theory |
 /// | sin2_study/gallery_repaired_over_noise_max | all gallery views: the largest of sin² with the tangential term |
-/// | bench/VIEW/METHOD/…, bench/broken_requirements | run time against error (compare/studies/bench/statistics.h) |
+/// | bench/VIEW/METHOD/…, bench/broken_requirements | run time against error (compare/findings/bench.h) |
 /// | must_fail/ID | the statistic that mutant ID was to spoil |
 /// | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one says that it did not fail |
 /// | mutation_min_gates | section `gate_power`: smallest number of gates that notice a mutation |

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "compare/findings/quantities.h"
+#include "compare/findings/sections.h"
 #include "compare/statistics/statistics.h"
 #include "compare/statistics/test_family.h"
 #include "compare/statistics/welch.h"
@@ -19,39 +20,48 @@ namespace {
 using Kind = RunChange::Kind;
 using Direction = RunChange::Direction;
 
-Direction direction_of(const Quantity& before, const Quantity& after) {
+Direction direction_of(const Measurement& before, const Measurement& after) {
   const double a = *before.value, b = *after.value;
   switch (after.better) {
-    case Quantity::Better::Less:
+    case Better::Less:
       return b < a ? Direction::Better : Direction::Worse;
-    case Quantity::Better::More:
+    case Better::More:
       return b > a ? Direction::Better : Direction::Worse;
-    case Quantity::Better::Nearer: {
+    case Better::Nearer: {
       if (!before.target || !after.target) return Direction::Neither;
       const double was = std::abs(a - *before.target), is = std::abs(b - *after.target);
       return is < was ? Direction::Better : Direction::Worse;
     }
-    case Quantity::Better::Unknown:
+    case Better::Unknown:
       return Direction::Neither;
   }
   return Direction::Neither;
 }
 
 /// Whether a difference of the two can be held against standard errors.
-bool testable(const Quantity& a, const Quantity& b) {
+bool testable(const Measurement& a, const Measurement& b) {
   return a.value && b.value && a.standard_error && b.standard_error &&
          std::hypot(*a.standard_error, *b.standard_error) > 0.0;
 }
 
 /// The change with its z, whether or not it means anything.
-RunChange tested(const std::string& name, const Quantity& a, const Quantity& b) {
+RunChange tested(const std::string& name, const Measurement& a, const Measurement& b) {
   const double va = *a.standard_error * *a.standard_error, vb = *b.standard_error * *b.standard_error;
   const double z = welch_z(*b.value - *a.value, {va, a.degrees}, {vb, b.degrees});
   return {name, Kind::BeyondUncertainty, direction_of(a, b), a.value, b.value, std::sqrt(va + vb), z};
 }
 
+/// The numbers that runs are compared by, by name. Times themselves and the values of gates, which are made of these
+/// numbers, are not among them.
+std::map<std::string, Measurement> compared_numbers(const Json& report) {
+  std::map<std::string, Measurement> numbers;
+  for (Measurement& m : measurements_of(report))
+    if (!m.run_name.empty()) numbers.insert_or_assign(m.run_name, std::move(m));
+  return numbers;
+}
+
 void compare_numbers(const Json& before, const Json& after, RunComparison& result) {
-  const auto a = quantities_of(before), b = quantities_of(after);
+  const auto a = compared_numbers(before), b = compared_numbers(after);
   TestFamily family(result.level);
   std::vector<RunChange> candidates;
   for (const auto& [name, old] : a) {
@@ -63,7 +73,7 @@ void compare_numbers(const Json& before, const Json& after, RunComparison& resul
                                   std::nullopt, std::nullopt, std::nullopt});
       continue;
     }
-    const Quantity& now = found->second;
+    const Measurement& now = found->second;
     if (!old.value || !now.value) continue;
     ++result.numbers;
     if (testable(old, now)) {

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "compare/studies/lens/lens_study_statistics.h"
+#include "compare/studies/lens/lens_study_views.h"
 #include "experiments/run/sections.h"
 #include "io/json/stored.h"
 

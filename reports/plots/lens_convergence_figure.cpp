@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/studies/lens/lens_study_errors.h"
-#include "compare/studies/lens/lens_study_statistics.h"
+#include "compare/studies/lens/lens_study_views.h"
 #include "io/files/formatted_text.h"
 #include "io/json/stored.h"
 #include "lensmodel/units.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "compare/studies/lens/lens_study_statistics.h"
+#include "compare/studies/lens/lens_study_views.h"
 #include "io/json/stored.h"
 
 namespace sturm {

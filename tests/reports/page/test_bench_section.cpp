@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "compare/findings/bench.h"
+#include "compare/findings/statistic_rule.h"
 #include "compare/studies/bench/evaluation.h"
 #include "compare/studies/bench/requirements.h"
-#include "compare/studies/bench/statistics.h"
 #include "compare/studies/bench/two_bench_methods.h"
 #include "reports/markup/markup_defects.h"
 #include "reports/page/bench_page.h"
@@ -18,6 +19,12 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+void add_bench(const Json& report, Statistics& out) {
+  Measurements measurements;
+  measure_bench(report, measurements);
+  add_statistics_by_themselves(measurements, out);
+}
 
 constexpr double rounding = 1e-11;  // logarithms of numbers up to 128, a few operations
 
@@ -102,7 +109,7 @@ TEST(BenchSection, AtItsBestByHand) {
 TEST(BenchSection, StatisticsOfGates) {
   const Json report = report_with_bench();
   Statistics s;
-  add_bench_statistics(report, s);
+  add_bench(report, s);
   EXPECT_NEAR(s.at("bench/v/a/slope/rmse").value.value(), -0.5, rounding);
   EXPECT_NEAR(s.at("bench/v/a/slope/relative_mse").value.value(), -1.0, rounding);
   EXPECT_GT(s.at("bench/v/a/slope/rmse").uncertainty.value(), 0.0);
@@ -125,7 +132,7 @@ TEST(BenchSection, StatisticsOfGates) {
   for (const auto& [name, unused] : s) EXPECT_THAT(name, Not(HasSubstr("filtered")));
 
   Statistics none;
-  add_bench_statistics(Json::object(), none);
+  add_bench(Json::object(), none);
   EXPECT_TRUE(none.empty());
 }
 
@@ -134,14 +141,14 @@ TEST(BenchSection, TheLastSlopeIsThatOfTheLastTwoSettings) {
   Json& points = report["bench"]["views"][0]["methods"][0]["points"];
   points[2]["errors"]["rmse"]["value"] = 0.5 * points[1]["errors"]["rmse"]["value"].get<double>();
   Statistics s;
-  add_bench_statistics(report, s);
+  add_bench(report, s);
   EXPECT_NEAR(s.at("bench/v/a/last_slope/rmse").value.value(), std::log(0.5) / std::log(4.0), rounding);
   points[2]["errors"]["rmse"]["value"] = points[1]["errors"]["rmse"]["value"];
-  add_bench_statistics(report, s);
+  add_bench(report, s);
   EXPECT_NEAR(s.at("bench/v/a/last_slope/rmse").value.value(), 0.0, rounding);
   EXPECT_GT(s.at("bench/v/a/last_slope/rmse").uncertainty.value(), 0.0);
   points[2]["samples"] = 1.5 * points[1]["samples"].get<double>();  // less than a factor of two
-  add_bench_statistics(report, s);
+  add_bench(report, s);
   EXPECT_FALSE(s.at("bench/v/a/last_slope/rmse").value);
 }
 

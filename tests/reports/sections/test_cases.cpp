@@ -2,9 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/findings/agreement.h"
+#include "compare/findings/lens_study.h"
+#include "compare/findings/sampling_study.h"
+#include "compare/findings/sin2_study.h"
 #include "compare/findings/study_reports.h"
 #include "compare/studies/lens/synthetic_lens_study.h"
-#include "reports/sections/cases.h"
 #include "reports/sections/sections.h"
 
 namespace sturm {
@@ -13,51 +16,61 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::vector<CaseStatus> states(const std::vector<ReportCase>& cases) {
+using Measure = void (*)(const Json&, Measurements&);
+
+/// Adds what a section lists in the table of cases.
+void add_rows(Measure measure, const Json& report, Measurements& rows) {
+  Measurements all;
+  measure(report, all);
+  for (const Measurement& m : all)
+    if (m.listed_as) rows.push_back(m);
+}
+
+std::vector<CaseStatus> states(const Measurements& rows) {
   std::vector<CaseStatus> result;
-  for (const ReportCase& c : cases) result.push_back(c.status);
+  for (const Measurement& m : rows) result.push_back(*m.listed_as);
   return result;
 }
 
 TEST(ReportCases, APredictionIsHeldAgainstThePathTracersNoise) {
-  std::vector<ReportCase> cases;
+  Measurements cases;
   Json report = testing::agreement_report(0.97, 4e-4);
-  add_agreement_cases(report, cases);
+  add_rows(measure_agreement, report, cases);
   report["agreement"][0]["predictions"][0]["parts"][0]["rmse_display"]["value"] = 0.009;
-  add_agreement_cases(report, cases);
+  add_rows(measure_agreement, report, cases);
   report["agreement"][0]["noise_floor"] = Json::object();
-  add_agreement_cases(report, cases);
+  add_rows(measure_agreement, report, cases);
   EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Differs, CaseStatus::Agrees, CaseStatus::NoResult));
   EXPECT_NEAR(*cases[0].value, 2.0, 1e-12);  // 0.02 over a floor of 0.01
-  EXPECT_EQ(cases[0].ray_model, "layered");
+  EXPECT_EQ(cases[0].model, "layered");
 }
 
 TEST(ReportCases, ABiasIsToldFromNoiseAtTheLevelOfAllTogether) {
-  std::vector<ReportCase> cases;
+  Measurements cases;
   // Eight pictures make 28 pairs: t with 27 degrees of freedom. Three cases at 1 % together are 0.33 % each, two-sided:
   // t = 3.22.
-  add_sampling_cases(testing::sampling_report(1e-5, 3.0, 0.1), cases);
+  add_rows(measure_sampling_study, testing::sampling_report(1e-5, 3.0, 0.1), cases);
   EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Agrees, CaseStatus::Differs, CaseStatus::Agrees));
   EXPECT_NEAR(*cases[1].value, 0.04, 1e-12);  // √4e-4 over 0.5
   EXPECT_LT(*cases[2].z, 3.0);                // Student's tails are heavier
   cases.clear();
-  add_sampling_cases(testing::sampling_report(-1e-5, 3.5, 0.1), cases);
-  EXPECT_EQ(cases[2].status, CaseStatus::Differs);
+  add_rows(measure_sampling_study, testing::sampling_report(-1e-5, 3.5, 0.1), cases);
+  EXPECT_EQ(*cases[2].listed_as, CaseStatus::Differs);
   EXPECT_LT(*cases[2].value, 0.0);  // a negative estimate of a square stays visible
 }
 
 TEST(ReportCases, ChecksNameTheirWorstCaseAndPointSpreadsTheirNoise) {
-  std::vector<ReportCase> cases;
-  add_sin2_study_cases(testing::sin2_report(3e-15, 0.0044), cases);
+  Measurements cases;
+  add_rows(measure_sin2_study, testing::sin2_report(3e-15, 0.0044), cases);
   ASSERT_EQ(cases.size(), 2u);  // theory against itself is no case
-  EXPECT_EQ(cases[0].id, "matrix_vs_theory_max");
-  EXPECT_EQ(cases[0].ray_model, "power_matrix");
-  EXPECT_THAT(cases[0].measure, HasSubstr("A|1 m|4 mm|relaxed|power_matrix"));
-  EXPECT_EQ(cases[0].status, CaseStatus::Measured);
-  EXPECT_EQ(cases[1].status, CaseStatus::Agrees);
+  EXPECT_EQ(cases[0].subject, "matrix_vs_theory_max");
+  EXPECT_EQ(cases[0].model, "power_matrix");
+  EXPECT_THAT(cases[0].quantity, HasSubstr("A|1 m|4 mm|relaxed|power_matrix"));
+  EXPECT_EQ(*cases[0].listed_as, CaseStatus::Measured);
+  EXPECT_EQ(*cases[1].listed_as, CaseStatus::Agrees);
   cases.clear();
-  add_sin2_study_cases(testing::sin2_report(3e-15, 0.4), cases);
-  EXPECT_EQ(cases[1].status, CaseStatus::Differs);
+  add_rows(measure_sin2_study, testing::sin2_report(3e-15, 0.4), cases);
+  EXPECT_EQ(*cases[1].listed_as, CaseStatus::Differs);
 }
 
 TEST(ReportCases, SpectaclesHaveARowPerLensAndMethod) {
@@ -66,20 +79,20 @@ TEST(ReportCases, SpectaclesHaveARowPerLensAndMethod) {
       {"views",
        {test::study_view("A", 0.0, 0.01), test::study_view("A", 20.0, 0.3), test::study_view("B", 20.0, 0.0, false)}}};
   study["views"][1]["pupils"][1]["ray_transfer"] = nullptr;  // rays lost
-  std::vector<ReportCase> cases;
-  add_lens_study_cases({{"lens_study", study}}, cases);
+  Measurements cases;
+  add_rows(measure_lens_study, {{"lens_study", study}}, cases);
   ASSERT_EQ(cases.size(), 6u);
   EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Agrees, CaseStatus::Differs, CaseStatus::Differs,
                                          CaseStatus::Agrees, CaseStatus::NoResult, CaseStatus::Differs));
-  EXPECT_EQ(cases[0].ray_model, "ray_transfer");
+  EXPECT_EQ(cases[0].model, "ray_transfer");
   EXPECT_DOUBLE_EQ(*cases[0].value, 0.036);  // 1e-3 D/mm² at 6 mm, straight ahead
-  EXPECT_THAT(cases[0].measure,
+  EXPECT_THAT(cases[0].quantity,
               HasSubstr("(0°|0.5 m, pupil 6 mm); above 0.05 D in 0 of 3 views and pupils; none in 1"));
-  EXPECT_EQ(cases[1].ray_model, "published");
+  EXPECT_EQ(cases[1].model, "published");
   EXPECT_EQ(*cases[1].value, 0.3);
-  EXPECT_THAT(cases[1].measure, HasSubstr("(20° 0°|0.5 m, pupil 1 mm); above 0.05 D in 2 of 4 views and pupils"));
-  EXPECT_EQ(cases[4].id, "B");
-  EXPECT_THAT(cases[4].measure, HasSubstr("none in 2"));
+  EXPECT_THAT(cases[1].quantity, HasSubstr("(20° 0°|0.5 m, pupil 1 mm); above 0.05 D in 2 of 4 views and pupils"));
+  EXPECT_EQ(cases[4].subject, "B");
+  EXPECT_THAT(cases[4].quantity, HasSubstr("none in 2"));
 }
 
 TEST(ReportCases, TheCaseThatDecidedAFailedGateComesFirst) {

@@ -1,13 +1,10 @@
 #pragma once
 #include <set>
+#include <string>
 
-#include "compare/gates/extreme_statistic.h"
 #include "io/json/json.h"
 
 namespace sturm {
-
-/// The statistics of a report's section "lens_study" (compare/findings/gate_statistics.h lists them).
-void add_lens_study(const Json& report, Statistics& out);
 
 /// Views whose larger principal blur is below this have a first order that is nearly zero, and no relative error that
 /// means anything.
