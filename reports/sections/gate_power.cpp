@@ -37,7 +37,7 @@ Html mutation_list(const Json& mutations) {
 /// A name that may be broken behind its underscores: as many columns as errors have to fit into the page.
 Html breakable_html(const std::string& name) {
   Html html;
-  for (const char c : name) html += c == '_' ? "_<wbr>"_html : text(std::string_view(&c, 1));
+  for (const char c : name) html += c == '_' ? "_<wbr/>"_html : text(std::string_view(&c, 1));
   return html;
 }
 

@@ -6,6 +6,7 @@
 #include "compare/findings/gate_power.h"
 #include "compare/findings/gate_statistics.h"
 #include "compare/findings/healthy_report.h"
+#include "reports/markup/markup_defects.h"
 #include "reports/sections/sections.h"
 
 namespace sturm {
@@ -83,6 +84,7 @@ TEST(GatePower, PageShowsWhoNoticedWhat) {
   patched["ellipses"]["cases"][1]["mutated"]["long_axis"] = patched["ellipses"]["cases"][1]["mutated"]["long"];
   const std::string html =
       gate_power_section({{"gate_power", gate_power(gates, patched, mutations, Json(nullptr))}}).markup();
+  EXPECT_EQ(test::markup_defects(html), "");
   EXPECT_THAT(html, HasSubstr("<code>long_axis</code>"));
   EXPECT_THAT(html, HasSubstr("an axis &lt; another"));
   EXPECT_THAT(html, HasSubstr("<strong class=\"mark fail\">none</strong>"));  // nobody noticed "nothing"
