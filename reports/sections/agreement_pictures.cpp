@@ -89,22 +89,22 @@ Html stills(const Pictures& pictures, double budget) {
 
 /// The maps of a prediction; none but the difference where pictures are too small for metrics or hold numbers that are
 /// not finite.
-std::vector<ViewerCase::Map> maps_of(const Prediction& p, const Image& traced, std::size_t most) {
+std::vector<ViewerSet::Map> maps_of(const Prediction& p, const Image& traced, std::size_t most) {
   std::vector<ImageMetric> metrics;
   try {
     metrics = measure_images(p.linear, traced, {});
   } catch (const InputError&) {
     metrics.clear();
   }
-  std::vector<ViewerCase::Map> maps = maps_of_images(p.difference, error_limit, metrics, most);
-  for (ViewerCase::Map& map : maps) map.of = p.kind;
+  std::vector<ViewerSet::Map> maps = maps_of_images(p.difference, error_limit, metrics, most);
+  for (ViewerSet::Map& map : maps) map.of = p.kind;
   return maps;
 }
 
 /// Gives maps of one kind one scale, so that the predictions can be compared with each other.
-void share_scales(std::vector<ViewerCase::Map>& maps) {
-  for (ViewerCase::Map& map : maps)
-    for (const ViewerCase::Map& other : maps)
+void share_scales(std::vector<ViewerSet::Map>& maps) {
+  for (ViewerSet::Map& map : maps)
+    for (const ViewerSet::Map& other : maps)
       if (other.key == map.key) map.end = std::max(map.end, other.end);
 }
 
@@ -127,7 +127,7 @@ Fit fit_of(const std::vector<Pictures>& all) {
 
 Html place_of(const std::string& id, const Pictures& pictures, const Fit& fit, ViewerPayload& payload) {
   if (pictures.linear.channels != 3 || pictures.predictions.empty()) return {};
-  ViewerCase shown;
+  ViewerSet shown;
   shown.title = id;
   shown.factor = fit.factor;
   shown.quantity = viewer_radiance;
@@ -137,12 +137,12 @@ Html place_of(const std::string& id, const Pictures& pictures, const Fit& fit, V
   for (const Prediction& p : pictures.predictions) {
     payload.add_picture(p.file, p.linear, fit.factor);
     shown.pictures.push_back({p.kind, "Predicted, " + p.kind, p.file});
-    for (ViewerCase::Map& map : maps_of(p, pictures.linear, fit.maps)) shown.maps.push_back(std::move(map));
+    for (ViewerSet::Map& map : maps_of(p, pictures.linear, fit.maps)) shown.maps.push_back(std::move(map));
     add_item(files, file_link(p.file));
   }
   share_scales(shown.maps);
   const bool all_maps = fit.maps > viewer_maps().size();
-  return viewer_place(payload.add_case(shown)) +
+  return viewer_place(payload.add_set(shown)) +
          element("p", {{"class", "made-by"}},
                  "Files: "_html + files + ". "_html + (all_maps ? "Maps"_html : "These and more maps"_html) +
                      " by "_html +

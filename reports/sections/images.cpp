@@ -95,8 +95,8 @@ Html place_of(const Json& entry, const Pair& pair, double limit, std::size_t cas
   payload.add_picture(traced, pair.linear_traced, factor);
   payload.add_picture(predicted, pair.linear_predicted, factor);
   const std::size_t number =
-      payload.add_case(case_of_images(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
-                                      pair.difference, limit, maps_of(pair), factor));
+      payload.add_set(set_of_images(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
+                                    pair.difference, limit, maps_of(pair), factor));
   return viewer_place(number) +
          element("p", {{"class", "made-by"}},
                  "Files: "_html + file_link(traced) + ", "_html + file_link(predicted) + ". Maps by "_html +
