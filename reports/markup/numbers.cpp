@@ -103,4 +103,8 @@ std::string distance_html(const Json& distance_m) {
   return distance_m == "inf" ? "∞" : exact_html(number_at(distance_m, ""));
 }
 
+std::string distance_html(const std::optional<StoredDistance>& distance) {
+  return distance && distance->is_infinite() ? "∞" : exact_html(finite(distance));
+}
+
 }  // namespace sturm

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/json/json.h"
+#include "io/json/record.h"
 
 namespace sturm {
 
@@ -27,5 +28,6 @@ std::string duration_html(std::optional<double> seconds);
 
 /// A distance of the report: metres as a number, or the text "inf" → "∞".
 std::string distance_html(const Json& distance_m);
+std::string distance_html(const std::optional<StoredDistance>& distance);
 
 }  // namespace sturm
