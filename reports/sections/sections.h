@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "io/json/json.h"
@@ -26,5 +27,16 @@ std::string image_section(const Json& report, const std::filesystem::path& run_f
 std::string agreement_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 std::string ellipse_section(const Json& report);
 std::string provenance_section(const Json& report);
+
+/// A section of the report page.
+struct ReportSection {
+  const char* id;     ///< of its HTML element
+  const char* title;  ///< in the page's navigation
+  /// "" when the report has nothing for it.
+  std::string (*draw)(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
+};
+
+/// All sections after the verdict, in reading order. A further section is a further line there.
+std::span<const ReportSection> report_sections();
 
 }  // namespace sturm

@@ -20,7 +20,7 @@ struct LensStudyConditions {
 
 /// An eye and its lens.
 struct LensFacts {
-  std::string id, note;
+  std::string id{}, note{};
   std::optional<bool> lens_of_revolution{}, analytic_surfaces{};
   Number sphere_D{}, cylinder_D{}, axis_deg{}, vertex_distance_mm{};
 
@@ -30,17 +30,17 @@ struct LensFacts {
 /// What became of conoid tracing as published (eq. 11), by the two readings of its tangent axes: "ok", "free_axes",
 /// "no_length", "singular", "negative" or "lost".
 struct Eq11Outcome {
-  std::string principal, incidence;
+  std::string principal{}, incidence{};
 
   bool operator==(const Eq11Outcome&) const = default;
 };
 
 /// One line of sight through one lens.
 struct LensGaze {
-  std::string lens;
+  std::string lens{};
   Number eccentricity_deg{}, direction_deg{};  ///< from the lens's axis and about it; no direction straight ahead
   std::array<Number, 2> gaze_deg{};
-  std::string status;  ///< "ok", or what became of the chief ray
+  std::string status{};  ///< "ok", or what became of the chief ray
   std::optional<Eq11Outcome> eq11{};
 
   bool operator==(const LensGaze&) const = default;
@@ -87,7 +87,7 @@ struct MutantOrders {
 
 /// One target seen along a gaze whose chief ray comes through.
 struct LensStudyView {
-  std::string lens;
+  std::string lens{};
   Number eccentricity_deg{}, direction_deg{};
   std::optional<StoredDistance> distance_m{};
   std::array<Number, 2> blur_D{};  ///< principal blur, the larger first
@@ -96,7 +96,7 @@ struct LensStudyView {
   Number order{}, relative_order{};  ///< of the error of ray transfer in the pupil's diameter
   Number limit_relative{};           ///< of that error, extrapolated to the pupil 0
   MutantOrders mutant_orders{};
-  std::vector<LensPupil> pupils;
+  std::vector<LensPupil> pupils{};
 
   Number finite_distance_m() const { return finite(distance_m); }
   bool operator==(const LensStudyView&) const = default;
@@ -111,7 +111,7 @@ struct FieldEllipse {
 
 struct FieldPoint {
   Number azimuth_deg{};
-  std::string status;
+  std::string status{};
   std::optional<FieldEllipse> real_rays{}, ray_transfer{}, published{}, previous{};
 
   bool operator==(const FieldPoint&) const = default;
@@ -119,20 +119,20 @@ struct FieldPoint {
 
 /// The ellipses of all methods over the wide field.
 struct LensField {
-  std::string lens;
+  std::string lens{};
   std::optional<StoredDistance> distance_m{};
   Number pupil_mm{};
-  std::vector<FieldPoint> points;
+  std::vector<FieldPoint> points{};
 
   bool operator==(const LensField&) const = default;
 };
 
 /// Section "lens_study" of a report.
 struct LensFindings {
-  LensStudyConditions conditions;
-  std::vector<LensFacts> lenses;
-  std::vector<LensGaze> gazes;
-  std::vector<LensStudyView> views;
+  LensStudyConditions conditions{};
+  std::vector<LensFacts> lenses{};
+  std::vector<LensGaze> gazes{};
+  std::vector<LensStudyView> views{};
   std::optional<LensField> field{};
 
   bool operator==(const LensFindings&) const = default;
@@ -140,9 +140,9 @@ struct LensFindings {
 
 /// What one lens gives: its share of the section.
 struct LensPart {
-  LensFacts lens;
-  std::vector<LensGaze> gazes;
-  std::vector<LensStudyView> views;
+  LensFacts lens{};
+  std::vector<LensGaze> gazes{};
+  std::vector<LensStudyView> views{};
 };
 
 Json to_json(const LensFindings& findings);

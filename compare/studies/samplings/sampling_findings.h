@@ -13,14 +13,14 @@ namespace sturm {
 
 /// The mean picture of an entry: paths in the run folder.
 struct SamplingFiles {
-  std::string picture, picture_png;
+  std::string picture{}, picture_png{};
 
   bool operator==(const SamplingFiles&) const = default;
 };
 
 /// Pictures by one spread of rays over the pupil against those by the uniform disc.
 struct SamplingEntry {
-  std::string configuration, note;
+  std::string configuration{}, note{};
   std::optional<RayModel> ray_model{};
   std::optional<PupilSampling> sampling{};
   std::optional<Sequence> sampler{};
@@ -42,7 +42,7 @@ struct SamplingEntry {
 
 /// What was rendered, and how often.
 struct SamplingConditions {
-  std::string scene;  ///< as the experiment states it
+  std::string scene{};  ///< as the experiment states it
   Number pupil_mm{};
   Count samples_per_pixel{}, replicates{};
 
@@ -51,8 +51,8 @@ struct SamplingConditions {
 
 /// Section "sampling_study" of a report.
 struct SamplingFindings {
-  SamplingConditions conditions;
-  std::vector<SamplingEntry> entries;
+  SamplingConditions conditions{};
+  std::vector<SamplingEntry> entries{};
 
   bool operator==(const SamplingFindings&) const = default;
 };

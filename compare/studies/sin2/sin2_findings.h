@@ -14,9 +14,9 @@ namespace sturm {
 /// Number of eyes and views, and how rays were sampled.
 struct Sin2Conditions {
   Count eyes{}, grid_eyes{}, real_eyes{};
-  std::vector<StoredDistance> distances_m;
-  std::vector<double> pupil_diameters_mm;
-  std::vector<std::string> accommodations;
+  std::vector<StoredDistance> distances_m{};
+  std::vector<double> pupil_diameters_mm{};
+  std::vector<std::string> accommodations{};
   Count radial{}, azimuthal{}, rings{}, angle_factor{};
   std::optional<StoredDistance> reference_distance_m{};
   Number reference_pupil_mm{};
@@ -28,7 +28,7 @@ struct Sin2Conditions {
 /// Cases and rays of one ray model.
 struct Sin2ModelRow {
   std::optional<RayModel> ray_model{};
-  std::string title;
+  std::string title{};
   Count cases{}, undefined{}, pole{};
   Number rays{}, rays_dropped{}, rays_negative_focus{}, largest_error_D{};
   std::optional<std::string> largest_error_case{};
@@ -66,7 +66,7 @@ struct Sin2PopulationRow {
 /// Errors over the grid, a row per cylinder; none where the model has none.
 struct Sin2Map {
   std::optional<RayModel> ray_model{};
-  std::vector<std::vector<Number>> error_D;
+  std::vector<std::vector<Number>> error_D{};
 
   bool operator==(const Sin2Map&) const = default;
 };
@@ -74,7 +74,7 @@ struct Sin2Map {
 /// Of eyes without a cylinder: sphere [D], semi-axis of the blur by wavefront theory and by the model [arcmin].
 struct Sin2Curve {
   std::optional<RayModel> ray_model{};
-  std::vector<std::array<Number, 3>> points;
+  std::vector<std::array<Number, 3>> points{};
 
   bool operator==(const Sin2Curve&) const = default;
 };
@@ -82,17 +82,17 @@ struct Sin2Curve {
 /// Errors of the real eyes, by rising size.
 struct Sin2Cumulative {
   std::optional<RayModel> ray_model{};
-  std::vector<Number> error_D;
+  std::vector<Number> error_D{};
 
   bool operator==(const Sin2Cumulative&) const = default;
 };
 
 /// The numbers behind the figures.
 struct Sin2ReferenceView {
-  std::vector<double> spheres_D, cylinders_D;
-  std::vector<Sin2Map> maps;
-  std::vector<Sin2Curve> curves;
-  std::vector<Sin2Cumulative> cumulative;
+  std::vector<double> spheres_D{}, cylinders_D{};
+  std::vector<Sin2Map> maps{};
+  std::vector<Sin2Curve> curves{};
+  std::vector<Sin2Cumulative> cumulative{};
 
   bool operator==(const Sin2ReferenceView&) const = default;
 };
@@ -103,30 +103,30 @@ struct Sin2Spread {
   Number total_variation{}, total_variation_over_noise{};  ///< from wavefront theory's
   Number radius_50_arcmin{}, radius_80_arcmin{};           ///< about the centroid, with so much of the light within
   Number radius_50_error_of_independent_rays_arcmin{}, radius_80_error_of_independent_rays_arcmin{};
-  std::string file;  ///< EXR with the density, in the run folder
+  std::string file{};  ///< EXR with the density, in the run folder
 
   bool operator==(const Sin2Spread&) const = default;
 };
 
 /// One view of the gallery. In perfect focus it has no pictures, nor a size of the cells that they are compared in.
 struct Sin2GalleryEntry {
-  std::string id, title;
+  std::string id{}, title{};
   Number sphere_D{}, cylinder_D{}, axis_deg{};
   std::optional<StoredDistance> distance_m{};
   Number pupil_mm{}, accommodation_D{}, half_side_arcmin{}, cell_arcmin{}, noise_total_variation{};
-  std::vector<Sin2Spread> models;
+  std::vector<Sin2Spread> models{};
 
   bool operator==(const Sin2GalleryEntry&) const = default;
 };
 
 /// Section "sin2_study" of a report.
 struct Sin2Findings {
-  Sin2Conditions conditions;
-  std::vector<Sin2ModelRow> models;
-  Sin2Checks checks;
-  std::vector<Sin2PopulationRow> population;
-  Sin2ReferenceView reference_view;
-  std::vector<Sin2GalleryEntry> gallery;
+  Sin2Conditions conditions{};
+  std::vector<Sin2ModelRow> models{};
+  Sin2Checks checks{};
+  std::vector<Sin2PopulationRow> population{};
+  Sin2ReferenceView reference_view{};
+  std::vector<Sin2GalleryEntry> gallery{};
 
   bool operator==(const Sin2Findings&) const = default;
 
