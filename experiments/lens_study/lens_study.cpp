@@ -13,7 +13,6 @@
 #include "lensmodel/gaze.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
-#include "stages/lens_status_word.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -234,7 +233,7 @@ GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const S
                      .direction_deg = gaze.direction_deg,
                      .gaze_deg = {std::atan2(direction.x(), -direction.z()) / radians_per_degree,
                                   std::asin(direction.y()) / radians_per_degree},
-                     .status = word_for(sight.conoid.status)},
+                     .status = name_of(sight.conoid.status)},
                     {}};
   if (sight.conoid.status != LensStatus::ok) return result;
   result.gaze.eq11 = Eq11Outcome{word_for(sight.published[0]), word_for(sight.published[1])};
@@ -287,7 +286,7 @@ LensField wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze) {
   LensField field{.lens = lens.id, .distance_m = StoredDistance{gaze.distance_m}, .pupil_mm = 2e3 * a, .points = {}};
   for (const double azimuth : gaze.azimuths_deg) {
     const Sight sight = sight_of(spec, lens, gaze_direction(azimuth * radians_per_degree, 0.0));
-    FieldPoint point{.azimuth_deg = azimuth, .status = word_for(sight.conoid.status)};
+    FieldPoint point{.azimuth_deg = azimuth, .status = name_of(sight.conoid.status)};
     if (sight.conoid.status == LensStatus::ok) {
       const auto covariance = [a](const std::optional<Eigen::Matrix2d>& map) {
         return map ? std::optional(covariance_of_disc_image(*map, a)) : std::nullopt;

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

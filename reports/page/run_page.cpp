@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/html.h"
 #include "reports/viewer/html_page.h"
 #include "reports/viewer/viewer.h"
 
@@ -13,15 +13,17 @@ namespace {
 
 struct Part {
   const ReportSection& section;
-  std::string html;
+  Html html;
 };
 
-std::string navigation(const std::vector<Part>& parts) {
-  std::string items;
+Html navigation(const std::vector<Part>& parts) {
+  Html items;
   for (const Part& part : parts) {
-    if (!part.html.empty()) items += element("li", "", "<a href=\"#" + std::string(part.section.id) + "\">" + part.section.title + "</a>");
+    if (!part.html.empty())
+      items +=
+          element("li", inline_element("a", {{"href", "#" + std::string(part.section.id)}}, text(part.section.title)));
   }
-  return items.empty() ? "" : element("nav", "aria-label=\"Contents\"", element("ol", "", items));
+  return items.empty() ? Html() : element("nav", {{"aria-label", "Contents"}}, element("ol", items));
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
   ViewerPayload payload;
   std::vector<Part> parts;
   for (const ReportSection& section : sections) parts.push_back({section, section.draw(report, run_folder, payload)});
-  std::string body = verdict_section(report) + navigation(parts);
+  Html body = verdict_section(report) + navigation(parts);
   for (const Part& part : parts) body += part.html;
   body += payload.html();
   const std::string title = text_at(report, "title");

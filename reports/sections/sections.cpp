@@ -9,13 +9,13 @@ namespace {
 using Folder = std::filesystem::path;
 
 /// Sections that need less than others do.
-template <std::string (*section)(const Json&)>
-std::string of_report(const Json& report, const Folder&, ViewerPayload&) {
+template <Html (*section)(const Json&)>
+Html of_report(const Json& report, const Folder&, ViewerPayload&) {
   return section(report);
 }
 
-template <std::string (*section)(const Json&, const Folder&)>
-std::string of_folder(const Json& report, const Folder& run_folder, ViewerPayload&) {
+template <Html (*section)(const Json&, const Folder&)>
+Html of_folder(const Json& report, const Folder& run_folder, ViewerPayload&) {
   return section(report, run_folder);
 }
 

@@ -3,7 +3,7 @@
 
 namespace sturm {
 
-/// The section "toy_study" of the page; "" without it.
-std::string toy_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
+/// The section "toy_study" of the page; nothing without it.
+Html toy_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 
 }  // namespace sturm
