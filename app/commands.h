@@ -93,6 +93,7 @@ int compare_command(const CompareOptions& options);
 int compare_runs_command(const CompareRunsOptions& options);
 int plan_samples_command(const PlanOptions& options);
 int gate_command(const GateOptions& options);
+int report_command(const std::string& run, const std::string& output);
 int validate_command(const std::string& file);
 int schema_command(const std::string& name);
 

@@ -8,7 +8,6 @@
 #include "compare/findings/judged_report.h"
 #include "compare/gates/gates.h"
 #include "experiments/figures/figures.h"
-#include "experiments/sections.h"
 #include "io/files/atomic_file.h"
 #include "io/files/sha256.h"
 #include "io/json/manifest.h"
@@ -29,9 +28,10 @@ struct Wanted {
   std::unique_ptr<SectionRun> run;
 };
 
-std::vector<Wanted> wanted_sections(const ExperimentSpec& spec, const RunOptions& options) {
+std::vector<Wanted> wanted_sections(std::span<const ExperimentSection> sections, const ExperimentSpec& spec,
+                                    const RunOptions& options) {
   std::vector<Wanted> wanted;
-  for (const ExperimentSection& section : experiment_sections())
+  for (const ExperimentSection& section : sections)
     if (std::unique_ptr<SectionRun> run = section.prepared(spec, options)) wanted.push_back({section, std::move(run)});
   return wanted;
 }
@@ -45,9 +45,9 @@ std::string run_key(const ExperimentSpec& spec, const std::vector<Wanted>& wante
 
 /// Files and folders of a run; report.json, which appears last, first. Tables of an earlier run of another experiment
 /// in the same folder go away, too.
-RunFolder::Layout layout_of(const std::vector<Wanted>& wanted) {
+RunFolder::Layout layout_of(std::span<const ExperimentSection> sections, const std::vector<Wanted>& wanted) {
   RunFolder::Layout layout{{"report.json", "report.html", "ellipses.csv", "junit.xml", "summary.md"}, {"figures"}};
-  for (const ExperimentSection& section : experiment_sections())
+  for (const ExperimentSection& section : sections)
     if (section.table) layout.reports.push_back(section.table);
   for (const Wanted& w : wanted)
     for (const std::string& folder : w.run->folders()) layout.folders.push_back(folder);
@@ -75,36 +75,38 @@ Json written(const std::vector<Figure>& figures, const std::filesystem::path& fo
 
 /// Gates, their power to see the mutations, and the verdict with its sentences.
 void judge(const ExperimentSpec& spec, const std::vector<GateSpec>& gates, std::span<const Mutation> mutations,
-           const std::vector<Wanted>& wanted, Json& report) {
+           const RunTables& tables, const std::vector<Wanted>& wanted, Json& report) {
   const Json baseline =
       spec.baseline && std::filesystem::exists(*spec.baseline) ? load_json(spec.baseline->string()) : Json(nullptr);
   if (!mutations.empty()) {
     std::vector<MutationName> names;
     for (const Mutation& mutation : mutations) names.push_back({mutation.id, mutation.what});
-    report["gate_power"] = gate_power(gates, report, names, baseline);
+    report["gate_power"] = gate_power(gates, report, names, baseline, tables.findings);
   }
   drop_mutated(report);
-  report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
+  report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline, tables.findings);
   Json& verdict = report["verdict"] = verdict_of(report["gates"]);
-  for (const ExperimentSection& section : experiment_sections())
+  for (const ExperimentSection& section : tables.runs)
     if (section.sentence_key) verdict[section.sentence_key] = nullptr;
   for (const Wanted& w : wanted)
     if (w.section.sentence_key) verdict[w.section.sentence_key] = w.run->sentence(report);
 }
 
 /// The texts and the page beside report.json, which is written last.
-void write_reports(const Json& report, const std::string& title, const std::filesystem::path& folder) {
+void write_reports(const Json& report, const std::string& title, const std::filesystem::path& folder,
+                   std::span<const ReportSection> page) {
   write_file_atomically(folder / "ellipses.csv", ellipses_csv(report));
   write_file_atomically(folder / "junit.xml",
                         junit_xml(report.at("gates"), title, report.at("provenance").at("seconds").at("total")));
   write_file_atomically(folder / "summary.md", report_markdown(report, report.at("gates"), report.at("verdict")));
-  write_file_atomically(folder / "report.html", render_report_html(report, folder));
+  write_file_atomically(folder / "report.html", render_report_html(report, folder, page));
   write_file_atomically(folder / "report.json", report.dump(1));
 }
 
-RunOutcome outcome_of(const Json& verdict, const std::filesystem::path& folder) {
+RunOutcome outcome_of(const Json& verdict, const std::filesystem::path& folder,
+                      std::span<const ExperimentSection> sections) {
   RunOutcome outcome{verdict.at("passed"), verdict.at("sentence"), {}, folder / "report.html"};
-  for (const ExperimentSection& section : experiment_sections())
+  for (const ExperimentSection& section : sections)
     if (section.sentence_key && verdict.at(section.sentence_key).is_string())
       outcome.findings.push_back(verdict.at(section.sentence_key));
   return outcome;
@@ -112,7 +114,8 @@ RunOutcome outcome_of(const Json& verdict, const std::filesystem::path& folder) 
 
 }  // namespace
 
-RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experiment_file, const RunOptions& options) {
+RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experiment_file, const RunOptions& options,
+                          const RunTables& tables) {
   const Stopwatch watch;
   const std::string started = utc_now();
   std::vector<std::string> inputs = spec.input_files;
@@ -120,10 +123,10 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
 
   // Everything that can be wrong with the input shows before the output folder is touched.
   const std::vector<GateSpec> gates = gates_of(spec);
-  const std::vector<Wanted> wanted = wanted_sections(spec, options);
+  const std::vector<Wanted> wanted = wanted_sections(tables.runs, spec, options);
   std::vector<Figure> figures = drawn_figures(spec.figures);
 
-  const RunFolder folder(options.folder, run_key(spec, wanted), options.resume, layout_of(wanted));
+  const RunFolder folder(options.folder, run_key(spec, wanted), options.resume, layout_of(tables.runs, wanted));
   Steps steps(folder, options.quiet);
   const std::vector<Mutation> mutations = mutations_named(spec.mutations);
   const std::string command = "sturm run " + std::filesystem::path(experiment_file).filename().string();
@@ -135,12 +138,12 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     if (const double spent = steps.lap(); spent > 0.0) seconds[w.section.name] = spent;
     for (Figure& figure : w.run->figures(report, folder, command)) figures.push_back(std::move(figure));
   }
-  judge(spec, gates, mutations, wanted, report);
+  judge(spec, gates, mutations, tables, wanted, report);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
   if (!figures.empty()) report["figures"] = written(figures, folder.path());
-  write_reports(report, spec.title, folder.path());
-  return outcome_of(report["verdict"], folder.path());
+  write_reports(report, spec.title, folder.path(), tables.page);
+  return outcome_of(report["verdict"], folder.path(), tables.runs);
 }
 
 }  // namespace sturm

@@ -21,18 +21,19 @@ class BenchRun : public SectionRun {
 
   void run(const SectionPlace& place, Json& report) override {
     const Stopwatch watch;
-    report["bench"] = measured_bench(spec_, keys_, {place.folder, place.threads, place.quiet});
+    report["bench"] = to_json(measured_bench(spec_, keys_, {place.folder, place.threads, place.quiet}));
     place.steps.add_seconds(watch.seconds());
   }
 
   std::vector<Figure> figures(const Json& report, const RunFolder&, const std::string& command) const override {
     std::vector<Figure> drawn;
-    for (const Json& view : report.at("bench").at("views"))
+    const BenchFindings found = bench_findings(report).value();
+    for (const BenchViewResult& view : found.views)
       for (Figure& figure : bench_figures_of_experiment(view, command)) drawn.push_back(std::move(figure));
     return drawn;
   }
 
-  Json sentence(const Json& report) const override { return bench_sentence(report.at("bench")); }
+  Json sentence(const Json& report) const override { return bench_sentence(*bench_findings(report)); }
 
  private:
   const BenchSpec& spec_;

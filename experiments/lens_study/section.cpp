@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/sections.h"
+#include "experiments/lens_study/lens_study.h"
 #include "io/files/atomic_file.h"
 #include "io/files/sha256.h"
 #include "reports/plots/lens_study_figures.h"
@@ -23,25 +23,31 @@ class LensRun : public SectionRun {
   }
 
   void run(const SectionPlace& place, Json& report) override {
-    Json lenses = Json::array();
-    for (const StudyLens& lens : spec_.lenses)
-      lenses.push_back(place.steps("lens_" + lens.id, "lens " + lens.id, [&](const ProgressFunction& progress) {
-        return lens_study_of(spec_, lens, progress);
-      }));
-    Json field = nullptr;
+    LensFindings found;
+    found.conditions = conditions_of(spec_);
+    for (const StudyLens& lens : spec_.lenses) {
+      LensPart part =
+          lens_part_from(place.steps("lens_" + lens.id, "lens " + lens.id, [&](const ProgressFunction& progress) {
+            return to_json(lens_study_of(spec_, lens, progress));
+          }));
+      found.lenses.push_back(std::move(part.lens));
+      for (LensGaze& gaze : part.gazes) found.gazes.push_back(std::move(gaze));
+      for (LensStudyView& view : part.views) found.views.push_back(std::move(view));
+    }
     if (spec_.wide_gaze)
-      field = place.steps("lens_field", "wide field",
-                          [&](const ProgressFunction&) { return wide_gaze_study(spec_, *spec_.wide_gaze); });
-    report["lens_study"] = assembled_lens_study(spec_, lenses, field);
-    append(report["must_fail"], lens_study_mutants(report["lens_study"]));
-    write_file_atomically(place.folder.path() / "lens_study.csv", lens_study_csv(report["lens_study"]));
+      found.field = lens_field_from(place.steps("lens_field", "wide field", [&](const ProgressFunction&) {
+        return to_json(wide_gaze_study(spec_, *spec_.wide_gaze));
+      }));
+    report["lens_study"] = to_json(found);
+    append(report["must_fail"], lens_study_mutants(found));
+    write_file_atomically(place.folder.path() / "lens_study.csv", lens_study_csv(found));
   }
 
   std::vector<Figure> figures(const Json& report, const RunFolder&, const std::string&) const override {
-    return lens_study_figures(report.at("lens_study"));
+    return lens_study_figures(*lens_findings(report));
   }
 
-  Json sentence(const Json& report) const override { return lens_study_sentence(report.at("lens_study")); }
+  Json sentence(const Json& report) const override { return lens_study_sentence(*lens_findings(report)); }
 
  private:
   const LensStudySpec& spec_;

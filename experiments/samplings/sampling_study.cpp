@@ -1,7 +1,6 @@
 #include "experiments/samplings/sampling_study.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "compare/images/paired_bias.h"
 #include "compare/statistics/jackknife.h"
@@ -76,15 +75,16 @@ Replicates sampled(const Scene& scene, const SamplingStudySpec& study, const Sam
 
 }  // namespace
 
-Json sampling_entries(const SamplingStudySpec& study, std::size_t index, const Scene& scene, std::uint64_t seed,
-                      const std::filesystem::path& folder, const ProgressFunction& progress) {
+std::vector<SamplingEntry> sampling_entries(const SamplingStudySpec& study, std::size_t index, const Scene& scene,
+                                            std::uint64_t seed, const std::filesystem::path& folder,
+                                            const ProgressFunction& progress) {
   const SamplingConfiguration& configuration = study.configurations[index];
   const std::uint64_t own_seed = replicate_seed(seed, static_cast<int>(index));
   const Replicates reference =
       render_replicates(scene, camera_pose(study.camera), configuration.eye, configuration.ray_model,
                         settings_of(study), own_seed ^ reference_stream, study.replicates, [](double) {});
   const double brightness = mean_radiance(reference.mean());
-  Json entries = Json::array();
+  std::vector<SamplingEntry> entries;
   const double steps = static_cast<double>(study.samplings.size() * study.samplers.size()) + 1.0;
   for (std::size_t s = 0; s < study.samplers.size(); ++s)
     for (const PupilSamplingSpec& sampling : study.samplings) {
@@ -97,32 +97,30 @@ Json sampling_entries(const SamplingStudySpec& study, std::size_t index, const S
       const std::string file =
           "samplings/" + configuration.id + "_" + name_of(sampling.kind) + "_" + name_of(study.samplers[s]);
       write_picture(folder / file, pictures.mean(), exposure);
-      entries.push_back({{"configuration", configuration.id},
-                         {"note", configuration.note},
-                         {"ray_model", name_of(configuration.ray_model)},
-                         {"sampling", name_of(sampling.kind)},
-                         {"sampler", name_of(study.samplers[s])},
-                         {"aspect_ratio", static_cast<double>(study.camera.width) / study.camera.height},
-                         {"pupil_rms_ratio", std::sqrt(mean_square_radius(sampling))},
-                         {"mean_radiance", brightness},
-                         {"noise", noise_of(pictures)},
-                         {"noise_standard_error", noise_error_of(pictures)},
-                         {"mean_square_bias", bias.mean_square},
-                         {"mean_square_bias_standard_error", bias.standard_error},
-                         {"z", bias.z},
-                         {"seconds", seconds},
-                         {"files", {{"picture", file + ".exr"}, {"picture_png", file + ".png"}}}});
+      entries.push_back({.configuration = configuration.id,
+                         .note = configuration.note,
+                         .ray_model = configuration.ray_model,
+                         .sampling = sampling.kind,
+                         .sampler = study.samplers[s],
+                         .aspect_ratio = static_cast<double>(study.camera.width) / study.camera.height,
+                         .pupil_rms_ratio = std::sqrt(mean_square_radius(sampling)),
+                         .mean_radiance = brightness,
+                         .noise = noise_of(pictures),
+                         .noise_standard_error = noise_error_of(pictures),
+                         .mean_square_bias = bias.mean_square,
+                         .mean_square_bias_standard_error = bias.standard_error,
+                         .z = bias.z,
+                         .seconds = seconds,
+                         .files = {file + ".exr", file + ".png"}});
     }
   return entries;
 }
 
-Json assembled_sampling_study(const SamplingStudySpec& study, const Json& entries) {
-  return {{"conditions",
-           {{"scene", study.scene_name},
-            {"pupil_mm", 2e3 * study.configurations.front().eye.pupil_radius_m},
-            {"samples_per_pixel", study.samples_per_pixel},
-            {"replicates", study.replicates}}},
-          {"entries", entries}};
+SamplingConditions conditions_of(const SamplingStudySpec& study) {
+  return {.scene = study.scene_name,
+          .pupil_mm = 2e3 * study.configurations.front().eye.pupil_radius_m,
+          .samples_per_pixel = static_cast<std::int64_t>(study.samples_per_pixel),
+          .replicates = study.replicates};
 }
 
 }  // namespace sturm

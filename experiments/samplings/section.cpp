@@ -22,18 +22,20 @@ class SamplingRun : public SectionRun {
 
   void run(const SectionPlace& place, Json& report) override {
     const Scene scene(description_);
-    Json entries = Json::array();
+    SamplingFindings found{conditions_of(spec_), {}};
     for (std::size_t i = 0; i < spec_.configurations.size(); ++i) {
       const std::string& id = spec_.configurations[i].id;
-      append(entries, place.steps("sampling_" + id, "samplings " + id, [&](const ProgressFunction& progress) {
-        return sampling_entries(spec_, i, scene, seed_, place.folder.path(), progress);
-      }));
+      for (SamplingEntry& entry : sampling_entries_from(
+               place.steps("sampling_" + id, "samplings " + id, [&](const ProgressFunction& progress) {
+                 return to_json(sampling_entries(spec_, i, scene, seed_, place.folder.path(), progress));
+               })))
+        found.entries.push_back(std::move(entry));
     }
-    report["sampling_study"] = assembled_sampling_study(spec_, entries);
+    report["sampling_study"] = to_json(found);
   }
 
   std::vector<Figure> figures(const Json& report, const RunFolder& folder, const std::string&) const override {
-    return sampling_sheets(report.at("sampling_study"), folder.path());
+    return sampling_sheets(*sampling_findings(report), folder.path());
   }
 
  private:

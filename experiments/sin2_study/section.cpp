@@ -31,23 +31,25 @@ class Sin2Run : public SectionRun {
            place.steps("sin2_" + group.name, "sin² " + group.name,
                        [&](const ProgressFunction& progress) { return sin2_study_rows(spec_, group, progress); }))
         cases.push_back(case_of(row));
-    Json gallery = Json::array();
+    std::vector<Sin2GalleryEntry> gallery;
     for (const Sin2GalleryView& view : spec_.gallery)
-      gallery.push_back(place.steps("sin2_psf_" + view.id, "PSFs " + view.id, [&](const ProgressFunction&) {
-        return sin2_gallery_entry(spec_, view, seed_, place.folder.path());
-      }));
+      gallery.push_back(
+          sin2_gallery_entry_from(place.steps("sin2_psf_" + view.id, "PSFs " + view.id, [&](const ProgressFunction&) {
+            return to_json(sin2_gallery_entry(spec_, view, seed_, place.folder.path()));
+          })));
     write_file_atomically(place.folder.path() / "sin2_study.csv", sin2_study_csv(cases, spec_));
-    report["sin2_study"] = summarised_sin2_study(spec_, cases, gallery);
-    append(report["must_fail"], sin2_study_mutants(report["sin2_study"]));
+    const Sin2Findings found = summarised_sin2_study(spec_, cases, std::move(gallery));
+    report["sin2_study"] = to_json(found);
+    append(report["must_fail"], sin2_study_mutants(found));
   }
 
   std::vector<Figure> figures(const Json& report, const RunFolder& folder, const std::string& command) const override {
-    std::vector<Figure> drawn = sin2_study_figures(report.at("sin2_study"), folder.path());
+    std::vector<Figure> drawn = sin2_study_figures(*sin2_study_findings(report), folder.path());
     for (Figure& figure : drawn) figure.command = command;
     return drawn;
   }
 
-  Json sentence(const Json& report) const override { return sin2_study_sentence(report.at("sin2_study")); }
+  Json sentence(const Json& report) const override { return sin2_study_sentence(*sin2_study_findings(report)); }
 
  private:
   const Sin2StudySpec& spec_;

@@ -120,4 +120,8 @@ Html distance_html(const Json& distance_m) {
   return distance_m == "inf" ? "∞"_html : exact_html(number_at(distance_m, ""));
 }
 
+Html distance_html(const std::optional<StoredDistance>& distance) {
+  return distance && distance->is_infinite() ? "∞"_html : exact_html(finite(distance));
+}
+
 }  // namespace sturm

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "io/json/json.h"
+#include "io/json/record.h"
 #include "reports/markup/html.h"
 
 namespace sturm {
@@ -31,5 +32,6 @@ Html duration_html(std::optional<double> seconds);
 
 /// A distance of the report: metres as a number, or the text "inf" → "∞".
 Html distance_html(const Json& distance_m);
+Html distance_html(const std::optional<StoredDistance>& distance);
 
 }  // namespace sturm

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "compare/studies/lens/lens_study_errors.h"
 #include "compare/studies/lens/lens_study_views.h"
@@ -16,7 +15,7 @@ namespace sturm {
 
 namespace {
 
-Html explanation(const Json& conditions) {
+Html explanation(const LensStudyConditions& conditions) {
   return R"(<p>Real rays leave the pupil by wavefront theory and go through both surfaces by Snell's law; their covariance <i>C</i> is
 compared with <i>a</i>²/4 <i>X X</i><sup>T</sup> of each method. The error falls into two parts:</p>
 <table class="formula"><tbody>
@@ -25,8 +24,7 @@ compared with <i>a</i>²/4 <i>X X</i><sup>T</sup> of each method. The error fall
 <p>Errors are the largest difference of the blur's half-width in any direction, in minutes of arc, or divided by the pupil's radius, in
 dioptres. The previous method's scaling to the object is our reading of a paper that gives no formula for it; before that scaling it is
 exact. Quadrature: )"_html +
-         count_html(number_at(conditions, "radial")) + " rings of "_html +
-         count_html(number_at(conditions, "azimuthal")) + " rays.</p>\n"_html;
+         count_html(conditions.radial) + " rings of "_html + count_html(conditions.azimuthal) + " rays.</p>\n"_html;
 }
 
 /// A bound on the error; the table gives the smallest eccentricity at which it is exceeded.
@@ -100,7 +98,7 @@ struct Range {
   Html html() const { return low ? number_html(low, 4) + " … "_html + number_html(high, 4) : absent_html(); }
 };
 
-Html order_table(const Json& section) {
+Html order_table(const LensFindings& found) {
   HtmlTable table("Real rays approach the first order of ray transfer: oblique gazes, orders in the pupil's diameter",
                   "sortable",
                   {{"Lens"_html, false},
@@ -110,28 +108,27 @@ Html order_table(const Json& section) {
                    {"Extrapolated to the pupil 0, largest relative error"_html},
                    {"First-order error as published, largest [D]"_html},
                    {"First-order error of the previous method, largest [D]"_html}});
-  for (const Json& lens : array_at(section, "lenses")) {
-    const std::string id = text_at(lens, "id");
+  for (const LensFacts& lens : found.lenses) {
     Range order, relative, limit, published, previous;
-    for (const Json& view : array_at(section, "views")) {
-      if (text_at(view, "lens") != id) continue;
-      const bool oblique = number_at(view, "eccentricity_deg").value_or(0.0) > 0.0;
-      const bool blurred = number_at(view, "blur_D/0").value_or(0.0) >= least_blur_D;
-      if (oblique) order.add(number_at(view, "order"));
-      if (oblique && blurred) relative.add(number_at(view, "relative_order"));
-      if (blurred) limit.add(number_at(view, "limit_relative"));
-      published.add(number_at(view, "first_order/published/defocus_D"));
-      previous.add(number_at(view, "first_order/previous/defocus_D"));
+    for (const LensStudyView& view : found.views) {
+      if (view.lens != lens.id) continue;
+      const bool oblique = view.eccentricity_deg.value_or(0.0) > 0.0;
+      const bool blurred = view.blur_D[0].value_or(0.0) >= least_blur_D;
+      if (oblique) order.add(view.order);
+      if (oblique && blurred) relative.add(view.relative_order);
+      if (blurred) limit.add(view.limit_relative);
+      published.add(defocus_of(view.first_order.published));
+      previous.add(defocus_of(view.first_order.previous));
     }
-    table.add_row({text(id), text_or_dash(text_at(lens, "note")), order.html(), relative.html(),
-                   number_html(limit.high, 2), number_html(published.high, 2), number_html(previous.high, 2)});
+    table.add_row({text(lens.id), text_or_dash(lens.note), order.html(), relative.html(), number_html(limit.high, 2),
+                   number_html(published.high, 2), number_html(previous.high, 2)});
   }
   return table.html() +
          element("p", "Relative orders and the limit: views whose larger principal blur is at least "_html +
                           exact_html(least_blur_D) + " D; nearer to focus the first order has next to no width."_html);
 }
 
-Html eq11_table(const Json& section) {
+Html eq11_table(const LensFindings& found) {
   constexpr const char* outcomes[] = {"free_axes", "singular", "negative", "no_length"};
   std::vector<Column> columns = {{"Gaze from the axis"_html}, {"Lines of sight"_html}, {"Chief ray lost"_html}};
   for (const Html& reading : {"axes along e′<sub>1</sub>"_html, "axes in the plane of incidence"_html})
@@ -142,13 +139,13 @@ Html eq11_table(const Json& section) {
       "plane's axes",
       "compact", columns);
   std::map<double, std::map<std::string, int>> counts;
-  for (const Json& gaze : array_at(section, "gazes")) {
-    auto& row = counts[number_at(gaze, "eccentricity_deg").value_or(0.0)];
+  for (const LensGaze& gaze : found.gazes) {
+    auto& row = counts[gaze.eccentricity_deg.value_or(0.0)];
     ++row["all"];
-    row["chief"] += text_at(gaze, "status") != "ok";
-    for (const char* reading : {"principal", "incidence"})
-      if (const std::string word = text_at(gaze, std::string("eq11/") + reading); !word.empty())
-        ++row[reading + ("/" + word)];
+    row["chief"] += gaze.status != "ok";
+    if (!gaze.eq11) continue;
+    ++row["principal/" + gaze.eq11->principal];
+    ++row["incidence/" + gaze.eq11->incidence];
   }
   for (auto& [eccentricity, row] : counts) {
     std::vector<Cell> cells = {exact_html(eccentricity) + "°"_html, count_html(row["all"]), count_html(row["chief"])};
@@ -168,9 +165,9 @@ Html eq11_table(const Json& section) {
 }  // namespace
 
 Html lens_study_section(const Json& report, const std::filesystem::path& run_folder) {
-  const Json& section = value_at(report, "lens_study");
-  if (!section.is_object()) return {};
-  const LensStudyErrors errors(section);
+  const std::optional<LensFindings> found = lens_findings(report);
+  if (!found) return {};
+  const LensStudyErrors errors(*found);
   Html plots, maps, tables;
   for (const Json& figure : figures_of(report, "lens_study"))
     (text_at(figure, "id").starts_with("lens_study_heat_") ? maps : plots) += figure_html(figure, run_folder);
@@ -178,8 +175,8 @@ Html lens_study_section(const Json& report, const std::filesystem::path& run_fol
     tables += folded(text(t.title) + ", by lens, method and pupil"_html, threshold_table(errors, t), true);
   if (!maps.empty()) maps = folded("Error by gaze and pupil, one map per lens"_html, maps, true);
   const Html html = element("h2", "Conoid tracing through spectacles against real rays"_html) +
-                    explanation(value_at(section, "conditions")) + largest_table(errors) + tables + maps +
-                    order_table(section) + eq11_table(section) + plots;
+                    explanation(found->conditions) + largest_table(errors) + tables + maps + order_table(*found) +
+                    eq11_table(*found) + plots;
   return element("section", {{"id", "lens_study"}}, html);
 }
 

@@ -1,7 +1,7 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "io/json/stored.h"
+#include "compare/studies/samplings/sampling_findings.h"
+#include "compare/studies/stored_words.h"
 #include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
 #include "reports/markup/parts.h"
@@ -21,7 +21,7 @@ std::optional<double> signed_root(const std::optional<double>& square) {
   return square ? std::optional(std::copysign(std::sqrt(std::abs(*square)), *square)) : std::nullopt;
 }
 
-Html table_of(const Json& section) {
+Html table_of(const SamplingFindings& found) {
   HtmlTable table("Bias and noise of pupil samplings", "sortable",
                   {{"Configuration"_html, false},
                    {"Ray model"_html, false},
@@ -33,35 +33,32 @@ Html table_of(const Json& section) {
                    {"z"_html},
                    {"Noise"_html},
                    {"Time [s]"_html}});
-  for (const Json& entry : array_at(section, "entries")) {
-    const auto brightness = number_at(entry, "mean_radiance"), square = number_at(entry, "mean_square_bias"),
-               noise = number_at(entry, "noise");
-    table.add_row({text_or_dash(text_at(entry, "configuration")),
-                   code_html(text_at(entry, "ray_model")),
-                   code_html(text_at(entry, "sampling")),
-                   text_or_dash(text_at(entry, "sampler")),
-                   {number_html(number_at(entry, "pupil_rms_ratio"), 4), number_at(entry, "pupil_rms_ratio")},
-                   {measured_html(square, number_at(entry, "mean_square_bias_standard_error")), square},
-                   {relative_html(signed_root(square), brightness), square},
-                   {number_html(number_at(entry, "z"), 3), number_at(entry, "z")},
-                   {relative_html(noise, brightness), noise},
-                   {number_html(number_at(entry, "seconds"), 3), number_at(entry, "seconds")}});
-  }
+  for (const SamplingEntry& entry : found.entries)
+    table.add_row(
+        {text_or_dash(entry.configuration),
+         code_html(word_of(entry.ray_model)),
+         code_html(word_of(entry.sampling)),
+         text_or_dash(word_of(entry.sampler)),
+         {number_html(entry.pupil_rms_ratio, 4), entry.pupil_rms_ratio},
+         {measured_html(entry.mean_square_bias, entry.mean_square_bias_standard_error), entry.mean_square_bias},
+         {relative_html(signed_root(entry.mean_square_bias), entry.mean_radiance), entry.mean_square_bias},
+         {number_html(entry.z, 3), entry.z},
+         {relative_html(entry.noise, entry.mean_radiance), entry.noise},
+         {number_html(entry.seconds, 3), entry.seconds}});
   return table.html();
 }
 
 }  // namespace
 
 Html sampling_section(const Json& report, const std::filesystem::path& run_folder) {
-  const Json& section = value_at(report, "sampling_study");
-  if (!section.is_object()) return {};
+  const std::optional<SamplingFindings> found = sampling_findings(report);
+  if (!found) return {};
   Html html =
       element("h2", "Spread of rays over the pupil"_html) +
       element("p",
-              "One view of "_html + text_or_dash(text_at(section, "conditions/scene")) + ", pupil "_html +
-                  exact_html(number_at(section, "conditions/pupil_mm")) + " mm, "_html +
-                  count_html(number_at(section, "conditions/replicates")) + " independent pictures of "_html +
-                  count_html(number_at(section, "conditions/samples_per_pixel")) +
+              "One view of "_html + text_or_dash(found->conditions.scene) + ", pupil "_html +
+                  exact_html(found->conditions.pupil_mm) + " mm, "_html + count_html(found->conditions.replicates) +
+                  " independent pictures of "_html + count_html(found->conditions.samples_per_pixel) +
                   " samples per pixel each, against as many by the uniform disc. The mean square bias [radiance²] is "
                   "unbiased "
                   "itself, so it may come out negative; z compares it with the error that it has where there is no "
@@ -70,7 +67,7 @@ Html sampling_section(const Json& report, const std::filesystem::path& run_folde
                   "radiance. RMS "
                   "pupil radius: of the points, relative to a uniform disc's, from the sampling's closed form."_html);
   for (const Json& figure : figures_of(report, "sampling_study")) html += figure_html(figure, run_folder);
-  return element("section", {{"id", "sampling_study"}}, html + table_of(section));
+  return element("section", {{"id", "sampling_study"}}, html + table_of(*found));
 }
 
 }  // namespace sturm

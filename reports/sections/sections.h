@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 
 #include "io/json/json.h"
 #include "reports/markup/html.h"
@@ -26,5 +27,16 @@ Html image_section(const Json& report, const std::filesystem::path& run_folder, 
 Html agreement_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 Html ellipse_section(const Json& report);
 Html provenance_section(const Json& report);
+
+/// A section of the report page.
+struct ReportSection {
+  const char* id;     ///< of its HTML element
+  const char* title;  ///< in the page's navigation
+  /// Nothing when the report has nothing for it.
+  Html (*draw)(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
+};
+
+/// All sections after the verdict, in reading order. A further section is a further line there.
+std::span<const ReportSection> report_sections();
 
 }  // namespace sturm

@@ -77,67 +77,65 @@ constexpr CsvColumn ray_columns[] = {{"ray_model", "ray_model"},
                                      {"closed_form_z_max", "against_closed_form/z_max"},
                                      {"closed_form_relative_frobenius", "against_closed_form/relative_frobenius"}};
 
-constexpr CsvColumn view_columns[] = {{"lens", "lens"},
-                                      {"eccentricity_deg", "eccentricity_deg"},
-                                      {"direction_deg", "direction_deg"},
-                                      {"distance_m", "distance_m"},
-                                      {"blur_major_D", "blur_D/0"},
-                                      {"blur_minor_D", "blur_D/1"},
-                                      {"order", "order"},
-                                      {"relative_order", "relative_order"},
-                                      {"limit_relative", "limit_relative"},
-                                      {"previous_unscaled_error", "previous_unscaled_error"}};
-
-constexpr CsvColumn pupil_columns[] = {{"pupil_mm", "pupil_mm"},
-                                       {"rays_lost", "rays_lost"},
-                                       {"real_semi_major_arcmin", "real_semi_axes_arcmin/0"},
-                                       {"real_semi_minor_arcmin", "real_semi_axes_arcmin/1"}};
-
-constexpr CsvColumn first_order_columns[] = {{"first_order_relative_frobenius", "relative_frobenius"},
-                                             {"first_order_defocus_D", "defocus_D"}};
-
-constexpr CsvColumn error_columns[] = {{"relative_frobenius", "relative_frobenius"},
-                                       {"semi_major_error_arcmin", "semi_axes_arcmin/0"},
-                                       {"semi_minor_error_arcmin", "semi_axes_arcmin/1"},
-                                       {"half_width_error_arcmin", "half_width_arcmin"},
-                                       {"defocus_error_D", "defocus_D"}};
-
-template <std::size_t N>
-void add_headings(std::string& csv, const CsvColumn (&columns)[N]) {
-  for (const CsvColumn& column : columns) csv.append(csv.empty() ? "" : ",").append(column.heading);
+std::string field(const Number& number) {
+  return number ? exact(*number) : std::string();
 }
 
-template <std::size_t N>
-std::string fields(const Json& json, const CsvColumn (&columns)[N]) {
-  std::string text;
-  for (const CsvColumn& column : columns) text.append(",").append(field(json, column.path));
+std::string field(const std::optional<StoredDistance>& distance) {
+  return distance && distance->is_infinite() ? "inf" : field(finite(distance));
+}
+
+constexpr std::string_view lens_headings =
+    "lens,eccentricity_deg,direction_deg,distance_m,blur_major_D,blur_minor_D,order,relative_order,limit_relative,"
+    "previous_unscaled_error,status,pupil_mm,rays_lost,real_semi_major_arcmin,real_semi_minor_arcmin,method,"
+    "first_order_relative_frobenius,first_order_defocus_D,relative_frobenius,semi_major_error_arcmin,"
+    "semi_minor_error_arcmin,half_width_error_arcmin,defocus_error_D";
+
+/// The columns up to the status.
+std::string view_fields(const LensStudyView& view) {
+  std::string text = quoted(view.lens) + "," + field(view.eccentricity_deg) + "," + field(view.direction_deg) + "," +
+                     field(view.distance_m);
+  for (const Number& number : {view.blur_D[0], view.blur_D[1], view.order, view.relative_order, view.limit_relative,
+                               view.previous_unscaled_error})
+    text += "," + field(number);
+  return text;
+}
+
+std::string pupil_fields(const LensPupil& pupil) {
+  const auto axes = pupil.real_semi_axes_arcmin.value_or(std::array<Number, 2>{});
+  return field(pupil.pupil_mm) + "," + field(pupil.rays_lost) + "," + field(axes[0]) + "," + field(axes[1]);
+}
+
+/// The columns after the method.
+std::string error_fields(const LensStudyView& view, const LensPupil& pupil, const StudyMethod& method) {
+  const FirstOrderError first_order =
+      method.first_order ? (view.first_order.*method.first_order).value_or(FirstOrderError{}) : FirstOrderError{};
+  const MethodError error = (pupil.*method.error).value_or(MethodError{});
+  std::string text = field(first_order.relative_frobenius) + "," + field(first_order.defocus_D);
+  for (const Number& number : {error.relative_frobenius, error.semi_axes_arcmin[0], error.semi_axes_arcmin[1],
+                               error.half_width_arcmin, error.defocus_D})
+    text += "," + field(number);
   return text;
 }
 
 }  // namespace
 
-std::string lens_study_csv(const Json& section) {
-  std::string csv;
-  add_headings(csv, view_columns);
-  csv += ",status";
-  add_headings(csv, pupil_columns);
-  csv += ",method";
-  add_headings(csv, first_order_columns);
-  add_headings(csv, error_columns);
+std::string lens_study_csv(const LensFindings& found) {
+  std::string csv(lens_headings);
   csv += end_of_line;
-  for (const Json& view : array_at(section, "views"))
-    for (const Json& pupil : array_at(view, "pupils"))
-      for (const StudyMethod& method : study_methods) {
-        const std::string first_order = std::string("first_order/") + method.key;
-        csv += fields(view, view_columns).substr(1) + ",ok" + fields(pupil, pupil_columns) + "," + method.key +
-               fields(value_at(view, first_order), first_order_columns) +
-               fields(value_at(pupil, method.key), error_columns) + end_of_line;
-      }
-  for (const Json& gaze : array_at(section, "gazes")) {
-    if (text_at(gaze, "status") == "ok") continue;
-    csv += fields(gaze, view_columns).substr(1) + "," + quoted(text_at(gaze, "status")) +
-           std::string(std::size(pupil_columns) + 1 + std::size(first_order_columns) + std::size(error_columns), ',') +
-           end_of_line;
+  for (const LensStudyView& view : found.views)
+    for (const LensPupil& pupil : view.pupils)
+      for (const StudyMethod& method : study_methods)
+        csv += view_fields(view) + ",ok," + pupil_fields(pupil) + "," + method.key + "," +
+               error_fields(view, pupil, method) + end_of_line;
+  constexpr std::size_t columns_after_status = 12;
+  for (const LensGaze& gaze : found.gazes) {
+    if (gaze.status == "ok") continue;
+    LensStudyView place;
+    place.lens = gaze.lens;
+    place.eccentricity_deg = gaze.eccentricity_deg;
+    place.direction_deg = gaze.direction_deg;
+    csv += view_fields(place) + "," + quoted(gaze.status) + std::string(columns_after_status, ',') + end_of_line;
   }
   return csv;
 }

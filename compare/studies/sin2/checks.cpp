@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "compare/studies/sin2/summary.h"
-#include "io/json/values.h"
 
 namespace sturm {
 
@@ -28,15 +26,14 @@ class Worst {
     }
   }
 
-  Json json(const Sin2StudySpec& spec) const {
-    return {{"value", number_or_null(value_)},
-            {"cases", cases_},
-            {"worst_case", where_ ? Json(label_of(*where_, spec)) : Json(nullptr)}};
+  Sin2Check check(const Sin2StudySpec& spec) const {
+    return {
+        .value = value_, .cases = cases_, .worst_case = where_ ? std::optional(label_of(*where_, spec)) : std::nullopt};
   }
 
  private:
   bool smallest_, spoilt_ = false;
-  std::size_t cases_ = 0;
+  std::int64_t cases_ = 0;
   Value value_;
   const StudyCase* where_ = nullptr;
 };
@@ -95,7 +92,7 @@ bool has(const StudyCase& c, StudyQuantity q) {
 }
 
 /// The sum of all samplings' checks: measured rms against √(E[r²]/(a²/2)).
-void add_samplings(Json& checks, const std::function<Json(const Asked&, const Of&, bool)>& worst,
+void add_samplings(Sin2Checks& checks, const std::function<Sin2Check(const Asked&, const Of&, bool)>& worst,
                    const Sin2StudySpec& spec) {
   const auto measured = [](StudyQuantity q) {
     return [q](const StudyCase& c) { return c.status == StudyStatus::ok && has(c, q); };
@@ -117,12 +114,12 @@ void add_samplings(Json& checks, const std::function<Json(const Asked&, const Of
 
 }  // namespace
 
-Json study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases) {
+Sin2Checks study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases) {
   const auto worst = [&](const Asked& asked, const Of& value, bool smallest) {
     Worst w(smallest);
     for (const StudyCase& c : cases)
       if (asked(c)) w.add(c, value(c));
-    return w.json(spec);
+    return w.check(spec);
   };
   const Asked matrix = ok(RayModel::power_matrix), sin2 = ok(RayModel::sin2_radial),
               printed = ok(RayModel::metalstigmatism);
@@ -131,8 +128,8 @@ Json study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases
   const Of error_per_cylinder = [](const StudyCase& c) {
     return quotient(c[StudyQuantity::error_D], principal_difference(c));
   };
-  Json checks = Json::object();
-  checks["cases"] = {{"value", cases.size()}, {"cases", cases.size()}, {"worst_case", nullptr}};
+  Sin2Checks checks;
+  checks["cases"] = {.value = static_cast<double>(cases.size()), .cases = static_cast<std::int64_t>(cases.size())};
   checks["matrix_vs_theory_max"] = worst(matrix, quantity(StudyQuantity::theory_deviation), false);
   checks["sin2_vs_closed_form_max"] = worst(sin2, quantity(StudyQuantity::closed_form_deviation), false);
   checks["metalstigmatism_vs_closed_form_max"] = worst(printed, quantity(StudyQuantity::closed_form_deviation), false);
