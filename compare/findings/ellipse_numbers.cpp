@@ -119,8 +119,7 @@ void add_rows(const EllipseFinding& c, Measurements& out) {
 
 void measure_ellipses(const Json& report, Measurements& out) {
   const EllipseFindings findings = read_ellipses(report);
-  const auto& replicates = findings.conditions.replicates;
-  const Number degrees = degrees_of(replicates ? Number(static_cast<double>(*replicates)) : std::nullopt);
+  const Number degrees = degrees_of(findings.conditions.replicates);
   const std::size_t first = out.size();
   for (const EllipseFinding& c : findings.cases) add_rows(c, out);
   mark_by_z(std::span(out).subspan(first), components);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "compare/findings/ellipses.h"
 #include "io/json/stored.h"
 #include "reports/markup/numbers.h"
 #include "reports/markup/parts.h"
@@ -9,12 +10,10 @@ namespace sturm {
 
 namespace {
 
-Html ray_facts(const Json& conditions) {
-  const auto count = number_at(conditions, "rays_per_replicate"), replicates = number_at(conditions, "replicates");
-  if (!count || !replicates) return {};
-  Html html = count_html(replicates) + " × "_html + count_html(count);
-  for (const char* key : {"sequence", "sampling"}) {
-    std::string words = text_at(conditions, key);
+Html ray_facts(const EllipseConditions& conditions) {
+  if (!conditions.rays_per_replicate || !conditions.replicates) return {};
+  Html html = count_html(conditions.replicates) + " × "_html + count_html(conditions.rays_per_replicate);
+  for (std::string words : {conditions.sequence, conditions.sampling}) {
     std::replace(words.begin(), words.end(), '_', ' ');
     if (!words.empty()) html += ", "_html + text(words);
   }
@@ -40,7 +39,7 @@ Html conditions(const Json& report) {
   if (const std::string set = text_at(provenance, "instruction_set"); !set.empty()) machine += " (" + set + ")";
   const std::string version = text_at(provenance, "version"), commit = text_at(provenance, "commit");
   return fact_list(fact("Seed", exact_html(number_at(provenance, "seed"))) +
-                   fact("Rays per case and model", ray_facts(value_at(report, "ellipses/conditions"))) +
+                   fact("Rays per case and model", ray_facts(read_ellipses(report).conditions)) +
                    fact("Time", time_facts(provenance)) +
                    fact("Threads", exact_html(number_at(provenance, "threads"))) + fact("Machine", text(machine)) +
                    fact("Version", (version.empty() ? Html() : text(version + " · ")) +
