@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "io/json/stored.h"
+#include "io/specs/experiment/gate_kind.h"
 #include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
 #include "reports/markup/parts.h"
@@ -15,8 +16,14 @@ bool failed(const Json& gate) {
   return !boolean_at(gate, "passed").value_or(false);
 }
 
+/// Null for a kind that is not known.
+const GateKindEntry* kind_of(const Json& gate) {
+  return gate_kind_in_report(text_at(gate, "kind"));
+}
+
 bool proves_that_gates_fail(const Json& gate) {
-  return text_at(gate, "kind") == "must_fail";
+  const GateKindEntry* kind = kind_of(gate);
+  return kind && kind->kind == GateKind::MustFail;
 }
 
 /// 0 failures, 1 gates, 2 gates that show that gates can fail.
@@ -27,11 +34,8 @@ int reading_order(const Json& gate) {
 Html bound_html(const Json& gate) {
   const auto bound = number_at(gate, "bound");
   if (!bound) return absent_html();
-  const std::string kind = text_at(gate, "kind");
-  Html sign = "≤ "_html;
-  if (kind == "must_fail") sign = text("> ");
-  if (kind == "baseline") sign = "baseline ± "_html;
-  if (kind == "must_differ" || kind == "differs" || kind == "lower_bound" || kind == "at_least") sign = "≥ "_html;
+  const GateKindEntry* kind = kind_of(gate);
+  const Html sign = kind ? text(sign_of(kind->passing)) + " "_html : Html();
   return sign + exact_html(bound) + unit_html(text_at(gate, "unit"));
 }
 
@@ -75,6 +79,7 @@ Html description(const Json& gate) {
   if (const std::string reason = text_at(gate, "reason"); !reason.empty()) why += element("small", text(reason));
   why += calibration_html(gate);
   if (why.empty()) return html;
+  if (const GateKindEntry* kind = kind_of(gate)) why = element("small", text(kind->sentence)) + why;
   return html + element("details", failed(gate) ? Attributes{{"open", ""}} : Attributes{},
                         inline_element("summary", "why this bound"_html) + why);
 }

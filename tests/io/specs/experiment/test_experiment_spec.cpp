@@ -199,7 +199,7 @@ TEST(GateSpec, ReadsAllComparisons) {
   EXPECT_EQ(gates[1].bound, 0.5);
   EXPECT_EQ(gates[1].unit, "");
   for (std::size_t i = 0; i < gates.size(); ++i)
-    EXPECT_EQ(to_string(gates[i].comparison), document["gates"][i]["comparison"]);
+    EXPECT_EQ(std::string(entry_of(gates[i].kind).file_word), document["gates"][i]["comparison"]);
   Json twice = document;
   twice["gates"][3]["id"] = "a";
   EXPECT_THAT(input_error([&] { read_gates(twice, "g.json"); }), HasSubstr("g.json: /gates/3/id: got \"a\""));
