@@ -5,7 +5,7 @@
 
 #include "compare/findings/ellipses.h"
 #include "compare/findings/measured.h"
-#include "compare/findings/stored_values.h"
+#include "io/json/stored_values.h"
 
 namespace sturm {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/findings/stored_values.h"
 #include "io/json/stored.h"
+#include "io/json/stored_values.h"
 #include "io/json/values.h"
 
 namespace sturm {

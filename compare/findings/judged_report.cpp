@@ -8,7 +8,7 @@
 
 namespace sturm {
 
-Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline) {
+std::vector<GateResult> evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline) {
   std::optional<Statistics> before;
   if (baseline && !baseline->is_null()) before = statistics_of(*baseline);
   return evaluate_gates(gates, statistics_of(report), before ? &*before : nullptr);

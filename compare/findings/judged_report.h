@@ -1,6 +1,8 @@
 #pragma once
 #include <span>
+#include <vector>
 
+#include "compare/gates/gate_result.h"
 #include "io/json/json.h"
 #include "io/specs/experiment/gate_spec.h"
 
@@ -8,6 +10,6 @@ namespace sturm {
 
 /// Evaluates gates on a stored report, against the stored report `baseline` (null: there is none). See
 /// compare/gates/gates.h.
-Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline);
+std::vector<GateResult> evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline);
 
 }  // namespace sturm

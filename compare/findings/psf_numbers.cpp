@@ -5,7 +5,7 @@
 
 #include "compare/findings/measured.h"
 #include "compare/findings/psfs.h"
-#include "compare/findings/stored_values.h"
+#include "io/json/stored_values.h"
 #include "lensmodel/units.h"
 
 namespace sturm {

@@ -3,8 +3,8 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
-#include "compare/findings/stored_values.h"
 #include "io/json/stored.h"
+#include "io/json/stored_values.h"
 #include "io/json/values.h"
 
 namespace sturm {

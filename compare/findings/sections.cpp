@@ -5,7 +5,7 @@
 #include "compare/findings/agreement.h"
 #include "compare/findings/bench.h"
 #include "compare/findings/ellipse_numbers.h"
-#include "compare/findings/gate_power_numbers.h"
+#include "compare/findings/gate_power.h"
 #include "compare/findings/images.h"
 #include "compare/findings/lens_study.h"
 #include "compare/findings/must_fail.h"

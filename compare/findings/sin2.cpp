@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/findings/stored_values.h"
 #include "io/json/stored.h"
+#include "io/json/stored_values.h"
 #include "io/json/values.h"
 
 namespace sturm {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/findings/reference.h"
-#include "compare/findings/stored_values.h"
+#include "io/json/stored_values.h"
 #include "compare/statistics/median.h"
 #include "lensmodel/units.h"
 #include "reports/markup/html_table.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/findings/stored_values.h"
+#include "io/json/stored_values.h"
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
 #include "reports/markup/false_colour.h"

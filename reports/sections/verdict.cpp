@@ -1,3 +1,5 @@
+#include "compare/gates/verdict.h"
+
 #include <algorithm>
 
 #include "compare/findings/ellipses.h"
@@ -50,25 +52,21 @@ Html conditions(const Json& report) {
 }  // namespace
 
 Html verdict_section(const Json& report) {
-  const auto passed = boolean_at(report, "verdict/passed");
-  const Html word = !passed ? "No verdict"_html : *passed ? "Passed"_html : "Failed"_html;
-  const std::string css_class = !passed ? "unknown" : *passed ? "pass" : "fail";
-  const Html banner = element("p", {{"class", "word"}}, word) +
-                      element("p", {{"class", "sentence"}}, text_or_dash(text_at(report, "verdict/sentence")));
+  const Verdict verdict = read_verdict(report);
+  const Html word = !verdict.passed ? "No verdict"_html : *verdict.passed ? "Passed"_html : "Failed"_html;
+  const std::string css_class = !verdict.passed ? "unknown" : *verdict.passed ? "pass" : "fail";
+  const Html banner =
+      element("p", {{"class", "word"}}, word) + element("p", {{"class", "sentence"}}, text_or_dash(verdict.sentence));
   Html html = element("p", {{"class", "kind"}}, "Sturm: path-traced against predicted blur of an astigmatic eye"_html) +
               element("h1", text_or_dash(text_at(report, "title"))) +
               element("div", {{"class", "verdict " + css_class}, {"role", "status"}}, banner);
-  if (const std::string sentence = text_at(report, "verdict/sin2_sentence"); !sentence.empty()) {
-    html += element("div", {{"class", "finding"}},
-                    element("h2", "What was measured of sin²"_html) + element("p", text(sentence)));
-  }
-  if (const std::string sentence = text_at(report, "verdict/lens_sentence"); !sentence.empty()) {
-    html += element("div", {{"class", "finding"}},
-                    element("h2", "What was measured of conoid tracing"_html) + element("p", text(sentence)));
-  }
-  if (const std::string sentence = text_at(report, "verdict/sin2_study_sentence"); !sentence.empty())
-    html += element("div", {{"class", "finding"}},
-                    element("h2", "The verdict on sin²"_html) + element("p", text(sentence)));
+  const auto add_finding = [&](const char* key, const Html& heading) {
+    if (const std::string sentence = verdict.finding(key); !sentence.empty())
+      html += element("div", {{"class", "finding"}}, element("h2", heading) + element("p", text(sentence)));
+  };
+  add_finding("sin2_sentence", "What was measured of sin²"_html);
+  add_finding("lens_sentence", "What was measured of conoid tracing"_html);
+  add_finding("sin2_study_sentence", "The verdict on sin²"_html);
   return element("header", {{"id", "verdict"}}, html + conditions(report));
 }
 

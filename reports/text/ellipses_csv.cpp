@@ -3,7 +3,7 @@
 #include <charconv>
 #include <variant>
 
-#include "compare/findings/stored_values.h"
+#include "io/json/stored_values.h"
 
 namespace sturm {
 

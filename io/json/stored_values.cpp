@@ -1,4 +1,4 @@
-#include "compare/findings/stored_values.h"
+#include "io/json/stored_values.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>
