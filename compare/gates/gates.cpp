@@ -2,13 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "compare/statistics/welch.h"
-#include "io/json/stored.h"
-#include "io/json/values.h"
 
 namespace sturm {
 
@@ -79,41 +76,26 @@ Statistic deciding(const GateSpec& gate, const Statistics& now, const Statistics
 
 }  // namespace
 
-Json evaluate_gates(std::span<const GateSpec> gates, const Statistics& now, const Statistics* before) {
-  Json results = Json::array();
+std::vector<GateResult> evaluate_gates(std::span<const GateSpec> gates, const Statistics& now,
+                                       const Statistics* before) {
+  std::vector<GateResult> results;
   for (const GateSpec& gate : gates) {
     const Statistic s = deciding(gate, now, before);
-    const GateKindEntry& kind = entry_of(gate.kind);
-    results.push_back({{"id", gate.id},
-                       {"title", gate.title},
-                       {"kind", kind.report_word},
-                       {"passed", s.value && holds(kind.passing, *s.value, gate.bound)},
-                       {"statistic", gate.statistic},
-                       {"value", number_or_null(s.value)},
-                       {"uncertainty", number_or_null(s.uncertainty)},
-                       {"bound", gate.bound},
-                       {"unit", gate.unit},
-                       {"cases", s.cases},
-                       {"worst_case", s.worst_case},
-                       {"reason", gate.reason}});
-    results.back().update(calibration_json(gate));
+    results.push_back({.id = gate.id,
+                       .title = gate.title,
+                       .kind = gate.kind,
+                       .passed = s.value && holds(entry_of(gate.kind).passing, *s.value, gate.bound),
+                       .statistic = gate.statistic,
+                       .value = s.value,
+                       .uncertainty = s.uncertainty,
+                       .bound = gate.bound,
+                       .unit = gate.unit,
+                       .cases = s.cases,
+                       .worst_case = s.worst_case,
+                       .reason = gate.reason,
+                       .calibration = gate.calibration});
   }
   return results;
-}
-
-Json verdict_of(const Json& gate_results) {
-  std::size_t passed = 0;
-  std::string failed;
-  for (const Json& gate : gate_results) {
-    if (boolean_at(gate, "passed").value_or(false))
-      ++passed;
-    else
-      failed += (failed.empty() ? "" : ", ") + text_at(gate, "id");
-  }
-  const std::size_t all = gate_results.size();
-  const std::string total = std::to_string(passed) + " of " + std::to_string(all) + " gates passed";
-  return {{"passed", all > 0 && passed == all},
-          {"sentence", total + (failed.empty() ? "." : "; failed: " + failed + ".")}};
 }
 
 }  // namespace sturm

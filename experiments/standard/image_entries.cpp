@@ -14,19 +14,24 @@ namespace {
 constexpr std::uint64_t sharp_view_stream =
     0x5348415250ull;  // the prediction's noise is independent of the path tracer's
 
-/// What mutations make of the finished entries of one image, as patches (RFC 7396) of each entry: predicted pictures of
-/// the mutated predictor against the path-traced ones.
+/// What mutations make of the finished entries of one image: predicted pictures of the mutated predictor against the
+/// path-traced ones.
 void add_mutated(Json& entries, const std::vector<std::shared_ptr<const SharedViews::View>>& traced, const Eye& eye,
                  const PredictedReplicates& predicted, std::span<const Mutation> mutations) {
+  const Json honest = entries;
   for (const Mutation& mutation : mutations) {
+    const auto change = [&](std::size_t k, const Json& members) {
+      Json& other = entries[k]["mutated"][mutation.id] = honest[k];
+      other.update(members);
+    };
     if (const std::optional<Replicates> pictures = mutated_pictures(mutation, eye, predicted))
       for (std::size_t k = 0; k < entries.size(); ++k)
-        entries[k]["mutated"][mutation.id]["metrics"] = image_metrics_json(*pictures, traced[k]->replicates);
+        change(k, {{"metrics", image_metrics_json(*pictures, traced[k]->replicates)}});
     if (!std::holds_alternative<mutation::DroppedTangentialTerm>(mutation.kind)) continue;
-    for (Json& matrix : entries)
-      for (const Json& sin2 : entries)
-        if (matrix.at("ray_model") == "power_matrix" && sin2.at("ray_model") == "sin2_radial")
-          matrix["mutated"][mutation.id] = {{"metrics", sin2.at("metrics")}, {"noise_floor", sin2.at("noise_floor")}};
+    for (std::size_t k = 0; k < entries.size(); ++k)
+      for (const Json& sin2 : honest)
+        if (honest[k].at("ray_model") == "power_matrix" && sin2.at("ray_model") == "sin2_radial")
+          change(k, {{"metrics", sin2.at("metrics")}, {"noise_floor", sin2.at("noise_floor")}});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/run/mutated_entries.h"
 #include "experiments/run/scene_fingerprint.h"
 #include "experiments/run/sections.h"
 #include "pathtrace/scene/scene_import.h"
@@ -28,15 +29,21 @@ class ImageRun : public SectionRun {
     SharedViews views(spec_, scenes_);
     for (std::size_t i = 0; i < spec_.images.size(); ++i) {
       const std::string& id = spec_.images[i].id;
-      append(report["images"], place.steps("image_" + id, "image " + id, [&](const ProgressFunction& progress) {
+      append(entries_, place.steps("image_" + id, "image " + id, [&](const ProgressFunction& progress) {
         return image_entries(spec_, i, scenes_[i], views, place.folder.path(), progress);
       }));
     }
+    report["images"] = honest_entries(entries_);
+  }
+
+  void mutate(const std::string& mutation, Json& report) const override {
+    report["images"] = mutated_entries(entries_, mutation);
   }
 
  private:
   const ExperimentSpec& spec_;
   std::vector<SceneDescription> scenes_;
+  Json entries_ = Json::array();  ///< with what mutations make of them
 };
 
 }  // namespace

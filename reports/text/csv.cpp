@@ -2,10 +2,8 @@
 
 #include <charconv>
 #include <string_view>
-#include <vector>
 
 #include "compare/studies/lens/lens_study_errors.h"
-#include "io/json/stored.h"
 
 namespace sturm {
 
@@ -24,58 +22,6 @@ std::string quoted(const std::string& text) {
   for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
   return result + "\"";
 }
-
-std::string field(const Json& json, std::string_view path) {
-  if (const auto number = number_at(json, path)) return exact(*number);
-  return quoted(text_at(json, path));
-}
-
-struct CsvColumn {
-  std::string_view heading, path;
-};
-
-constexpr CsvColumn case_columns[] = {{"case", "id"},
-                                      {"prescription", "prescription"},
-                                      {"sphere_D", "sphere_D"},
-                                      {"cylinder_D", "cylinder_D"},
-                                      {"axis_deg", "axis_deg"},
-                                      {"vertex_distance_mm", "vertex_distance_mm"},
-                                      {"distance_m", "distance_m"},
-                                      {"pupil_mm", "pupil_mm"},
-                                      {"accommodation_D", "accommodation_D"},
-                                      {"conoid_semi_major_rad", "conoid/semi_axes_rad/0"},
-                                      {"conoid_semi_minor_rad", "conoid/semi_axes_rad/1"},
-                                      {"conoid_orientation_deg", "conoid/orientation_deg"},
-                                      {"conoid_covariance_xx_rad2", "conoid/covariance_rad2/0"},
-                                      {"conoid_covariance_xy_rad2", "conoid/covariance_rad2/1"},
-                                      {"conoid_covariance_yy_rad2", "conoid/covariance_rad2/2"},
-                                      {"sin2_closed_form_covariance_xx_rad2", "sin2_closed_form/covariance_rad2/0"},
-                                      {"sin2_closed_form_covariance_xy_rad2", "sin2_closed_form/covariance_rad2/1"},
-                                      {"sin2_closed_form_covariance_yy_rad2", "sin2_closed_form/covariance_rad2/2"}};
-
-constexpr CsvColumn ray_columns[] = {{"ray_model", "ray_model"},
-                                     {"status", "status"},
-                                     {"semi_major_rad", "semi_axes_rad/0"},
-                                     {"semi_minor_rad", "semi_axes_rad/1"},
-                                     {"orientation_deg", "orientation_deg"},
-                                     {"covariance_xx_rad2", "covariance_rad2/0"},
-                                     {"covariance_xy_rad2", "covariance_rad2/1"},
-                                     {"covariance_yy_rad2", "covariance_rad2/2"},
-                                     {"covariance_xx_standard_error_rad2", "covariance_standard_error_rad2/0"},
-                                     {"covariance_xy_standard_error_rad2", "covariance_standard_error_rad2/1"},
-                                     {"covariance_yy_standard_error_rad2", "covariance_standard_error_rad2/2"},
-                                     {"rays_launched", "counters/launched"},
-                                     {"rays_dropped", "counters/dropped"},
-                                     {"rays_negative_focus", "counters/negative_focus"},
-                                     {"conoid_z_max", "against_conoid/z_max"},
-                                     {"conoid_relative_frobenius", "against_conoid/relative_frobenius"},
-                                     {"conoid_semi_major_relative_error", "against_conoid/semi_axis_errors/0"},
-                                     {"conoid_semi_minor_relative_error", "against_conoid/semi_axis_errors/1"},
-                                     {"conoid_minor_axis_error_arcmin", "against_conoid/minor_axis_error_arcmin"},
-                                     {"conoid_orientation_error_deg", "against_conoid/orientation_error_deg"},
-                                     {"conoid_bures_wasserstein_arcmin", "against_conoid/bures_wasserstein_arcmin"},
-                                     {"closed_form_z_max", "against_closed_form/z_max"},
-                                     {"closed_form_relative_frobenius", "against_closed_form/relative_frobenius"}};
 
 std::string field(const Number& number) {
   return number ? exact(*number) : std::string();
@@ -136,24 +82,6 @@ std::string lens_study_csv(const LensFindings& found) {
     place.eccentricity_deg = gaze.eccentricity_deg;
     place.direction_deg = gaze.direction_deg;
     csv += view_fields(place) + "," + quoted(gaze.status) + std::string(columns_after_status, ',') + end_of_line;
-  }
-  return csv;
-}
-
-std::string ellipses_csv(const Json& report) {
-  std::string csv;
-  for (const CsvColumn& column : case_columns) csv.append(csv.empty() ? "" : ",").append(column.heading);
-  for (const CsvColumn& column : ray_columns) csv.append(",").append(column.heading);
-  csv += end_of_line;
-  for (const Json& item : array_at(report, "ellipses/cases")) {
-    std::string start;
-    for (const CsvColumn& column : case_columns) start.append(",").append(field(item, column.path));
-    start.erase(0, 1);
-    for (const Json& rays : array_at(item, "rays")) {
-      csv += start;
-      for (const CsvColumn& column : ray_columns) csv.append(",").append(field(rays, column.path));
-      csv += end_of_line;
-    }
   }
   return csv;
 }

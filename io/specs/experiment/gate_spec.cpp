@@ -21,9 +21,9 @@ std::optional<double> number_or_none(const Json& value) {
 
 }  // namespace
 
-Json calibration_json(const GateSpec& gate) {
-  if (!gate.calibration) return Json::object();
-  const auto& [level, tolerance, noise] = *gate.calibration;
+Json calibration_json(const std::optional<GateCalibration>& calibration) {
+  if (!calibration) return Json::object();
+  const auto& [level, tolerance, noise] = *calibration;
   return {{"level", number_or_null(level)},
           {"tolerance", {{"value", tolerance.value}, {"reason", tolerance.reason}}},
           {"noise", {{"standard_deviation", number_or_null(noise.standard_deviation)}, {"source", noise.source}}}};

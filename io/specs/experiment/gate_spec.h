@@ -50,7 +50,7 @@ std::vector<GateSpec> read_gates(const Json& document, const std::string& file);
 void require_calibrated(const std::vector<GateSpec>& gates, const std::string& file);
 
 /// "level", "tolerance" and "noise" of a gate, as they stand in a gates file; empty for a gate without.
-Json calibration_json(const GateSpec& gate);
+Json calibration_json(const std::optional<GateCalibration>& calibration);
 
 /// Reads them back from a gate that follows the schema of gates or of reports; none unless all are there.
 std::optional<GateCalibration> read_calibration(const Json& gate);

@@ -224,7 +224,7 @@ TEST(GateSpec, ReadsAndWritesACalibration) {
   EXPECT_EQ(gate.calibration->noise.standard_deviation, 0.25);
   EXPECT_EQ(gate.calibration->noise.source, "20 seeds");
   Json written = calibrated_gates()["gates"][0];
-  written.update(calibration_json(gate));
+  written.update(calibration_json(gate.calibration));
   EXPECT_EQ(written, calibrated_gates()["gates"][0]);
   EXPECT_NO_THROW(require_calibrated({gate}, "g.json"));
 }
@@ -236,7 +236,7 @@ TEST(GateSpec, WhatNobodyMeasuredIsNull) {
   const GateSpec gate = read_gates(document, "g.json").at(0);
   EXPECT_FALSE(gate.calibration->level);
   EXPECT_FALSE(gate.calibration->noise.standard_deviation);
-  EXPECT_TRUE(calibration_json(gate)["level"].is_null());
+  EXPECT_TRUE(calibration_json(gate.calibration)["level"].is_null());
 }
 
 TEST(GateSpec, RefusesHalfACalibrationAndChanceWithoutNoise) {
