@@ -29,12 +29,6 @@ FieldGrid grid_of(const BlurFieldSpec& spec) {
           spec.far_vergence_D};
 }
 
-FieldMethod method_of(const std::string& name) {
-  return name == "published"  ? FieldMethod::published
-         : name == "previous" ? FieldMethod::previous
-                              : FieldMethod::ray_transfer;
-}
-
 /// Looks into every cell of the field and marks the voxels that a look-up at what is seen there reads.
 VoxelMask visible_voxels(const BlurFieldSpec& spec, const FieldGrid& grid) {
   const Scene scene(build_scene(spec.visible->scene));
@@ -145,8 +139,8 @@ BlurField compute_blur_field(const BlurFieldSpec& spec) {
     field.seconds["depth_analytic"] = watch.lap();
   }
   if (spec.voxels) {
-    field.voxels.emplace(fill_voxels(lens, spec.eye, field.grid, field.directions, method_of(spec.method),
-                                     visible ? &*visible : nullptr));
+    field.voxels.emplace(
+        fill_voxels(lens, spec.eye, field.grid, field.directions, spec.method, visible ? &*visible : nullptr));
     field.seconds["voxels"] = watch.lap();
   }
   field.summary = {

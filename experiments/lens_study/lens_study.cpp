@@ -284,11 +284,11 @@ Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const Progr
   return part;
 }
 
-Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
-  const StudyLens& lens = spec.lenses[field.lens];
-  const double vergence = vergence_of(field.distance_m), a = 0.5 * field.pupil_diameter_m;
+Json wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze) {
+  const StudyLens& lens = spec.lenses[gaze.lens];
+  const double vergence = vergence_of(gaze.distance_m), a = 0.5 * gaze.pupil_diameter_m;
   Json points = Json::array();
-  for (const double azimuth : field.azimuths_deg) {
+  for (const double azimuth : gaze.azimuths_deg) {
     const Sight sight = sight_of(spec, lens, gaze_direction(azimuth * radians_per_degree, 0.0));
     Json point = {{"azimuth_deg", azimuth}, {"status", word_for(sight.conoid.status)},
                   {"real_rays", nullptr},   {"ray_transfer", nullptr},
@@ -306,7 +306,7 @@ Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
     points.push_back(std::move(point));
   }
   return {{"lens", lens.id},
-          {"distance_m", distance_json(field.distance_m)},
+          {"distance_m", distance_json(gaze.distance_m)},
           {"pupil_mm", 2e3 * a},
           {"points", std::move(points)}};
 }

@@ -29,9 +29,9 @@ class LensRun : public SectionRun {
         return lens_study_of(spec_, lens, progress);
       }));
     Json field = nullptr;
-    if (spec_.field)
+    if (spec_.wide_gaze)
       field = place.steps("lens_field", "wide field",
-                          [&](const ProgressFunction&) { return field_study(spec_, *spec_.field); });
+                          [&](const ProgressFunction&) { return wide_gaze_study(spec_, *spec_.wide_gaze); });
     report["lens_study"] = assembled_lens_study(spec_, lenses, field);
     append(report["must_fail"], lens_study_mutants(report["lens_study"]));
     write_file_atomically(place.folder.path() / "lens_study.csv", lens_study_csv(report["lens_study"]));

@@ -28,9 +28,6 @@ Json sin2_findings(const Json& ellipses);
 Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
                  const std::filesystem::path& folder, const ProgressFunction& progress);
 
-/// Throws InputError where a PSF asks for a ray model that its eye leaves undefined.
-void require_defined_models(const PsfExperiment& spec);
-
 /// Image number `index` of an experiment: one scene path traced with each ray model and predicted once: a list of
 /// "images" entries.
 Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description,
@@ -49,7 +46,7 @@ Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses);
 Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const ProgressFunction& progress);
 
 /// The ellipses of all methods over the wide field.
-Json field_study(const LensStudySpec& spec, const FieldStudy& field);
+Json wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze);
 
 /// The section, put together from what the lenses gave; `field` may be null.
 Json assembled_lens_study(const LensStudySpec& spec, const Json& lenses, const Json& field);

@@ -12,7 +12,7 @@ SharedViews::SharedViews(const ExperimentSpec& spec, const std::vector<SceneDesc
   if (!spec.share_views) return;
   for (const SceneDescription& scene : scenes) fingerprints_.push_back(scene_fingerprint(scene));
   for (std::size_t i = 0; i < spec.images.size(); ++i)
-    for (const std::string& model : spec.images[i].ray_models) ++views_[key(i, *ray_model_named(model))].requests;
+    for (const RayModel model : spec.images[i].ray_models) ++views_[key(i, model)].requests;
 }
 
 /// All that the bits of a picture depend on within one experiment.

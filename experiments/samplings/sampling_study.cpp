@@ -63,8 +63,7 @@ Replicates sampled(const Scene& scene, const SamplingStudySpec& study, const Sam
                    const PupilSamplingSpec& sampling, Sequence sampler, std::uint64_t seed) {
   ViewOptions options;
   options.pupil = PupilSampler(sampling, 0.0);
-  const ViewCamera camera(camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model),
-                          std::move(options));
+  const ViewCamera camera(camera_pose(study.camera), configuration.eye, configuration.ray_model, std::move(options));
   RenderSettings settings = settings_of(study);
   settings.sequence = sampler;
   Replicates replicates;
@@ -82,28 +81,29 @@ Json sampling_entries(const SamplingStudySpec& study, std::size_t index, const S
   const SamplingConfiguration& configuration = study.configurations[index];
   const std::uint64_t own_seed = replicate_seed(seed, static_cast<int>(index));
   const Replicates reference =
-      render_replicates(scene, camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model),
+      render_replicates(scene, camera_pose(study.camera), configuration.eye, configuration.ray_model,
                         settings_of(study), own_seed ^ reference_stream, study.replicates, [](double) {});
   const double brightness = mean_radiance(reference.mean());
   Json entries = Json::array();
   const double steps = static_cast<double>(study.samplings.size() * study.samplers.size()) + 1.0;
   for (std::size_t s = 0; s < study.samplers.size(); ++s)
-    for (const NamedSampling& sampling : study.samplings) {
+    for (const PupilSamplingSpec& sampling : study.samplings) {
       progress((static_cast<double>(entries.size()) + 1.0) / steps);
       const Stopwatch watch;
-      const Replicates pictures = sampled(scene, study, configuration, sampling.spec, study.samplers[s],
+      const Replicates pictures = sampled(scene, study, configuration, sampling, study.samplers[s],
                                           replicate_seed(own_seed, static_cast<int>(entries.size()) + 1));
       const double seconds = watch.seconds();
       const PairedBias bias = paired_bias(pictures.images, reference.images);
-      const std::string file = "samplings/" + configuration.id + "_" + sampling.name + "_" + study.sampler_names[s];
+      const std::string file =
+          "samplings/" + configuration.id + "_" + name_of(sampling.kind) + "_" + name_of(study.samplers[s]);
       write_picture(folder / file, pictures.mean(), exposure);
       entries.push_back({{"configuration", configuration.id},
                          {"note", configuration.note},
-                         {"ray_model", configuration.ray_model},
-                         {"sampling", sampling.name},
-                         {"sampler", study.sampler_names[s]},
+                         {"ray_model", name_of(configuration.ray_model)},
+                         {"sampling", name_of(sampling.kind)},
+                         {"sampler", name_of(study.samplers[s])},
                          {"aspect_ratio", static_cast<double>(study.camera.width) / study.camera.height},
-                         {"pupil_rms_ratio", std::sqrt(mean_square_radius(sampling.spec))},
+                         {"pupil_rms_ratio", std::sqrt(mean_square_radius(sampling))},
                          {"mean_radiance", brightness},
                          {"noise", noise_of(pictures)},
                          {"noise_standard_error", noise_error_of(pictures)},

@@ -104,10 +104,10 @@ double largest_radial_deviation(const View& v, const EyeRays<double>& sin2, cons
 }
 
 /// The model's own closed form, or theory itself for power_matrix.
-std::optional<Eigen::Matrix2d> closed_form(const View& v, StudyModel model) {
+std::optional<Eigen::Matrix2d> closed_form(const View& v, RayModel model) {
   const double a = v.eye.pupil_radius_m;
-  if (model == StudyModel::sin2_radial) return sin2_closed_form_covariance(v.vergence, a);
-  if (model == StudyModel::power_matrix) return v.truth;
+  if (model == RayModel::sin2_radial) return sin2_closed_form_covariance(v.vergence, a);
+  if (model == RayModel::power_matrix) return v.truth;
   return metalstigmatism_covariance(v.eye.correction.matrix(), v.target_vergence_D,
                                     v.eye.stated_focus_distance_m().value(), a);
 }
@@ -115,9 +115,9 @@ std::optional<Eigen::Matrix2d> closed_form(const View& v, StudyModel model) {
 void add_mutants(StudyCase& c, const View& v, const EyeRays<double>& rays, const StudyPupils& pupils,
                  const Eigen::Matrix2d& measured) {
   const double a = v.eye.pupil_radius_m;
-  if (c.model == StudyModel::power_matrix)
+  if (c.model == RayModel::power_matrix)
     c[StudyQuantity::mutant_mirrored_axis] = relative_deviation(measured, mirrored_truth(v), a);
-  if (c.model != StudyModel::sin2_radial) return;
+  if (c.model != RayModel::sin2_radial) return;
   const TangentialTerm tangential(v.eye.correction);
   const Eigen::Matrix2d repaired = *traced(rays, pupils.uniform_disk, v.target_vergence_D, &tangential).covariance;
   c[StudyQuantity::repaired_deviation] = relative_deviation(repaired, v.truth, a);
@@ -127,12 +127,11 @@ void add_mutants(StudyCase& c, const View& v, const EyeRays<double>& rays, const
 }
 
 void measure(StudyCase& c, const View& v, const StudyPupils& pupils) {
-  const RayModel model = *ray_model_named(name_of(c.model));
   c[StudyQuantity::high_D] = v.principal.high;
   c[StudyQuantity::low_D] = v.principal.low;
   c[StudyQuantity::true_major_arcmin] = arcminutes_per_radian * v.truth_ellipse.semi_major;
   c[StudyQuantity::true_minor_arcmin] = arcminutes_per_radian * v.truth_ellipse.semi_minor;
-  const auto rays = eye_rays_for(model, v.eye, v.accommodation_D);
+  const auto rays = eye_rays_for(c.model, v.eye, v.accommodation_D);
   if (!rays) {
     c.status = StudyStatus::undefined;
     return;
@@ -142,7 +141,7 @@ void measure(StudyCase& c, const View& v, const StudyPupils& pupils) {
   c[StudyQuantity::rays_dropped] = static_cast<double>(uniform.counters.dropped);
   c[StudyQuantity::rays_negative_focus] = static_cast<double>(uniform.counters.negative_focus);
   const double a = v.eye.pupil_radius_m;
-  if (c.model == StudyModel::metalstigmatism) {
+  if (c.model == RayModel::metalstigmatism) {
     const TracedPupil half = traced(*rays, pupils.every_second, v.target_vergence_D);
     if (has_pole(v.eye.correction.matrix(), *v.eye.stated_focus_distance_m()) || !uniform.covariance ||
         !half.covariance || relative_deviation(*half.covariance, *uniform.covariance, a) > resolved) {
@@ -161,7 +160,7 @@ void measure(StudyCase& c, const View& v, const StudyPupils& pupils) {
   c[StudyQuantity::theory_deviation] = relative_deviation(measured, v.truth, a);
   if (const auto expected = closed_form(v, c.model))
     c[StudyQuantity::closed_form_deviation] = relative_deviation(measured, *expected, a);
-  if (c.model == StudyModel::sin2_radial) {
+  if (c.model == RayModel::sin2_radial) {
     c[StudyQuantity::radial_deviation_D] = largest_radial_deviation(v, *rays, pupils);
     add_principal_variances(c, v, measured);
   }
@@ -177,7 +176,7 @@ std::vector<Json> rows_of_eye(const Sin2StudySpec& spec, const StudyPupils& pupi
           Eye::with(spec.eyes[eye].prescription, spec.pupil_diameters_m[pupil], spec.accommodations[accommodation]);
       for (std::size_t distance = 0; distance < spec.distances_m.size(); ++distance) {
         const View view = view_of(worn, spec.distances_m[distance]);
-        for (const StudyModel model : study_models) {
+        for (const RayModel model : study_models) {
           StudyCase c{eye, distance, pupil, accommodation, model, StudyStatus::ok, {}};
           measure(c, view, pupils);
           rows.push_back(row_of(c));

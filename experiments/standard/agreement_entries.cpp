@@ -158,7 +158,7 @@ class Case {
   Pictures path_traced(int samples, std::uint64_t seed, const ProgressFunction& progress) const {
     RenderSpec view;
     view.camera = spec_.camera;
-    view.ray_model = "power_matrix";
+    view.ray_model = RayModel::power_matrix;
     ViewPlan plan;
     plan.naked =
         spec_.camera.gaze == Gaze::Camera && !spec_.worn.spectacles && spec_.worn.eye.stiles_crawford_per_m2 == 0.0;

@@ -10,9 +10,7 @@ namespace {
 
 class PsfRun : public SectionRun {
  public:
-  explicit PsfRun(const ExperimentSpec& spec) : spec_(spec) {
-    for (const PsfExperiment& psf : spec.psfs) require_defined_models(psf);
-  }
+  explicit PsfRun(const ExperimentSpec& spec) : spec_(spec) {}
 
   std::vector<std::string> folders() const override { return {"psf"}; }
 

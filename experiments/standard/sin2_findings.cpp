@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/statistics/median.h"
 #include "experiments/run/sections.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/symmetric2.h"
@@ -44,12 +45,6 @@ struct AxisVariances {
       : high(u.dot(covariance * u)), low(covariance.trace() - high) {}
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
-
 }  // namespace
 
 Json sin2_findings(const Json& ellipses) {
@@ -88,9 +83,9 @@ Json sin2_findings(const Json& ellipses) {
                   {"table", std::move(table)},
                   {"ratio_of_difference_of_principal_variances", nullptr},
                   {"lost_total_variance", nullptr}};
-  if (!ratios.empty()) {
+  if (const auto middle = median(ratios)) {
     section["ratio_of_difference_of_principal_variances"] = {
-        {"measured_median", median(ratios)}, {"predicted", 0.5}, {"worst_deviation", worst_ratio}};
+        {"measured_median", *middle}, {"predicted", 0.5}, {"worst_deviation", worst_ratio}};
     section["lost_total_variance"] = {{"worst_deviation_relative", worst_loss}};
   }
   return section;

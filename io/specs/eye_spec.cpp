@@ -123,15 +123,18 @@ Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodatio
   }
 }
 
-void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model,
+void require_rays(RayModel ray_model, const Accommodation& accommodation, const Source& where) {
+  if (!has_rays(ray_model, accommodation))
+    throw InputError(where.file, where.pointer, "no \"focus_distance_m\"",
+                     "mode \"fixed\" with a \"focus_distance_m\", which ray model " + name_of(ray_model) + " needs");
+}
+
+void require_camera_accommodation(const Accommodation& accommodation, std::optional<RayModel> ray_model,
                                   const Source& where) {
   if (std::holds_alternative<BestAccommodation>(accommodation))
     throw InputError(where.file, where.pointer, "mode \"best\"",
                      "\"relaxed\" or \"fixed\": in camera gaze one accommodation holds for all distances");
-  const auto* fixed = std::get_if<FixedAccommodation>(&accommodation);
-  if (ray_model == "metalstigmatism" && !(fixed && fixed->focus_distance_m > 0.0))
-    throw InputError(where.file, where.pointer, "no \"focus_distance_m\"",
-                     "mode \"fixed\" with a \"focus_distance_m\", which ray model metalstigmatism needs");
+  if (ray_model) require_rays(*ray_model, accommodation, where);
 }
 
 Json eye_object(const Json& value, const Source& where) {

@@ -1,7 +1,8 @@
 #pragma once
-#include <string_view>
+#include <string>
 
 #include "io/json/json.h"
+#include "lensmodel/words.h"
 
 namespace sturm {
 
@@ -13,6 +14,17 @@ enum class PupilSampling {
   UniformPolarWeighted,  ///< the same points with the weight 2r/a: the uniform pupil again
   Rings  ///< Wang & Xiao: ring k of n at r = k/n·a carries angle_factor·k points; E[r²] = (n + 1)/(2n)·a²
 };
+
+inline constexpr Words<PupilSampling, 4> pupil_sampling_words{
+    {{PupilSampling::UniformDisk, "uniform_disk"},
+     {PupilSampling::UniformPolar, "uniform_polar"},
+     {PupilSampling::UniformPolarWeighted, "uniform_polar_weighted"},
+     {PupilSampling::Rings, "rings"}}};
+
+/// The word for it in documents.
+inline std::string name_of(PupilSampling sampling) {
+  return std::string(pupil_sampling_words.word_of(sampling));
+}
 
 struct PupilSamplingSpec {
   PupilSampling kind = PupilSampling::UniformDisk;

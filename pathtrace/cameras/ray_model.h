@@ -3,21 +3,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <type_traits>
 
 #include "lensmodel/eye.h"
+#include "lensmodel/ray_model.h"
 
 namespace sturm {
-
-/// How the eye bends the ray that leaves it through a pupil point (docs/theory.md#5-ray-models). An eye without a
-/// measured wavefront has, for zernike, that of its prescription.
-enum class RayModel { pinhole, thin_lens, metalstigmatism, sin2_radial, power_matrix, zernike };
-
-std::optional<RayModel> ray_model_named(std::string_view name);
-std::string name_of(RayModel model);
 
 /// Rays that a model could not launch, or launched oddly
 /// (docs/theory.md#51-metalstigmatism-its-pole-and-the-emmetrope), and those that spectacles stopped.

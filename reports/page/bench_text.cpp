@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/studies/bench/measured_view.h"
+#include "io/files/formatted_text.h"
 #include "io/json/stored.h"
 #include "reports/page/bench_page.h"
 
@@ -15,11 +16,6 @@ std::string column(std::optional<double> value, const char* format = "%10.4g") {
   if (!value) return std::string(9, ' ') + "–";
   char text[64];
   std::snprintf(text, sizeof text, format, *value);
-  return text;
-}
-
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
   return text;
 }
 

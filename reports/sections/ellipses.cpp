@@ -2,6 +2,7 @@
 #include <map>
 #include <vector>
 
+#include "compare/statistics/median.h"
 #include "io/json/stored.h"
 #include "lensmodel/units.h"
 #include "reports/markup/markup.h"
@@ -75,12 +76,6 @@ std::vector<double> sorted_numbers(const std::vector<Row>& rows, std::string_vie
   }
   std::sort(numbers.begin(), numbers.end());
   return numbers;
-}
-
-std::optional<double> median(const std::vector<double>& sorted) {
-  if (sorted.empty()) return std::nullopt;
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
 }
 
 std::optional<double> largest(const std::vector<double>& sorted) {

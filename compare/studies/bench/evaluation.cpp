@@ -155,7 +155,7 @@ Json evaluated(const std::vector<BenchRequirement>& requirements, const std::vec
       entry.update({{"id", r.id},
                     {"title", r.title},
                     {"reason", r.reason},
-                    {"statistic", to_string(r.statistic)},
+                    {"statistic", name_of(r.statistic)},
                     {"error", r.error},
                     {"method", r.method},
                     {"baseline", r.baseline.empty() ? Json(nullptr) : Json(r.baseline)},

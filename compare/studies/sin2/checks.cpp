@@ -63,7 +63,7 @@ Of ratio_off(StudyQuantity of, double expected) {
   };
 }
 
-Asked ok(StudyModel model) {
+Asked ok(RayModel model) {
   return [model](const StudyCase& c) { return c.model == model && c.status == StudyStatus::ok; };
 }
 
@@ -110,7 +110,7 @@ void add_samplings(Json& checks, const std::function<Json(const Asked&, const Of
                    {"rings_rms_max_deviation", StudyQuantity::rings_rms, std::sqrt((rings + 1.0) / rings)}};
   for (const auto& s : samplings) {
     // The poles of the printed formula make a pattern that few rays on a ring do not resolve.
-    const Asked asked = both(measured(s.q), [](const StudyCase& c) { return c.model != StudyModel::metalstigmatism; });
+    const Asked asked = both(measured(s.q), [](const StudyCase& c) { return c.model != RayModel::metalstigmatism; });
     checks[s.name] = worst(asked, distance_from(s.q, s.expected), false);
   }
 }
@@ -124,8 +124,8 @@ Json study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases
       if (asked(c)) w.add(c, value(c));
     return w.json(spec);
   };
-  const Asked matrix = ok(StudyModel::power_matrix), sin2 = ok(StudyModel::sin2_radial),
-              printed = ok(StudyModel::metalstigmatism);
+  const Asked matrix = ok(RayModel::power_matrix), sin2 = ok(RayModel::sin2_radial),
+              printed = ok(RayModel::metalstigmatism);
   const Asked astigmatic = both(sin2, [](const StudyCase& c) { return has(c, StudyQuantity::lost_variance_ratio); });
   const Asked round_eye = both(sin2, [](const StudyCase& c) { return !has(c, StudyQuantity::lost_variance_ratio); });
   const Of error_per_cylinder = [](const StudyCase& c) {

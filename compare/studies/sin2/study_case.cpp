@@ -1,5 +1,6 @@
 #include "compare/studies/sin2/study_case.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -53,22 +54,11 @@ constexpr std::size_t quantities_in_csv = static_cast<std::size_t>(StudyQuantity
 
 }  // namespace
 
-std::string name_of(StudyModel model) {
-  switch (model) {
-    case StudyModel::metalstigmatism:
-      return "metalstigmatism";
-    case StudyModel::sin2_radial:
-      return "sin2_radial";
-    default:
-      return "power_matrix";
-  }
-}
-
-const char* title_of(StudyModel model) {
-  switch (model) {
-    case StudyModel::metalstigmatism:
+const char* title_of(RayModel study_model) {
+  switch (study_model) {
+    case RayModel::metalstigmatism:
       return "focal distances added, as printed";
-    case StudyModel::sin2_radial:
+    case RayModel::sin2_radial:
       return "sin², vergences added";
     default:
       return "wavefront theory";
@@ -95,7 +85,8 @@ double relative_deviation(const Eigen::Matrix2d& is, const Eigen::Matrix2d& shou
 }
 
 Json row_of(const StudyCase& c) {
-  Json row = {c.eye, c.distance, c.pupil, c.accommodation, static_cast<int>(c.model), static_cast<int>(c.status)};
+  const auto model = std::find(study_models.begin(), study_models.end(), c.model) - study_models.begin();
+  Json row = {c.eye, c.distance, c.pupil, c.accommodation, model, static_cast<int>(c.status)};
   for (const auto& value : c.values) row.push_back(number_or_null(value));
   return row;
 }
@@ -106,7 +97,7 @@ StudyCase case_of(const Json& row) {
   c.distance = row.at(1);
   c.pupil = row.at(2);
   c.accommodation = row.at(3);
-  c.model = static_cast<StudyModel>(row.at(4).get<int>());
+  c.model = study_models.at(row.at(4).get<std::size_t>());
   c.status = static_cast<StudyStatus>(row.at(5).get<int>());
   constexpr std::size_t first_number = 6;
   for (std::size_t i = 0; i < quantity_count; ++i)

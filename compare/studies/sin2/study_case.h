@@ -8,15 +8,15 @@
 
 #include "io/json/json.h"
 #include "io/specs/experiment/sin2_study_spec.h"
+#include "lensmodel/ray_model.h"
 
 namespace sturm {
 
 /// The ray models of the study.
-enum class StudyModel { metalstigmatism, sin2_radial, power_matrix };
-inline constexpr std::array study_models{StudyModel::metalstigmatism, StudyModel::sin2_radial,
-                                         StudyModel::power_matrix};
-std::string name_of(StudyModel model);
-const char* title_of(StudyModel model);
+inline constexpr std::array study_models{RayModel::metalstigmatism, RayModel::sin2_radial, RayModel::power_matrix};
+
+/// What one of them is, in a few words.
+const char* title_of(RayModel study_model);
 
 /// What a case has in numbers.
 enum class StudyQuantity {
@@ -64,7 +64,7 @@ const char* name_of(StudyStatus status);
 /// One prescription × distance × pupil × accommodation × ray model; indices into the spec's lists.
 struct StudyCase {
   std::size_t eye = 0, distance = 0, pupil = 0, accommodation = 0;
-  StudyModel model = StudyModel::power_matrix;
+  RayModel model = RayModel::power_matrix;  ///< one of study_models
   StudyStatus status = StudyStatus::ok;
   std::array<std::optional<double>, quantity_count> values{};
 
@@ -76,7 +76,7 @@ struct StudyCase {
 /// image in focus has a deviation, too. Covariances in rad², `a` in metres.
 double relative_deviation(const Eigen::Matrix2d& is, const Eigen::Matrix2d& should, double a);
 
-/// A case as an array of numbers, and back.
+/// A case as an array of numbers, its model by the place in study_models, and back.
 Json row_of(const StudyCase& c);
 StudyCase case_of(const Json& row);
 

@@ -76,7 +76,7 @@ Json map_of(const Sin2StudySpec& spec, const std::map<std::pair<double, double>,
 
 Json model_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases) {
   Json table = Json::array();
-  for (const StudyModel model : study_models) {
+  for (const RayModel model : study_models) {
     std::size_t total = 0, undefined = 0, pole = 0;
     double rays = 0.0, dropped = 0.0, negative = 0.0;
     const StudyCase* worst = nullptr;
@@ -106,8 +106,8 @@ Json model_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases)
 }
 
 Json population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases) {
-  std::map<std::tuple<StudyModel, std::size_t, std::size_t>, PopulationRow> views;
-  std::map<std::pair<StudyModel, std::size_t>, const StudyCase*> worst_of_eye;
+  std::map<std::tuple<RayModel, std::size_t, std::size_t>, PopulationRow> views;
+  std::map<std::pair<RayModel, std::size_t>, const StudyCase*> worst_of_eye;
   for (const StudyCase& c : cases) {
     if (c.eye < spec.grid_eyes || c.pupil != spec.reference_pupil || c.status == StudyStatus::undefined) continue;
     views[{c.model, c.accommodation, c.distance}].add(c);
@@ -126,7 +126,7 @@ Json population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& c
     entry["distance_m"] = distance_json(spec.distances_m[std::get<2>(key)]);
     table.push_back(std::move(entry));
   }
-  std::map<StudyModel, PopulationRow> anywhere;
+  std::map<RayModel, PopulationRow> anywhere;
   for (const auto& [key, worst] : worst_of_eye) anywhere[key.first].add(*worst);
   for (const auto& [model, row] : anywhere) {
     Json entry = row.json();
@@ -140,7 +140,7 @@ Json population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& c
 
 Json reference_views(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases) {
   Json maps = Json::array(), curves = Json::array(), cumulative = Json::array();
-  for (const StudyModel model : study_models) {
+  for (const RayModel model : study_models) {
     std::map<std::pair<double, double>, const StudyCase*> grid;
     std::vector<double> errors;
     Json points = Json::array();

@@ -8,6 +8,7 @@
 #include "io/json/schema.h"
 #include "io/json/suggest.h"
 #include "io/json/unique_ids.h"
+#include "io/specs/words.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -17,6 +18,10 @@ namespace {
 Accommodation accommodation_of(const Json& value, const Source& where) {
   return value.contains("accommodation") ? read_accommodation(value["accommodation"], where / "accommodation")
                                          : Accommodation{};
+}
+
+std::vector<RayModel> ray_models_of(const Json& value, const Source& where) {
+  return read_words(value["ray_models"], where / "ray_models", ray_model_words);
 }
 
 EllipseExperiment read_ellipses(const Json& value, const Source& where) {
@@ -31,7 +36,7 @@ EllipseExperiment read_ellipses(const Json& value, const Source& where) {
   for (const Json& diameter_mm : value["pupil_diameters_mm"])
     ellipses.pupil_diameters_m.push_back(metres_per_millimetre * diameter_mm.get<double>());
   ellipses.accommodation = accommodation_of(value, where);
-  ellipses.ray_models = value["ray_models"].get<std::vector<std::string>>();
+  ellipses.ray_models = ray_models_of(value, where);
   ellipses.rays = read_ray_bundle(value.value("rays", Json()), where / "rays", 0.0);
   return ellipses;
 }
@@ -56,7 +61,9 @@ PsfExperiment read_psf(const Json& value, const Source& where, const std::option
       make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
                metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
   psf.distance_m = read_distance(value["distance_m"], where / "distance_m");
-  psf.ray_models = value["ray_models"].get<std::vector<std::string>>();
+  psf.ray_models = ray_models_of(value, where);
+  for (const RayModel ray_model : psf.ray_models)
+    require_rays(ray_model, psf.eye.accommodation, where / "accommodation");
   psf.resolution = value["resolution"].get<int>();
   psf.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   return psf;
@@ -74,8 +81,8 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where,
   image.eye =
       make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
                metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
-  image.ray_models = value["ray_models"].get<std::vector<std::string>>();
-  for (const std::string& ray_model : image.ray_models)
+  image.ray_models = ray_models_of(value, where);
+  for (const RayModel ray_model : image.ray_models)
     require_camera_accommodation(image.eye.accommodation, ray_model, where / "accommodation");
   image.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   image.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", image.samples_per_pixel);

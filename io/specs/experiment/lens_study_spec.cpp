@@ -45,13 +45,13 @@ std::size_t lens_named(const Json& id, const Source& where, const std::vector<St
                    one_of(ids) + " (ids of the lenses)");
 }
 
-FieldStudy read_field(const Json& value, const Source& where, const std::vector<StudyLens>& lenses) {
-  FieldStudy field;
-  field.lens = lens_named(value["lens"], where / "lens", lenses);
-  field.azimuths_deg = ascending(value["azimuths_deg"], where / "azimuths_deg");
-  field.distance_m = read_distance(value["distance_m"], where / "distance_m");
-  field.pupil_diameter_m = metres_per_millimetre * value["pupil_diameter_mm"].get<double>();
-  return field;
+WideGaze read_wide_gaze(const Json& value, const Source& where, const std::vector<StudyLens>& lenses) {
+  WideGaze gaze;
+  gaze.lens = lens_named(value["lens"], where / "lens", lenses);
+  gaze.azimuths_deg = ascending(value["azimuths_deg"], where / "azimuths_deg");
+  gaze.distance_m = read_distance(value["distance_m"], where / "distance_m");
+  gaze.pupil_diameter_m = metres_per_millimetre * value["pupil_diameter_mm"].get<double>();
+  return gaze;
 }
 
 /// The two pupils between which orders are fitted; both must be among those that are traced.
@@ -91,7 +91,7 @@ LensStudySpec read_lens_study(const Json& value, const Source& where) {
   const Json& lenses = value["lenses"];
   for (std::size_t i = 0; i < lenses.size(); ++i)
     study.lenses.push_back(read_lens(lenses[i], where / "lenses" / i, study, study.input_files));
-  if (value.contains("field")) study.field = read_field(value["field"], where / "field", study.lenses);
+  if (value.contains("field")) study.wide_gaze = read_wide_gaze(value["field"], where / "field", study.lenses);
   return study;
 }
 

@@ -17,7 +17,7 @@ struct StudyLens {
 };
 
 /// A row of horizontal gazes through one lens: the wide field of [Kakimoto2010] Fig. 14.
-struct FieldStudy {
+struct WideGaze {
   std::size_t lens = 0;              ///< index into the study's lenses
   std::vector<double> azimuths_deg;  ///< to the wearer's right
   double distance_m = 0.0;           ///< > 0, ∞ allowed
@@ -36,7 +36,7 @@ struct LensStudySpec {
   double order_small_m = 0.0, order_large_m = 0.0;  ///< the two of them between which orders are fitted
   Accommodation accommodation;                      ///< relaxed or fixed: the same for all methods
   QuadratureSpec quadrature;                        ///< of the pupil, for the real rays
-  std::optional<FieldStudy> field;
+  std::optional<WideGaze> wide_gaze;
   std::vector<std::string> input_files;  ///< absolute paths of lens files
 };
 

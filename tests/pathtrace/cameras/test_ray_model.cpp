@@ -181,11 +181,6 @@ TEST(RayModels, APinholeHasNoPupil) {
   EXPECT_EQ(EyeRays<double>(RayModel::power_matrix, Eye::with({}, 4e-3), 0.0).pupil_radius(), 2e-3);
 }
 
-TEST(RayModels, NamesAreReadBack) {
-  for (RayModel model : all_models) EXPECT_EQ(ray_model_named(name_of(model)), model);
-  EXPECT_FALSE(ray_model_named("sin2").has_value());
-}
-
 TEST(RayCounters, CountWhatBecameOfEachRay) {
   RayCounters counters, more;
   for (LaunchStatus status :

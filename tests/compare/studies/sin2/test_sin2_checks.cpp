@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 using enum StudyQuantity;
-using enum StudyModel;
+using enum RayModel;
 
 constexpr double rounding = 1e-12;  // a quotient and a difference of numbers of the order of 1
 

@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing;
 using enum StudyQuantity;
-using enum StudyModel;
+using enum RayModel;
 
 /// The row of a table for one model (and view; null: the worst view of each eye).
 Json row_of_population(const std::vector<StudyCase>& cases, const char* model, const Json& accommodation,
