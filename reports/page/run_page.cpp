@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/html.h"
 #include "reports/sections/sections.h"
 #include "reports/viewer/html_page.h"
 #include "reports/viewer/viewer.h"
@@ -13,15 +13,16 @@ namespace sturm {
 namespace {
 
 struct Part {
-  std::string id, name, html;
+  std::string id, name;
+  Html html;
 };
 
-std::string navigation(const std::vector<Part>& parts) {
-  std::string items;
+Html navigation(const std::vector<Part>& parts) {
+  Html items;
   for (const Part& part : parts) {
-    if (!part.html.empty()) items += element("li", "", "<a href=\"#" + part.id + "\">" + part.name + "</a>");
+    if (!part.html.empty()) items += element("li", inline_element("a", {{"href", "#" + part.id}}, text(part.name)));
   }
-  return items.empty() ? "" : element("nav", "aria-label=\"Contents\"", element("ol", "", items));
+  return items.empty() ? Html() : element("nav", {{"aria-label", "Contents"}}, element("ol", items));
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
                                    {"agreement", "Predictions", agreement_section(report, run_folder, payload)},
                                    {"ellipses", "All ellipses", ellipse_section(report)},
                                    {"provenance", "Provenance", provenance_section(report)}};
-  std::string body = verdict_section(report) + navigation(parts);
+  Html body = verdict_section(report) + navigation(parts);
   for (const Part& part : parts) body += part.html;
   body += payload.html();
   const std::string title = text_at(report, "title");

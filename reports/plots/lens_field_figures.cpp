@@ -8,7 +8,6 @@
 #include "io/files/formatted_text.h"
 #include "io/json/stored.h"
 #include "reports/markup/drawing.h"
-#include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"
 #include "reports/plots/gnuplot.h"
 
@@ -99,8 +98,7 @@ std::optional<Figure> field_ellipses(const Json& field) {
   constexpr double label_width = 110.0, width = 1120.0, head = 46.0, foot = 40.0;
   const double cell = (width - label_width) / static_cast<double>(points.size()), scale = 0.46 * cell / largest;
   const double height = head + cell * std::size(series) + foot;
-  std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
-                     svg_text(label_width - 10.0, head - 14.0, "gaze to the right", "end", 12, "#5c6670");
+  Html body = white_ground() + svg_text(label_width - 10.0, head - 14.0, "gaze to the right", "end", 12, "#5c6670");
   for (std::size_t row = 0; row < std::size(series); ++row) {
     const double y = head + cell * (static_cast<double>(row) + 0.5);
     body += svg_text(4.0, y + 4.0, series[row].name, "start", 13, series[row].colour);
@@ -112,18 +110,20 @@ std::optional<Figure> field_ellipses(const Json& field) {
       const auto truth = ellipse_of(value_at(points[column], "real_rays")),
                  e = ellipse_of(value_at(points[column], series[row].key));
       if (truth && row > 0)
-        body += element("g", "fill=\"#d9dde2\" stroke=\"none\"", svg_ellipse(*truth, scale, x, y, "truth"));
+        body += element("g", {{"fill", "#d9dde2"}, {"stroke", "none"}}, svg_ellipse(*truth, scale, x, y, "truth"));
       if (e)
-        body += element("g", std::string("fill=\"none\" stroke-width=\"1.8\" stroke=\"") + series[row].colour + "\"",
+        body += element("g", {{"fill", "none"}, {"stroke-width", "1.8"}, {"stroke", series[row].colour}},
                         svg_ellipse(*e, scale, x, y, series[row].key));
       else
         body += svg_text(x, y + 4.0, "–");
     }
   }
   const double bar = round_length_below(0.9 * cell / scale), y = height - 16.0;
-  body += "<path d=\"M" + plain_number(label_width) + " " + plain_number(y) + "h" + plain_number(bar * scale) +
-          "\" stroke=\"#333333\" stroke-width=\"2\"/>\n" +
-          svg_text(label_width + bar * scale + 8.0, y + 4.0, plain_number(bar) + " arcmin", "start", 12);
+  body += empty_element(
+              "path", {{"d", "M" + plain_number(label_width) + " " + plain_number(y) + "h" + plain_number(bar * scale)},
+                       {"stroke", "#333333"},
+                       {"stroke-width", "2"}}) +
+          "\n"_html + svg_text(label_width + bar * scale + 8.0, y + 4.0, plain_number(bar) + " arcmin", "start", 12);
   Figure figure;
   figure.id = "lens_study_field_ellipses";
   figure.section = "lens_study";

@@ -8,7 +8,7 @@
 #include "io/files/formatted_text.h"
 #include "io/files/text_file.h"
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/html.h"
 #include "reports/markup/pictures.h"
 
 namespace sturm {
@@ -27,8 +27,11 @@ std::vector<std::string> different(const Json& entries, const char* key) {
   return values;
 }
 
-std::string text(double x, double y, const std::string& attributes, const std::string& words) {
-  return element("text", "x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" " + attributes, escaped(words));
+/// Plain text at (x, y), drawn with `style`.
+Html words_at(double x, double y, const Attributes& style, const std::string& words) {
+  Attributes attributes = {{"x", plain_number(x)}, {"y", plain_number(y)}};
+  attributes.insert(attributes.end(), style.begin(), style.end());
+  return element("text", attributes, text(words));
 }
 
 std::string percent(double part, double whole) {
@@ -55,11 +58,12 @@ class Sheet {
         rows_(different(entries, "configuration")) {}
 
   std::string svg() const {
-    std::string body;
+    Html body =
+        "\n"_html + empty_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "#fff"}}) + "\n"_html;
     double width = 0.0, y = heading_height;
     for (std::size_t c = 0; c < columns_.size(); ++c)
-      body += text(left(c) + picture_width / 2, heading_height - 12, "text-anchor=\"middle\" font-weight=\"bold\"",
-                   columns_[c]);
+      body += words_at(left(c) + picture_width / 2, heading_height - 12,
+                       {{"text-anchor", "middle"}, {"font-weight", "bold"}}, columns_[c]);
     for (const std::string& row : rows_) {
       double height = 0.0;
       for (std::size_t c = 0; c < columns_.size(); ++c)
@@ -68,12 +72,16 @@ class Sheet {
       width = std::max(width, left(columns_.size()));
       y += height + caption_height + gap;
     }
-    const std::string size = plain_number(width) + " " + plain_number(y);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" + plain_number(width) +
-           "\" height=\"" + plain_number(y) +
-           "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" "
-           "fill=\"#fff\"/>\n" +
-           body + "</svg>\n";
+    return element("svg",
+                   {{"xmlns", "http://www.w3.org/2000/svg"},
+                    {"viewBox", "0 0 " + plain_number(width) + " " + plain_number(y)},
+                    {"width", plain_number(width)},
+                    {"height", plain_number(y)},
+                    {"font-family", "sans-serif"},
+                    {"font-size", "13"},
+                    {"fill", "#222"}},
+                   body)
+        .markup();
   }
 
  private:
@@ -88,30 +96,34 @@ class Sheet {
   }
 
   /// Picture and caption; `height` becomes the picture's.
-  std::string cell(const Json& entry, double x, double y, double& height) const {
+  Html cell(const Json& entry, double x, double y, double& height) const {
     const auto png = file_contents(run_folder_ / text_at(entry, "files/picture_png"));
     const double ratio = number_at(entry, "aspect_ratio").value_or(1.5);
     height = picture_width / ratio;
-    const std::string place = "x=\"" + plain_number(x) + "\" y=\"" + plain_number(y) + "\" width=\"" +
-                              plain_number(picture_width) + "\" height=\"" + plain_number(height) + "\"";
-    const std::string picture =
-        png ? "<image " + place + " href=\"data:image/png;base64," + base64({png->begin(), png->end()}) + "\"/>\n"
-            : "<rect " + place + " fill=\"none\" stroke=\"#999\"/>\n";
-    return picture +
-           text(x + picture_width / 2, y + height + 16, "text-anchor=\"middle\" font-size=\"12\"", numbers_of(entry));
+    Attributes attributes = {{"x", plain_number(x)},
+                             {"y", plain_number(y)},
+                             {"width", plain_number(picture_width)},
+                             {"height", plain_number(height)}};
+    if (png)
+      attributes.push_back({"href", "data:image/png;base64," + base64({png->begin(), png->end()})});
+    else
+      attributes.insert(attributes.end(), {{"fill", "none"}, {"stroke", "#999"}});
+    return empty_element(png ? "image" : "rect", attributes) + "\n"_html +
+           words_at(x + picture_width / 2, y + height + 16, {{"text-anchor", "middle"}, {"font-size", "12"}},
+                    numbers_of(entry));
   }
 
   /// Name, ray model and note of a row, the note broken into lines.
-  std::string label(const std::string& row, double y, double height) const {
+  Html label(const std::string& row, double y, double height) const {
     const Json* entry = nullptr;
     for (const std::string& column : columns_)
       if (!entry) entry = find(row, column);
-    if (!entry) return "";
+    if (!entry) return {};
     std::string name = row;
     std::replace(name.begin(), name.end(), '_', ' ');
     double at = y + 0.3 * height;
-    std::string html = text(8, at, "font-weight=\"bold\"", name);
-    html += text(8, at += 18, "font-family=\"monospace\" font-size=\"12\"", text_at(*entry, "ray_model"));
+    Html html = words_at(8, at, {{"font-weight", "bold"}}, name);
+    html += words_at(8, at += 18, {{"font-family", "monospace"}, {"font-size", "12"}}, text_at(*entry, "ray_model"));
     constexpr std::size_t longest_line = 24;
     std::string line;
     const std::string note = text_at(*entry, "note") + " ";
@@ -119,13 +131,13 @@ class Sheet {
       const std::size_t end = note.find(' ', begin);
       const std::string word = note.substr(begin, end - begin);
       if (!line.empty() && line.size() + 1 + word.size() > longest_line) {
-        html += text(8, at += 16, "font-size=\"12\"", line);
+        html += words_at(8, at += 16, {{"font-size", "12"}}, line);
         line.clear();
       }
       line += (line.empty() ? "" : " ") + word;
       begin = end + 1;
     }
-    return html + (line.empty() ? "" : text(8, at + 16, "font-size=\"12\"", line));
+    return html + (line.empty() ? Html() : words_at(8, at + 16, {{"font-size", "12"}}, line));
   }
 
   const Json& entries_;

@@ -8,7 +8,6 @@
 #include "io/images/half_pixels.h"
 #include "io/json/json.h"
 #include "reports/markup/false_colour.h"
-#include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"
 
 namespace sturm {
@@ -163,8 +162,8 @@ std::size_t ViewerPayload::add_case(const ViewerCase& shown) {
   return cases_.size() - 1;
 }
 
-std::string ViewerPayload::html() const {
-  if (cases_.empty()) return "";
+Html ViewerPayload::html() const {
+  if (cases_.empty()) return {};
   std::string pictures, cases;
   for (const auto& [file, text] : pictures_) pictures += (pictures.empty() ? "" : ",") + text_of(file) + ":" + text;
   for (const std::string& text : cases_) cases += (cases.empty() ? "" : ",") + text;
@@ -172,7 +171,12 @@ std::string ViewerPayload::html() const {
                         {"diverging", colour_table([](double t) { return diverging_colour(2.0 * t - 1.0); })}};
   const std::string document =
       "{\"pictures\":{" + pictures + "},\"cases\":[" + cases + "],\"colours\":" + text_of(colours) + "}";
-  return element("script", "type=\"application/json\" id=\"viewer-payload\"", markup_free(document));
+  return element("script", {{"type", "application/json"}, {"id", "viewer-payload"}},
+                 Html::trusted(markup_free(document)));
+}
+
+Html viewer_place(std::size_t number) {
+  return element("div", {{"class", "viewer"}, {"data-case", std::to_string(number)}}, {});
 }
 
 }  // namespace sturm

@@ -6,6 +6,7 @@
 
 #include "compare/images/image_comparison.h"
 #include "io/images/image.h"
+#include "reports/markup/html.h"
 
 namespace sturm {
 
@@ -54,13 +55,16 @@ class ViewerPayload {
   /// A case of the viewer; its pictures were added. Returns its number.
   std::size_t add_case(const ViewerCase& shown);
 
-  /// The payload as a <script> of type application/json with the id "viewer-payload"; "" without a case.
-  std::string html() const;
+  /// The payload as a <script> of type application/json with the id "viewer-payload"; nothing without a case.
+  Html html() const;
 
  private:
   std::map<std::string, std::string> pictures_;  ///< JSON text by file name
   std::vector<std::string> cases_;               ///< JSON texts
 };
+
+/// Where the page's script puts the viewer of the payload's case of this number.
+Html viewer_place(std::size_t number);
 
 /// What the numbers of a case of pictures in linear light are.
 inline constexpr const char* viewer_radiance = "pictures in linear Rec. 709 radiance, maps at exposure 0";

@@ -41,23 +41,27 @@ std::string reference_distance(const Json& section) {
 }
 
 /// A square of the map; "–" on grey where the model has no second moments.
-std::string cell(double x, double y, double width, const std::optional<double>& error_D) {
+Html cell(double x, double y, double width, const std::optional<double>& error_D) {
   const bool noticed = error_D && *error_D > noticeable_defocus_D;
   const double position = error_D ? position_on(scale, *error_D) : 0.0, inset = noticed ? 1.0 : 0.0;
   const std::string fill = error_D ? hex_colour(sequential_colour(1.0 - 0.85 * position)) : "#cfd4d9";
-  return "<rect x=\"" + coordinate(x + inset) + "\" y=\"" + coordinate(y + inset) + "\" width=\"" +
-         coordinate(width - 2.0 * inset) + "\" height=\"" + coordinate(cell_height - 2.0 * inset) + "\" fill=\"" +
-         fill + "\"" + (noticed ? " stroke=\"#000000\" stroke-width=\"1.5\"" : "") + "/>\n" +
+  Attributes square = {{"x", coordinate(x + inset)},
+                       {"y", coordinate(y + inset)},
+                       {"width", coordinate(width - 2.0 * inset)},
+                       {"height", coordinate(cell_height - 2.0 * inset)},
+                       {"fill", fill}};
+  if (noticed) square.insert(square.end(), {{"stroke", "#000000"}, {"stroke-width", "1.5"}});
+  return empty_element("rect", square) + "\n"_html +
          svg_text(x + 0.5 * width, y + 0.5 * cell_height + 4.0, error_D ? number_text(*error_D) : "–", "middle", 11,
                   position > 0.5 ? "#ffffff" : "#1f2328");
 }
 
-std::string panel_svg(const Json& section, const Panel& panel, double y0) {
+Html panel_svg(const Json& section, const Panel& panel, double y0) {
   const Json &spheres = array_at(section, "reference_view/spheres_D"),
              &cylinders = array_at(section, "reference_view/cylinders_D"), &rows = map_of(section, panel.model);
   const double width = panel_width / static_cast<double>(spheres.size());
-  std::string body = svg_text(left, y0 - 36.0, panel.title, "start", 15) +
-                     svg_text(left - 8.0, y0 - 10.0, "C \\ S′", "end", 12, "#5c6670");
+  Html body = svg_text(left, y0 - 36.0, panel.title, "start", 15) +
+              svg_text(left - 8.0, y0 - 10.0, "C \\ S′", "end", 12, "#5c6670");
   for (std::size_t s = 0; s < spheres.size(); ++s)
     body += svg_text(left + width * (static_cast<double>(s) + 0.5), y0 - 10.0, plain_number(spheres[s]), "middle", 12,
                      "#5c6670");
@@ -76,7 +80,7 @@ std::optional<Figure> sin2_error_map(const Json& section) {
   const std::size_t rows = array_at(section, "reference_view/cylinders_D").size();
   if (rows == 0 || array_at(section, "reference_view/spheres_D").empty()) return std::nullopt;
   const double panel_height = cell_height * static_cast<double>(rows);
-  std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  Html body = white_ground();
   double y = top;
   for (const Panel& panel : panels) {
     body += panel_svg(section, panel, y);

@@ -7,7 +7,6 @@
 #include "io/json/stored.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/false_colour.h"
-#include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"
 #include "reports/sections/sin2_study/figures.h"
 
@@ -50,19 +49,19 @@ std::string prescription_text(const Json& view) {
          plain_number(number("pupil_mm")) + " mm";
 }
 
-std::string labels(const Json& view, double y) {
+Html labels(const Json& view, double y) {
   const double mid = y + 0.5 * side, field = 2.0 * number_at(view, "half_side_arcmin").value_or(0.0);
   // A long title takes two lines, broken at its colon.
   const std::string title = text_at(view, "title");
   const std::size_t colon = title.find(": ");
-  std::string svg = svg_text(8.0, mid - 34.0, escaped(title.substr(0, colon)), "start", 15);
-  if (colon != std::string::npos) svg += svg_text(8.0, mid - 14.0, escaped(title.substr(colon + 2)), "start", 13);
+  Html svg = svg_text(8.0, mid - 34.0, title.substr(0, colon), "start", 15);
+  if (colon != std::string::npos) svg += svg_text(8.0, mid - 14.0, title.substr(colon + 2), "start", 13);
   return svg + svg_text(8.0, mid + 8.0, prescription_text(view), "start", 11, "#5c6670") +
          svg_text(8.0, mid + 26.0, "field " + plain_number(field, 3) + " arcmin", "start", 11, "#5c6670");
 }
 
 /// One row: all models on one scale, whose top is the densest pixel of the row.
-std::string row_svg(const Json& view, double y, const std::filesystem::path& run_folder) {
+Html row_svg(const Json& view, double y, const std::filesystem::path& run_folder) {
   std::array<Image, columns.size()> pictures;
   float peak = 0.0f;
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -71,21 +70,27 @@ std::string row_svg(const Json& view, double y, const std::filesystem::path& run
     pictures[i] = one_channel(main_layer(run_folder / file));
     peak = std::max(peak, *std::max_element(pictures[i].pixels.begin(), pictures[i].pixels.end()));
   }
-  std::string svg = labels(view, y);
+  Html svg = labels(view, y);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double x = left + (side + gap) * static_cast<double>(i);
     if (pictures[i].pixels.empty() || !(peak > 0.0f)) {
       svg += svg_text(x + 0.5 * side, y + 0.5 * side, "undefined");
       continue;
     }
-    svg += "<image x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" + coordinate(side) +
-           "\" height=\"" + coordinate(side) + "\" href=\"" +
-           data_uri(sequential_false_colour(pictures[i], {peak, decades})) + "\"/>\n";
+    svg += empty_element("image", {{"x", coordinate(x)},
+                                   {"y", coordinate(y)},
+                                   {"width", coordinate(side)},
+                                   {"height", coordinate(side)},
+                                   {"href", data_uri(sequential_false_colour(pictures[i], {peak, decades}))}}) +
+           "\n"_html;
     const auto distance = number_at(of_model(view, columns[i].model), "total_variation");
     if (distance && i > 0) {
-      svg += "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y + side - 22.0) +
-             "\" width=\"76\" height=\"22\" fill=\"#000000\"/>\n" +
-             svg_text(x + 8.0, y + side - 7.0, "TV " + plain_number(*distance, 2), "start", 12, "#ffffff");
+      svg += empty_element("rect", {{"x", coordinate(x)},
+                                    {"y", coordinate(y + side - 22.0)},
+                                    {"width", "76"},
+                                    {"height", "22"},
+                                    {"fill", "#000000"}}) +
+             "\n"_html + svg_text(x + 8.0, y + side - 7.0, "TV " + plain_number(*distance, 2), "start", 12, "#ffffff");
     }
   }
   return svg;
@@ -96,7 +101,7 @@ std::string row_svg(const Json& view, double y, const std::filesystem::path& run
 std::optional<Figure> sin2_gallery(const Json& section, const std::filesystem::path& run_folder) {
   const Json& views = array_at(section, "gallery");
   if (views.empty()) return std::nullopt;
-  std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  Html body = white_ground();
   for (std::size_t i = 0; i < columns.size(); ++i)
     body +=
         svg_text(left + (side + gap) * static_cast<double>(i) + 0.5 * side, top - 14.0, columns[i].title, "middle", 14);

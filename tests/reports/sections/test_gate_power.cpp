@@ -81,14 +81,15 @@ TEST(GatePower, PageShowsWhoNoticedWhat) {
   const std::vector<MutationName> mutations = {{"long_axis", "an axis < another"}, {"nothing", "no patch at all"}};
   Json patched = with_patches();
   patched["ellipses"]["cases"][1]["mutated"]["long_axis"] = patched["ellipses"]["cases"][1]["mutated"]["long"];
-  const std::string html = gate_power_section({{"gate_power", gate_power(gates, patched, mutations, Json(nullptr))}});
+  const std::string html =
+      gate_power_section({{"gate_power", gate_power(gates, patched, mutations, Json(nullptr))}}).markup();
   EXPECT_THAT(html, HasSubstr("<code>long_axis</code>"));
   EXPECT_THAT(html, HasSubstr("an axis &lt; another"));
   EXPECT_THAT(html, HasSubstr("<strong class=\"mark fail\">none</strong>"));  // nobody noticed "nothing"
   EXPECT_THAT(html, HasSubstr("<span class=\"mark pass\">30.0</span>"));
   EXPECT_THAT(html, HasSubstr("false alarms in a run"));
-  EXPECT_EQ(gate_power_section(healthy_report()).find("false alarms"), std::string::npos);  // no levels
-  EXPECT_EQ(gate_power_section(Json::object()), "");
+  EXPECT_EQ(gate_power_section(healthy_report()).markup().find("false alarms"), std::string::npos);  // no levels
+  EXPECT_TRUE(gate_power_section(Json::object()).empty());
 }
 
 TEST(GatePower, ASumWithoutALevelIsNone) {

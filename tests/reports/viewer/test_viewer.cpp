@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 Json document_of(const ViewerPayload& payload) {
-  const std::string html = payload.html();
+  const std::string html = payload.html().markup();
   const std::size_t first = html.find('>') + 1;
   return Json::parse(html.substr(first, html.rfind("</script>") - first));
 }
@@ -64,9 +64,9 @@ TEST(ViewerPayload, WhereAWindowDoesNotFitThereIsNoValue) {
 
 TEST(ViewerPayload, APictureOfSeveralCasesIsStoredOnce) {
   ViewerPayload payload = payload_with("one");
-  const std::size_t before = payload.html().size();
+  const std::size_t before = payload.html().markup().size();
   payload.add_picture("b.exr", testing::textured_image(24, 16, 0.9), 1);
-  EXPECT_EQ(payload.html().size(), before);
+  EXPECT_EQ(payload.html().markup().size(), before);
 }
 
 TEST(ViewerPayload, DensitiesKeepTheirPrecisionHoweverSmall) {
@@ -97,14 +97,14 @@ TEST(ViewerPayload, ADensityOfZerosStaysOne) {
 }
 
 TEST(ViewerPayload, HoldsNoMarkup) {
-  const std::string html = payload_with("</script><script>alert(1)</script>&amp;<![CDATA[").html();
+  const std::string html = payload_with("</script><script>alert(1)</script>&amp;<![CDATA[").html().markup();
   EXPECT_EQ(html.find("<", 1), html.rfind("</script>"));  // nothing but its own tags
   EXPECT_THAT(html, Not(HasSubstr("&")));
   EXPECT_EQ(document_of(payload_with("<&>"))["cases"][0]["title"], "<&>");
 }
 
 TEST(ViewerPayload, WithoutCasesIsNothing) {
-  EXPECT_EQ(ViewerPayload().html(), "");
+  EXPECT_TRUE(ViewerPayload().html().empty());
 }
 
 TEST(HalfPixels, AreThoseOfTheStandard) {  // IEEE 754-2019, binary16; patterns worked by hand
