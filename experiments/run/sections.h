@@ -3,7 +3,6 @@
 #include <functional>
 
 #include "experiments/run/mutations.h"
-#include "experiments/run/shared_views.h"
 #include "io/json/json.h"
 #include "io/specs/experiment/experiment_spec.h"
 #include "stages/render_stage.h"
@@ -27,15 +26,6 @@ Json sin2_findings(const Json& ellipses);
 /// Image of a point-like emitter for each ray model of one PSF experiment: a list of "psfs" entries.
 Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
                  const std::filesystem::path& folder, const ProgressFunction& progress);
-
-/// Image number `index` of an experiment: one scene path traced with each ray model and predicted once: a list of
-/// "images" entries.
-Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description,
-                   SharedViews& views, const std::filesystem::path& folder, const ProgressFunction& progress);
-
-/// One view path traced and predicted in several ways, with times and errors by region: one entry of "agreement".
-Json agreement_entry(const AgreementCase& spec, const SceneDescription& description, std::uint64_t seed,
-                     const std::filesystem::path& folder, const ProgressFunction& progress);
 
 /// The comparison of rays with the conoid again, with a conoid that is wrong on purpose: mirrored axis, vertex distance
 /// dropped, and sin² rays passed off as matrix rays. Each must be noticed.

@@ -29,6 +29,7 @@ Html navigation(const std::vector<Part>& parts) {
 
 std::string render_report_html(const Json& report, const std::filesystem::path& run_folder) {
   ViewerPayload payload;
+  const PictureSections pictures = picture_sections(report, run_folder, payload);
   const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
                                    {"gate_power", "What the gates can see", gate_power_section(report)},
                                    {"cases", "Cases", case_section(report)},
@@ -39,8 +40,8 @@ std::string render_report_html(const Json& report, const std::filesystem::path& 
                                    {"bench", "Run time against error", bench_section(report, run_folder)},
                                    {"figures", "Figures", figure_section(report, run_folder)},
                                    {"psfs", "Point-spread functions", psf_section(report, run_folder, payload)},
-                                   {"images", "Images", image_section(report, run_folder, payload)},
-                                   {"agreement", "Predictions", agreement_section(report, run_folder, payload)},
+                                   {"images", "Images", pictures.images},
+                                   {"agreement", "Predictions", pictures.agreement},
                                    {"ellipses", "All ellipses", ellipse_section(report)},
                                    {"provenance", "Provenance", provenance_section(report)}};
   Html body = verdict_section(report) + navigation(parts);

@@ -22,8 +22,11 @@ Html bench_section(const Json& report, const std::filesystem::path& run_folder);
 Html sampling_section(const Json& report, const std::filesystem::path& run_folder);
 Html figure_section(const Json& report, const std::filesystem::path& run_folder);
 Html psf_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
-Html image_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
-Html agreement_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
+/// Of pictures measured by metrics, and of pictures measured by region.
+struct PictureSections {
+  Html images, agreement;
+};
+PictureSections picture_sections(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 Html ellipse_section(const Json& report);
 Html provenance_section(const Json& report);
 

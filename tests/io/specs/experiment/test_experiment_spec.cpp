@@ -54,12 +54,12 @@ TEST_F(ExperimentSpecTest, ReadsAllSections) {
   ASSERT_EQ(spec.psfs.size(), 1u);
   EXPECT_DOUBLE_EQ(spec.psfs[0].eye.pupil_radius_m, 2e-3);
   EXPECT_EQ(spec.psfs[0].resolution, 96);
-  ASSERT_EQ(spec.images.size(), 1u);
-  EXPECT_EQ(spec.images[0].eye.prescription.sphere_D, -6.75);
-  EXPECT_EQ(spec.images[0].eye.accommodation_for(0.0), 1.0);
-  EXPECT_EQ(spec.images[0].sharp_samples_per_pixel, 256u);
-  EXPECT_EQ(spec.images[0].replicates, 2);
-  EXPECT_EQ(spec.images[0].camera.width, 64);
+  ASSERT_EQ(spec.pictures.size(), 1u);
+  EXPECT_EQ(spec.pictures[0].worn.eye.prescription.sphere_D, -6.75);
+  EXPECT_EQ(spec.pictures[0].worn.eye.accommodation_for(0.0), 1.0);
+  EXPECT_EQ(spec.pictures[0].sharp_samples_per_pixel, 256u);
+  EXPECT_EQ(spec.pictures[0].replicates, 2);
+  EXPECT_EQ(spec.pictures[0].camera.width, 64);
   EXPECT_EQ(spec.gates, folder_ / "gates/g.json");
   EXPECT_EQ(spec.baseline, folder_ / "none.json");
   EXPECT_EQ(spec.reference, std::nullopt);
