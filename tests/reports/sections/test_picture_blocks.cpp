@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "compare/metrics/stored_images.h"
@@ -49,10 +50,10 @@ class PictureBlocksOnPage : public ::testing::Test {
   const std::filesystem::path folder_;
 };
 
-Json case_in(const ViewerPayload& payload) {
+Json case_in(const ViewerPayload& payload, std::size_t number = 0) {
   const std::string html = payload.html().markup();
   const std::size_t first = html.find('>') + 1;
-  return Json::parse(html.substr(first, html.rfind("</script>") - first)).at("cases").at(0);
+  return Json::parse(html.substr(first, html.rfind("</script>") - first)).at("cases").at(number);
 }
 
 TEST_F(PictureBlocksOnPage, EachPredictionHasItsOwnMapsOnCommonScales) {
@@ -78,6 +79,34 @@ TEST_F(PictureBlocksOnPage, EachPredictionHasItsOwnMapsOnCommonScales) {
       }
     }
   }
+}
+
+TEST_F(PictureBlocksOnPage, AllFindingsHaveOneScaleOfErrors) {
+  PictureFinding regions = finding_with_files(folder_, 24, 16), metrics = regions;
+  regions.predictions = {regions.predictions[2]};  // the furthest
+  metrics.measures = PictureMeasures::Metrics;
+  metrics.predictions = {metrics.predictions[0]};  // the nearest
+  ViewerPayload alone, payload;
+  const PictureBlocks near = picture_blocks({metrics}, folder_, alone);
+  const PictureBlocks both = picture_blocks({metrics, regions}, folder_, payload);
+  EXPECT_GT(both.error_limit, near.error_limit);
+  const Json nearest = case_in(payload, 0), furthest = case_in(payload, 1);
+  EXPECT_EQ(nearest["pictures"][1]["key"], "predicted");
+  EXPECT_EQ(furthest["pictures"][1]["key"], "multipass");
+  EXPECT_EQ(nearest["maps"][0]["end"], both.error_limit);
+  EXPECT_EQ(furthest["maps"][0]["end"], both.error_limit);
+  EXPECT_FALSE(nearest["maps"][0].contains("of"));  // there is nothing to tell it from
+  EXPECT_THAT(both.blocks[0].html.markup(), HasSubstr("sturm compare ellipses.exr traced.exr"));
+}
+
+TEST_F(PictureBlocksOnPage, ANumberThatIsNoneHasAColour) {
+  PictureFinding finding = finding_with_files(folder_, 24, 16);
+  Image defect = testing::textured_image(24, 16, 0.2);
+  *defect.at(3, 4) = std::numeric_limits<float>::quiet_NaN();
+  write_exr(folder_ / "layered.exr", LayeredImage{{{"", defect}}, {}});
+  ViewerPayload payload;
+  const auto places = picture_blocks({finding}, folder_, payload).blocks;
+  EXPECT_THAT(places.at(0).html.markup(), HasSubstr("stills"));
 }
 
 TEST_F(PictureBlocksOnPage, FilesThatDoNotFitAreANote) {
