@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lensmodel/power_matrix.h"
+#include "lensmodel/words.h"
 #include "lensmodel/zernike.h"
 
 namespace sturm {
@@ -14,6 +15,9 @@ enum class SecondOrder {
                  ///< pupil
   Paraxial       ///< the wave's curvature at the pupil's centre, which higher orders change
 };
+
+inline constexpr Words<SecondOrder, 2> second_order_words{
+    {{SecondOrder::LeastSquares, "least_squares"}, {SecondOrder::Paraxial, "paraxial"}}};
 
 /// A wavefront W over a disc as OSA/ANSI Zernike coefficients (docs/theory.md#52-measured-wavefronts). Wearer frame;
 /// the ray through p leaves with the slope −∇W(p), so that a correcting power F alone is W = −½ pᵀF p. Immutable.

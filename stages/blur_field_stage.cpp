@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "pathtrace/cameras/camera_hits.h"
 #include "pathtrace/scene/scene_import.h"
-#include "stages/json_values.h"
 #include "stages/stopwatch.h"
 
 namespace sturm {

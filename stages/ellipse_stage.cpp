@@ -7,11 +7,10 @@
 #include "conoid/tracing/previous.h"
 #include "conoid/tracing/published.h"
 #include "conoid/tracing/spectacle_conoid.h"
+#include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "pathtrace/sampling/pupil_sampler.h"
-#include "stages/json_values.h"
-#include "stages/lens_status_word.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -183,9 +182,9 @@ std::string status_without_ellipse(const MeasuredBundle& bundle) {
   const LensLosses& lost = bundle.losses;
   if (lost.total() == 0 && bundle.counters.dropped == 0) return "ok";
   if (bundle.counters.dropped >= lost.total()) return "undefined";
-  if (lost.rim >= lost.total_reflection && lost.rim >= lost.no_convergence) return word_for(LensStatus::missed_lens);
-  return word_for(lost.total_reflection >= lost.no_convergence ? LensStatus::total_internal_reflection
-                                                               : LensStatus::no_convergence);
+  if (lost.rim >= lost.total_reflection && lost.rim >= lost.no_convergence) return name_of(LensStatus::missed_lens);
+  return name_of(lost.total_reflection >= lost.no_convergence ? LensStatus::total_internal_reflection
+                                                              : LensStatus::no_convergence);
 }
 
 void write_rays(Json& result, const View& view, const EllipseQuery& query, RayModel model) {
@@ -214,7 +213,7 @@ void write_rays(Json& result, const View& view, const EllipseQuery& query, RayMo
 Json result_of(const View& view, const EllipseMethod& method, const EllipseQuery& query) {
   Json result = {{"method", name_of(method)}, {"accommodation_D", number_or_null(view.accommodation_D)}};
   if (view.status != LensStatus::ok) {
-    write_failure(result, word_for(view.status));
+    write_failure(result, name_of(view.status));
     result["chief_ray"] = nullptr;
     if (method == EllipseMethod(ConoidMethod::conoid)) result["footprint"] = result["wavefront_curvature_D"] = nullptr;
     return result;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/findings/judged_report.h"
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

@@ -2,8 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

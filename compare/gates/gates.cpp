@@ -7,8 +7,8 @@
 #include <set>
 
 #include "compare/statistics/welch.h"
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

@@ -10,11 +10,10 @@
 #include "conoid/tracing/published.h"
 #include "conoid/tracing/spectacle_conoid.h"
 #include "experiments/run/sections.h"
+#include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
-#include "stages/lens_status_word.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -234,7 +233,7 @@ GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const S
       trace_conoid(lens.lens, {-direction.x(), direction.y(), direction.z()}, spec.rotation_center_m);
   GazeResult result{gaze_json(gaze), Json::array()};
   result.gaze["lens"] = lens.id;
-  result.gaze["status"] = word_for(sight.conoid.status);
+  result.gaze["status"] = name_of(sight.conoid.status);
   const bool ok = sight.conoid.status == LensStatus::ok;
   result.gaze["eq11"] =
       ok ? Json{{"principal", word_for(sight.published[0])}, {"incidence", word_for(sight.published[1])}}
@@ -290,7 +289,7 @@ Json wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze) {
   Json points = Json::array();
   for (const double azimuth : gaze.azimuths_deg) {
     const Sight sight = sight_of(spec, lens, gaze_direction(azimuth * radians_per_degree, 0.0));
-    Json point = {{"azimuth_deg", azimuth}, {"status", word_for(sight.conoid.status)},
+    Json point = {{"azimuth_deg", azimuth}, {"status", name_of(sight.conoid.status)},
                   {"real_rays", nullptr},   {"ray_transfer", nullptr},
                   {"published", nullptr},   {"previous", nullptr}};
     if (sight.conoid.status == LensStatus::ok) {

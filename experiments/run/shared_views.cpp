@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/run/scene_fingerprint.h"
+#include "io/json/values.h"
 #include "pathtrace/plan/simplest_model.h"
-#include "stages/json_values.h"
 
 namespace sturm {
 

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/sin2_study/sin2_study.h"
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

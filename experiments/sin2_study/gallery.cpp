@@ -8,8 +8,8 @@
 #include "experiments/sin2_study/pupil_trace.h"
 #include "experiments/sin2_study/sin2_study.h"
 #include "io/images/exr.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {

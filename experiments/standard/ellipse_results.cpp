@@ -6,8 +6,8 @@
 #include "conoid/tracing/footprint.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/case_names.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {

@@ -9,8 +9,8 @@
 #include "experiments/run/sections.h"
 #include "experiments/standard/predicted_spot.h"
 #include "io/images/exr.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {

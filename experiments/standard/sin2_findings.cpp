@@ -6,10 +6,10 @@
 
 #include "compare/statistics/median.h"
 #include "experiments/run/sections.h"
+#include "io/json/values.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 
 namespace sturm {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files/error.h"
-#include "io/json/json_vectors.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
 
 namespace sturm {

@@ -22,8 +22,8 @@ EyeSpec read_eye_spec(const Json& value, const Source& where);
 /// The eye alone.
 Eye read_eye(const Json& value, const Source& where);
 
-/// Reads {"sphere_D", "cylinder_D", "axis_deg", "vertex_distance_mm"}; a cylinder needs an axis, the vertex distance is
-/// 12 mm by default and must not lie at the lens's focal length.
+/// Reads a prescription as the schema of eyes defines it; a cylinder needs an axis, a prism a base, and the vertex
+/// distance must not lie at the lens's focal length.
 Prescription read_prescription(const Json& value, const Source& where);
 
 /// Reads {"mode": "relaxed" | "fixed" | "best", …}.

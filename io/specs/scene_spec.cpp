@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "io/files/error.h"
-#include "io/json/json_vectors.h"
 #include "io/json/named_file.h"
 #include "io/json/suggest.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

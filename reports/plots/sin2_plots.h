@@ -5,7 +5,7 @@
 namespace sturm {
 
 /// Measured ÷ true semi-axes of sin² rays against t = V₂/V₁, |V₁| ≥ |V₂|, over the closed forms of
-/// docs/theory.md#61-second-moments-in-closed-form: two <svg> plots, major and minor axis. Nothing where the report has
+/// docs/theory.md#61-second-moments-in-closed-form: two <svg> plots, major and minor axis; nothing where the report has
 /// no such case.
 Html sin2_ratio_plots(const Json& report);
 

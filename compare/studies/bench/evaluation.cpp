@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/studies/bench/requirements.h"
-#include "io/json/json_numbers.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

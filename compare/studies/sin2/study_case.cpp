@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files/formatted_text.h"
-#include "io/json/json_numbers.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

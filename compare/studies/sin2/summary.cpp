@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "io/json/json_numbers.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

@@ -111,6 +111,7 @@ BenchSpec read_bench_section(const Json& value, const Source& where, std::uint64
 ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   validate(document, "experiment", file);
   const Source root{file, ""};
+  Json resolved = resolved_experiment(document);
   ExperimentSpec spec;
   spec.title = document["title"].get<std::string>();
   spec.seed = document.value("seed", spec.seed);
@@ -128,12 +129,12 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
   if (document.contains("lens_study")) {
     require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");
-    spec.lens_study = read_lens_study(document["lens_study"], root / "lens_study");
+    spec.lens_study = read_lens_study(resolved["lens_study"], root / "lens_study");
     add_files(spec.input_files, spec.lens_study->input_files);
   }
   if (document.contains("sin2_study")) {
-    require_unique_ids(document["sin2_study"].value("gallery", Json::array()), root / "sin2_study" / "gallery");
-    spec.sin2_study = read_sin2_study(document["sin2_study"], root / "sin2_study");
+    require_unique_ids(resolved["sin2_study"]["gallery"], root / "sin2_study" / "gallery");
+    spec.sin2_study = read_sin2_study(resolved["sin2_study"], root / "sin2_study");
     add_files(spec.input_files, spec.sin2_study->input_files);
   }
   if (document.contains("sampling_study")) {
@@ -158,7 +159,6 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     return prescription_named(id, where, spec.ellipses);
   });
   for (const PictureExperiment& picture : spec.pictures) add_files(spec.input_files, picture.input_files);
-  Json resolved = resolved_experiment(document);
   if (spec.bench) resolved["bench"] = *spec.bench->resolved;
   spec.resolved = std::make_shared<const Json>(std::move(resolved));
   spec.share_views = (*spec.resolved)["skip"]["same_views"].get<bool>();

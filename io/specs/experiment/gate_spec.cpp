@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "io/json/json_numbers.h"
 #include "io/json/schema.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

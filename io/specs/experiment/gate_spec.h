@@ -46,7 +46,7 @@ struct GateSpec {
   std::string unit;
   std::string reason;  ///< where the bound comes from
 
-  std::optional<GateCalibration> calibration;  ///< none: the gate states none
+  std::optional<GateCalibration> calibration{};  ///< none: the gate states none
 };
 
 /// Validates and reads a document of format sturm.gates/1; ids are unique, a calibration is there as a whole or not at

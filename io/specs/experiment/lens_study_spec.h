@@ -26,9 +26,9 @@ struct WideGaze {
 
 /// How far tracing methods are from real rays: every lens × gaze × distance × pupil.
 struct LensStudySpec {
-  std::vector<StudyLens> lenses;           ///< ids are unique
-  double rotation_center_m = 13.5e-3;      ///< behind the pupil
-  std::vector<double> eccentricities_deg;  ///< of the gaze from the lens's axis, ascending
+  std::vector<StudyLens> lenses;                      ///< ids are unique
+  double rotation_center_m = mean_rotation_center_m;  ///< behind the pupil
+  std::vector<double> eccentricities_deg;             ///< of the gaze from the lens's axis, ascending
   std::vector<double>
       directions_deg;  ///< of the gaze about the axis as the wearer sees it: 0 right, 90 up. Eccentricity 0 has none
   std::vector<double> distances_m;                  ///< > 0, ∞ allowed
@@ -40,7 +40,7 @@ struct LensStudySpec {
   std::vector<std::string> input_files;  ///< absolute paths of lens files
 };
 
-/// Reads a validated "lens_study" section. Throws InputError.
+/// Reads a validated "lens_study" section with its defaults spelt out. Throws InputError.
 LensStudySpec read_lens_study(const Json& value, const Source& where);
 
 }  // namespace sturm

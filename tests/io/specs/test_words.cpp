@@ -14,11 +14,14 @@
 #include "io/specs/ray_bundle_spec.h"
 #include "io/specs/words.h"
 #include "lensmodel/field_method.h"
+#include "lensmodel/lens_status.h"
 #include "lensmodel/ray_model.h"
+#include "lensmodel/zernike_wave.h"
 
 namespace sturm {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 
@@ -48,6 +51,7 @@ TEST(Words, AreThoseOfTheSchemas) {
       table("blurfield", "/properties/method", field_method_words),
       table("render", "/definitions/prediction", prediction_kind_words),
       table("experiment", "/properties/agreement/items/properties/predictions/items", prediction_kind_words),
+      table("eye", "/definitions/wavefront/properties/second_order", second_order_words),
       table("bench", "/properties/require/items/properties/statistic", bench_statistic_words)};
   for (const Table& t : tables) {
     EXPECT_THAT(t.words, ElementsAreArray(accepted(t.schema, t.pointer))) << t.schema << t.pointer;
@@ -61,6 +65,12 @@ TEST(Words, MethodsOfEllipsesAreConoidsAndRayModels) {
   for (const auto& entry : conoid_method_words.entries) names.push_back(name_of(entry.value));
   for (const auto& entry : ray_model_words.entries) names.push_back(name_of(EllipseMethod(entry.value)));
   EXPECT_THAT(names, ElementsAreArray(accepted("ellipse", "/definitions/method")));
+}
+
+TEST(Words, OfALensAreAmongThoseOfTheResults) {
+  for (const auto& [schema, pointer] : {std::pair("ellipse_result", "/properties/results/items/properties/status"),
+                                        std::pair("lens_report", "/properties/gazes/items/properties/status")})
+    for (const std::string& word : lens_status_words.all()) EXPECT_THAT(accepted(schema, pointer), Contains(word));
 }
 
 TEST(Words, AWordThatIsNoneOfThemIsRefusedWithItsPlace) {
