@@ -4,7 +4,6 @@
 
 #include "io/json/stored.h"
 #include "io/json/values.h"
-#include "io/json/values.h"
 
 namespace sturm {
 
