@@ -124,18 +124,6 @@ std::vector<ViewerSet::Map> maps_of_images(const Image& difference, double diffe
   return maps;
 }
 
-ViewerSet set_of_images(const std::string& title, const std::string& path_traced_file,
-                        const std::string& predicted_file, const Image& difference, double difference_limit,
-                        const std::vector<ImageMetric>& metrics, int factor) {
-  ViewerSet shown;
-  shown.title = title;
-  shown.pictures = {{"path_traced", "Path traced", path_traced_file}, {"predicted", "Predicted", predicted_file}};
-  shown.maps = maps_of_images(difference, difference_limit, metrics, 1 + viewer_maps().size());
-  shown.factor = factor;
-  shown.quantity = viewer_radiance;
-  return shown;
-}
-
 void ViewerPayload::add_picture(const std::string& file, const Image& linear, int factor) {
   if (pictures_.contains(file)) return;
   const Image shown = shrunk(linear, factor);

@@ -77,9 +77,4 @@ const std::vector<std::string>& viewer_maps();
 std::vector<ViewerSet::Map> maps_of_images(const Image& difference, double difference_limit,
                                            const std::vector<ImageMetric>& metrics, std::size_t most);
 
-/// A path-traced and a predicted picture, and all their maps.
-ViewerSet set_of_images(const std::string& title, const std::string& path_traced_file,
-                        const std::string& predicted_file, const Image& difference, double difference_limit,
-                        const std::vector<ImageMetric>& metrics, int factor);
-
 }  // namespace sturm

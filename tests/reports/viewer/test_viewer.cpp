@@ -30,7 +30,12 @@ ViewerPayload payload_with(const std::string& title) {
   ViewerPayload payload;
   payload.add_picture("a.exr", a, 1);
   payload.add_picture("b.exr", b, 1);
-  payload.add_set(set_of_images(title, "a.exr", "b.exr", luma_image(a), 0.5, measure_images(b, a, {}), 1));
+  ViewerSet shown;
+  shown.title = title;
+  shown.pictures = {{"path_traced", "Path traced", "a.exr"}, {"predicted", "Predicted", "b.exr"}};
+  shown.maps = maps_of_images(luma_image(a), 0.5, measure_images(b, a, {}), 1 + viewer_maps().size());
+  shown.quantity = viewer_radiance;
+  payload.add_set(shown);
   return payload;
 }
 

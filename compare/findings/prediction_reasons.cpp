@@ -1,13 +1,10 @@
-#include "compare/studies/agreement/agreement_reasons.h"
+#include "compare/findings/prediction_reasons.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
 
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 
 namespace sturm {
 
@@ -19,14 +16,15 @@ struct Place {
 };
 
 /// The parts of the picture with the most of something (at least a tenth, at most three), the most first.
-std::vector<Place> worst_places(const Json& prediction, const std::string& share) {
+std::vector<Place> worst_places(const PredictionFinding& prediction, Number CauseShares::*share) {
   std::vector<Place> places;
   double pixels = 0.0;
-  for (const Json& cause : array_at(prediction, "causes")) {
-    const auto of_all = number_at(cause, share), size = number_at(cause, "pixels");
-    if (!of_all || !size) continue;
-    pixels += *size;
-    places.push_back({text_at(cause, "name"), *of_all, *size});
+  for (const CauseShares& cause : prediction.causes) {
+    const Number& of_all = cause.*share;
+    if (!of_all || !cause.pixels) continue;
+    const auto size = static_cast<double>(*cause.pixels);
+    pixels += size;
+    places.push_back({cause.name, *of_all, size});
   }
   for (Place& place : places) place.pixels /= pixels;
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.share > b.share; });
@@ -35,7 +33,7 @@ std::vector<Place> worst_places(const Json& prediction, const std::string& share
   return places;
 }
 
-std::string by_place(const Json& prediction, const std::string& share) {
+std::string by_place(const PredictionFinding& prediction, Number CauseShares::*share) {
   std::string list;
   for (const Place& p : worst_places(prediction, share))
     list += formatted("%s%.0f %% %s (%.2g %% of the pixels)", list.empty() ? "" : ", ", 100.0 * p.share,
@@ -43,29 +41,27 @@ std::string by_place(const Json& prediction, const std::string& share) {
   return list;
 }
 
-std::string on_similarity(const Json& entry, const Json& prediction) {
-  const auto ssim = number_at(prediction, "parts/0/ssim_display/value"),
-             reference = number_at(prediction, "similarity_loss/reference_noise"),
-             noise = number_at(prediction, "similarity_loss/prediction_noise"),
-             method = number_at(prediction, "similarity_loss/method"), samples = number_at(entry, "samples_per_pixel"),
-             replicates = number_at(entry, "replicates"), sharp = number_at(entry, "sharp_samples_per_pixel");
-  if (!ssim || !reference || !noise || !method || !samples || !replicates || !sharp) return "";
+std::string on_similarity(const PictureFinding& view, const PredictionFinding& prediction) {
+  const Number ssim = prediction.whole().ssim.value_or(Estimate{}).value;
+  const auto& [total, reference, noise, method] = prediction.similarity_loss;
+  const std::optional<std::uint64_t>&paths = view.samples_per_pixel, &sharp = view.sharp_samples_per_pixel;
+  if (!ssim || !reference || !noise || !method || !paths || !sharp) return "";
   if (*ssim >= similarity_bar) return formatted("SSIM %.4f reaches %.2f.", *ssim, similarity_bar);
   return formatted(
              "SSIM %.4f misses %.2f. Of the %.4f that are missing to 1, %.4f are noise of the reference (%.0f paths "
              "per pixel), %.4f noise "
              "of the "
              "prediction (sharp view of %.0f), %.4f the method",
-             *ssim, similarity_bar, 1.0 - *ssim, *reference, *samples * *replicates, *noise, *sharp, *method) +
+             *ssim, similarity_bar, 1.0 - *ssim, *reference, static_cast<double>(*paths), *noise,
+             static_cast<double>(*sharp), *method) +
          (*ssim + *reference >= similarity_bar ? "; without the reference's noise the bar is reached" : "") +
-         ". By place: " + by_place(prediction, "share_of_similarity_loss") + ".";
+         ". By place: " + by_place(prediction, &CauseShares::similarity_loss) + ".";
 }
 
-std::string on_time(const Json& prediction) {
-  const auto faster = number_at(prediction, "times_faster"), cost = number_at(prediction, "cost_in_paths"),
-             paths = number_at(prediction, "samples_of_equal_error"), needed = number_at(prediction, "rmse_needed"),
-             error = number_at(prediction, "squared_error/total"),
-             noise = number_at(prediction, "squared_error/prediction_noise");
+std::string on_time(const PredictionFinding& prediction) {
+  const Number &faster = prediction.times_faster, &cost = prediction.cost_in_paths,
+               &paths = prediction.samples_of_equal_error, &needed = prediction.rmse_needed,
+               &error = prediction.squared_error.total, &noise = prediction.squared_error.prediction_noise;
   if (!faster || !cost || !paths || !error || !noise) return "";
   const std::string start =
       formatted("%.3g × faster than path tracing to the same error (%.3g paths per pixel)", *faster, *paths);
@@ -77,7 +73,7 @@ std::string on_time(const Json& prediction) {
                  : "") +
          formatted(". Of its squared error %.0f %% are noise of the prediction. By place: ",
                    100.0 * std::clamp(*noise / *error, 0.0, 1.0)) +
-         by_place(prediction, "share_of_squared_error") + ".";
+         by_place(prediction, &CauseShares::squared_error) + ".";
 }
 
 }  // namespace
@@ -93,9 +89,9 @@ std::string cause_in_words(const std::string& name) {
   return found != words.end() ? found->second : name;
 }
 
-std::vector<std::string> agreement_reasons(const Json& entry, const Json& prediction) {
+std::vector<std::string> prediction_reasons(const PictureFinding& view, const PredictionFinding& prediction) {
   std::vector<std::string> reasons;
-  for (const std::string& sentence : {on_similarity(entry, prediction), on_time(prediction)})
+  for (const std::string& sentence : {on_similarity(view, prediction), on_time(prediction)})
     if (!sentence.empty()) reasons.push_back(sentence);
   return reasons;
 }

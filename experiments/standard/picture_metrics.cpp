@@ -1,6 +1,6 @@
-#include "experiments/standard/image_metrics.h"
+#include "experiments/standard/picture_metrics.h"
 
-#include <nlohmann/json.hpp>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,9 +12,9 @@
 #include "compare/metrics/rmse.h"
 #include "compare/metrics/ssim.h"
 #include "compare/statistics/jackknife.h"
-#include "experiments/standard/noise_floor_error.h"
+#include "experiments/standard/noise_floor.h"
+#include "experiments/standard/stored_picture.h"
 #include "io/images/tone_map.h"
-#include "io/json/values.h"
 
 namespace sturm {
 
@@ -36,14 +36,14 @@ class Jackknife {
  public:
   void add(std::optional<double> value) { values_.push_back(value); }
 
-  Json json() const {
+  PictureMetric metric() const {
     std::vector<double> left_out;
     for (const std::optional<double>& v : values_) {
-      if (!v) return {{"value", nullptr}, {"uncertainty", nullptr}};
+      if (!v) return {.value = std::nullopt, .has_error = true};
       left_out.push_back(*v);
     }
     left_out.erase(left_out.begin());
-    return {{"value", *values_[0]}, {"uncertainty", jackknife_standard_error(left_out)}};
+    return {.value = values_[0], .has_error = true, .uncertainty = jackknife_standard_error(left_out)};
   }
 
  private:
@@ -58,9 +58,9 @@ class SimilarityJackknife {
     shares_.push_back(shares_of_mean(similarity.map, least_part_px));
   }
 
-  Json json() const {
+  PictureMetric metric() const {
     const PartError error = jackknife_by_parts(std::span(shares_).subspan(1));
-    return {{"value", mean_}, {"uncertainty", error.standard_error}, {"degrees", error.degrees}};
+    return {.value = mean_, .has_error = true, .uncertainty = error.standard_error, .degrees = error.degrees};
   }
 
  private:
@@ -70,6 +70,11 @@ class SimilarityJackknife {
   double mean_ = 0.0;
   std::vector<std::vector<double>> shares_;
 };
+
+/// The PSNR of equal pictures is infinite: none.
+PictureMetric without_error(double value) {
+  return {.value = std::isfinite(value) ? std::optional(value) : std::nullopt};
+}
 
 double sum_of(const Image& image) {
   double sum = 0.0;
@@ -84,7 +89,7 @@ std::optional<double> light_ratio(const Pair& pair) {
 
 }  // namespace
 
-Json image_metrics_json(const Replicates& predicted, const Replicates& traced) {
+std::map<std::string, PictureMetric> picture_metrics(const Replicates& predicted, const Replicates& traced) {
   const Pair whole(predicted.mean(), traced.mean());
   SimilarityJackknife ssim_display, ssim_linear;
   Jackknife light, shift_x, shift_y;
@@ -98,43 +103,25 @@ Json image_metrics_json(const Replicates& predicted, const Replicates& traced) {
   };
   measure(whole);
   for (int r = 0; r < static_cast<int>(traced.images.size()); ++r) measure(Pair(predicted.mean(r), traced.mean(r)));
-  return {{"ssim_display", ssim_display.json()},
-          {"ssim_linear", ssim_linear.json()},
-          {"light_ratio", light.json()},
-          {"shift_x_px", shift_x.json()},
-          {"shift_y_px", shift_y.json()},
-          {"psnr_display_dB", number_or_null(psnr_dB(whole.predicted_shown, whole.traced_shown))},
-          {"rmse_linear", rmse(whole.predicted, whole.traced)},
-          {"relative_mse", relative_mse(whole.predicted, whole.traced).plain}};
+  return {{"ssim_display", ssim_display.metric()},
+          {"ssim_linear", ssim_linear.metric()},
+          {"light_ratio", light.metric()},
+          {"shift_x_px", shift_x.metric()},
+          {"shift_y_px", shift_y.metric()},
+          {"psnr_display_dB", without_error(psnr_dB(whole.predicted_shown, whole.traced_shown))},
+          {"rmse_linear", without_error(rmse(whole.predicted, whole.traced))},
+          {"relative_mse", without_error(relative_mse(whole.predicted, whole.traced).plain)}};
 }
 
-namespace {
-
-using Measure = double (*)(const Image&, const Image&);
-
-/// What a noise floor has, by the metric's key.
-constexpr std::pair<const char*, Measure> noise_floor_measures[] = {
-    {"ssim_display",
-     [](const Image& a, const Image& b) {
-       return ssim(to_display(a, metrics_exposure), to_display(b, metrics_exposure)).mean;
-     }},
-    {"rmse_linear", [](const Image& a, const Image& b) { return rmse(a, b); }},
-    {"relative_mse", [](const Image& a, const Image& b) { return relative_mse(a, b).plain; }}};
-
-}  // namespace
-
-Json image_noise_floor_json(const Replicates& traced) {
-  const Image a = traced.first_half(), b = traced.second_half();
-  Json result;
-  for (const auto& [key, measure] : noise_floor_measures) result[key] = measure(a, b);
-  return result;
-}
-
-Json image_noise_floor_uncertainty_json(const Replicates& traced) {
-  Json result;
-  for (const auto& [key, measure] : noise_floor_measures)
-    if (const auto error = noise_floor_error(traced, measure)) result[key] = *error;
-  return result;
+PictureNoiseFloor noise_floor_of_metrics(const Replicates& traced) {
+  static constexpr FloorMetric metrics[] = {
+      {"ssim_display",
+       [](const Image& a, const Image& b) {
+         return ssim(to_display(a, metrics_exposure), to_display(b, metrics_exposure)).mean;
+       }},
+      {"rmse_linear", [](const Image& a, const Image& b) { return rmse(a, b); }},
+      {"relative_mse", [](const Image& a, const Image& b) { return relative_mse(a, b).plain; }}};
+  return noise_floor(traced, metrics);
 }
 
 }  // namespace sturm
