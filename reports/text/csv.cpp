@@ -1,34 +1,14 @@
 #include "reports/text/csv.h"
 
-#include <charconv>
 #include <string_view>
-#include <vector>
 
 #include "compare/studies/lens/lens_study_errors.h"
+#include "io/files/csv.h"
 #include "io/json/stored.h"
 
 namespace sturm {
 
 namespace {
-
-constexpr const char* end_of_line = "\r\n";
-
-std::string exact(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
-std::string field(const Json& json, std::string_view path) {
-  if (const auto number = number_at(json, path)) return exact(*number);
-  return quoted(text_at(json, path));
-}
 
 struct CsvColumn {
   std::string_view heading, path;
@@ -103,61 +83,65 @@ constexpr CsvColumn error_columns[] = {{"relative_frobenius", "relative_frobeniu
                                        {"defocus_error_D", "defocus_D"}};
 
 template <std::size_t N>
-void add_headings(std::string& csv, const CsvColumn (&columns)[N]) {
-  for (const CsvColumn& column : columns) csv.append(csv.empty() ? "" : ",").append(column.heading);
+void add_headings(CsvWriter& csv, const CsvColumn (&columns)[N]) {
+  for (const CsvColumn& column : columns) csv.text(column.heading);
 }
 
 template <std::size_t N>
-std::string fields(const Json& json, const CsvColumn (&columns)[N]) {
-  std::string text;
-  for (const CsvColumn& column : columns) text.append(",").append(field(json, column.path));
-  return text;
+void add_fields(CsvWriter& csv, const Json& json, const CsvColumn (&columns)[N]) {
+  for (const CsvColumn& column : columns) {
+    if (const auto number = number_at(json, column.path)) {
+      csv.number(*number);
+    } else {
+      csv.text(text_at(json, column.path));
+    }
+  }
 }
 
 }  // namespace
 
 std::string lens_study_csv(const Json& section) {
-  std::string csv;
+  CsvWriter csv;
   add_headings(csv, view_columns);
-  csv += ",status";
+  csv.text("status");
   add_headings(csv, pupil_columns);
-  csv += ",method";
+  csv.text("method");
   add_headings(csv, first_order_columns);
   add_headings(csv, error_columns);
-  csv += end_of_line;
+  csv.end_row();
   for (const Json& view : array_at(section, "views"))
     for (const Json& pupil : array_at(view, "pupils"))
       for (const StudyMethod& method : study_methods) {
-        const std::string first_order = std::string("first_order/") + method.key;
-        csv += fields(view, view_columns).substr(1) + ",ok" + fields(pupil, pupil_columns) + "," + method.key +
-               fields(value_at(view, first_order), first_order_columns) +
-               fields(value_at(pupil, method.key), error_columns) + end_of_line;
+        add_fields(csv, view, view_columns);
+        csv.text("ok");
+        add_fields(csv, pupil, pupil_columns);
+        csv.text(method.key);
+        add_fields(csv, value_at(view, std::string("first_order/") + method.key), first_order_columns);
+        add_fields(csv, value_at(pupil, method.key), error_columns);
+        csv.end_row();
       }
   for (const Json& gaze : array_at(section, "gazes")) {
     if (text_at(gaze, "status") == "ok") continue;
-    csv += fields(gaze, view_columns).substr(1) + "," + quoted(text_at(gaze, "status")) +
-           std::string(std::size(pupil_columns) + 1 + std::size(first_order_columns) + std::size(error_columns), ',') +
-           end_of_line;
+    add_fields(csv, gaze, view_columns);
+    csv.text(text_at(gaze, "status"));
+    csv.empty(std::size(pupil_columns) + 1 + std::size(first_order_columns) + std::size(error_columns));
+    csv.end_row();
   }
-  return csv;
+  return csv.table();
 }
 
 std::string ellipses_csv(const Json& report) {
-  std::string csv;
-  for (const CsvColumn& column : case_columns) csv.append(csv.empty() ? "" : ",").append(column.heading);
-  for (const CsvColumn& column : ray_columns) csv.append(",").append(column.heading);
-  csv += end_of_line;
-  for (const Json& item : array_at(report, "ellipses/cases")) {
-    std::string start;
-    for (const CsvColumn& column : case_columns) start.append(",").append(field(item, column.path));
-    start.erase(0, 1);
+  CsvWriter csv;
+  add_headings(csv, case_columns);
+  add_headings(csv, ray_columns);
+  csv.end_row();
+  for (const Json& item : array_at(report, "ellipses/cases"))
     for (const Json& rays : array_at(item, "rays")) {
-      csv += start;
-      for (const CsvColumn& column : ray_columns) csv.append(",").append(field(rays, column.path));
-      csv += end_of_line;
+      add_fields(csv, item, case_columns);
+      add_fields(csv, rays, ray_columns);
+      csv.end_row();
     }
-  }
-  return csv;
+  return csv.table();
 }
 
 }  // namespace sturm
