@@ -38,6 +38,7 @@ OWN_LIBRARIES = {
     "assimp": {"pathtrace"},
     "OpenEXR": {"io"},
     "OpenImageIO": {"io"},
+    "openssl": {"io"},
     "valijson": {"io"},
     "CLI": {"app"},
 }
@@ -139,6 +140,7 @@ class IncludeArrows(unittest.TestCase):
             # Libraries of other rooms.
             ("reports/page/a.cpp", "#include <embree3/rtcore.h>"),
             ("stages/a.cpp", "#include <CLI/CLI.hpp>"),
+            ("experiments/run/a.cpp", "#include <openssl/evp.h>"),
         ]:
             with self.subTest(file=file, line=line):
                 self.assertEqual(len(self.scan(file, line)), 1)
