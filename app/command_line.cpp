@@ -73,6 +73,7 @@ struct CommandLine {
     add_compare_runs();
     add_plan_samples();
     add_gate();
+    add_report();
     auto* validate = app.add_subcommand("validate", "check a configuration without running it");
     validate->add_option("file", file, "any document of Sturm (- is standard input)")->required();
     validate->callback([this] { action = [this] { return validate_command(file); }; });
@@ -245,6 +246,13 @@ struct CommandLine {
     g->add_option("--markdown", gate.markdown, "write a short summary in Markdown, for a pull request");
     g->add_option("--write-baseline", gate.new_baseline, "store this report's numbers as a new baseline");
     g->callback([this] { action = [this] { return gate_command(gate); }; });
+  }
+
+  void add_report() {
+    auto* r = app.add_subcommand("report", "draw the page of a stored run again");
+    r->add_option("run", folder, "run folder, or the report.json or bench.json in it")->required();
+    r->add_option("-o,--output", output, "file for the page (default: report.html or bench.html beside the report)");
+    r->callback([this] { action = [this] { return report_command(folder, output); }; });
   }
 };
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "lensmodel/eye.h"
+
 namespace sturm {
 
 /// What several commands take.
@@ -42,7 +44,7 @@ struct PlanOptions {
 /// What `sturm lens` is asked for.
 struct LensOptions {
   std::string azimuths_deg = "-40:40:10", elevations_deg = "-40:40:10";  ///< FIRST:LAST:STEP, or one angle
-  double rotation_center_mm = 13.5;                                      ///< behind the pupil
+  double rotation_center_mm = 1e3 * mean_rotation_center_m;              ///< behind the pupil
   std::string map_file, defocus_map_file;                                ///< .svg or .png; "" = none
   std::vector<std::string> target_distances_m{"0.4"};                    ///< of the defocus map: > 0 or "inf"
   double amplitude_D = 0.0;                                              ///< of accommodation, for the defocus map
@@ -91,6 +93,7 @@ int compare_command(const CompareOptions& options);
 int compare_runs_command(const CompareRunsOptions& options);
 int plan_samples_command(const PlanOptions& options);
 int gate_command(const GateOptions& options);
+int report_command(const std::string& run, const std::string& output);
 int validate_command(const std::string& file);
 int schema_command(const std::string& name);
 

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/comparison.h"
-#include "stages/json_values.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

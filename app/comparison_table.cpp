@@ -1,18 +1,9 @@
-#include <algorithm>
-
 #include "app/comparison.h"
 #include "io/files/formatted_text.h"
 
 namespace sturm {
 
 namespace {
-
-/// Padded to `width` characters on a screen; printf counts the bytes of UTF-8.
-std::string padded(const std::string& text, std::size_t width) {
-  const auto characters = static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-  return text + std::string(characters < width ? width - characters : 0, ' ');
-}
 
 std::string number(const std::optional<double>& value) {
   return value ? formatted("%12.6g", *value) : "           –";

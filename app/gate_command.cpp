@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "app/commands.h"
 #include "compare/findings/judged_report.h"
@@ -20,20 +20,15 @@ namespace {
 
 /// The gates that a report was judged by, read back from it.
 std::vector<GateSpec> gates_in(const Json& report, const std::string& file) {
-  static const std::map<std::string, Comparison> comparisons = {{"upper_bound", Comparison::AtMost},
-                                                                {"lower_bound", Comparison::AtLeast},
-                                                                {"must_differ", Comparison::Differs},
-                                                                {"baseline", Comparison::Baseline},
-                                                                {"must_fail", Comparison::MustFail}};
   std::vector<GateSpec> gates;
   for (const Json& g : report.at("gates")) {
-    const auto comparison = comparisons.find(g.at("kind"));
-    if (comparison == comparisons.end() || !g.at("bound").is_number())
+    const GateKindEntry* kind = gate_kind_in_report(g.at("kind").get<std::string>());
+    if (!kind || !g.at("bound").is_number())
       throw InputError(file, "/gates/" + std::to_string(gates.size()), g.dump(), "a gate of known kind with a bound");
     gates.push_back({.id = g.at("id"),
                      .title = g.at("title"),
                      .statistic = g.at("statistic"),
-                     .comparison = comparison->second,
+                     .kind = kind->kind,
                      .bound = g.at("bound"),
                      .unit = g.at("unit"),
                      .reason = g.at("reason"),
@@ -44,9 +39,10 @@ std::vector<GateSpec> gates_in(const Json& report, const std::string& file) {
 
 /// Without a baseline at hand, what a report says about its own baseline gates stands.
 void keep_stored_baseline_results(Json& results, const Json& report) {
+  const std::string baseline(entry_of(GateKind::Baseline).report_word);
   for (Json& result : results)
     for (const Json& stored : report.at("gates"))
-      if (result.at("kind") == "baseline" && stored.at("id") == result.at("id")) result = stored;
+      if (result.at("kind") == baseline && stored.at("id") == result.at("id")) result = stored;
 }
 
 void print_results(const Json& results) {

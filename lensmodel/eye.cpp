@@ -40,9 +40,7 @@ double Eye::accommodation_for(double target_vergence_D) const {
 }
 
 std::optional<double> Eye::stated_focus_distance_m() const {
-  const auto* fixed = std::get_if<FixedAccommodation>(&accommodation);
-  if (fixed && fixed->focus_distance_m > 0.0) return fixed->focus_distance_m;
-  return std::nullopt;
+  return sturm::stated_focus_distance_m(accommodation);
 }
 
 }  // namespace sturm

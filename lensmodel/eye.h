@@ -8,15 +8,19 @@
 
 namespace sturm {
 
-/// Thin-lens eye (physics.md §3). Pupil, cornea and principal plane coincide. Both predictors read this one object.
+/// Of a mean eye, behind its pupil [m].
+inline constexpr double mean_rotation_center_m = 13.5e-3;
+
+/// Thin-lens eye (docs/theory.md#3-the-eye). Pupil, cornea and principal plane coincide. Both predictors read this one
+/// object.
 struct Eye {
   Prescription
       prescription;  ///< as written; `correction` is the same at the cornea. Of a wavefront: its second-order power
   PowerMatrix correction;  ///< F, the correcting power at the cornea [D], wearer frame; a myope's is negative
   std::optional<ZernikeWave>
       wavefront;  ///< if one was measured: all of it, `correction` included; its pupil is not smaller than the eye's
-  double pupil_radius_m = 2e-3;        ///< a ≥ 0; 0 is a pinhole
-  double rotation_center_m = 13.5e-3;  ///< distance of the centre of rotation behind the pupil
+  double pupil_radius_m = 2e-3;                       ///< a ≥ 0; 0 is a pinhole
+  double rotation_center_m = mean_rotation_center_m;  ///< distance of the centre of rotation behind the pupil
   Accommodation accommodation = RelaxedAccommodation{};
   double stiles_crawford_per_m2 =
       0.0;  ///< ρ ≥ 0 of the weight 10^(−ρ r²) of light through the pupil at r [1/m²]; 0: all alike

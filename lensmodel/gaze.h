@@ -17,7 +17,7 @@ Eigen::Vector3d turned_pupil_center(const Eigen::Vector3d& direction, double rot
 Eigen::Vector2d picture_point(const Eigen::Vector3d& direction);
 
 /// Takes small angles on (e1, e2) across `direction` (unit vector, z < 0) to offsets on the picture plane: sec² of the
-/// field angle along the radius, sec across it (physics.md §7).
+/// field angle along the radius, sec across it (docs/theory.md#81-sights-any-gaze-spectacles).
 Eigen::Matrix2d picture_jacobian(const Eigen::Vector3d& direction, const Eigen::Vector3d& e1,
                                  const Eigen::Vector3d& e2);
 

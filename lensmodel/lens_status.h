@@ -1,5 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <string>
+
+#include "lensmodel/words.h"
 
 namespace sturm {
 
@@ -10,5 +13,16 @@ enum class LensStatus : std::uint8_t {
   total_internal_reflection,  ///< it cannot leave the glass
   no_convergence              ///< the search for the point on the surface did not end
 };
+
+inline constexpr Words<LensStatus, 4> lens_status_words{
+    {{LensStatus::ok, "ok"},
+     {LensStatus::missed_lens, "missed_lens"},
+     {LensStatus::total_internal_reflection, "total_internal_reflection"},
+     {LensStatus::no_convergence, "no_convergence"}}};
+
+/// The word for it in documents.
+inline std::string name_of(LensStatus status) {
+  return std::string(lens_status_words.word_of(status));
+}
 
 }  // namespace sturm

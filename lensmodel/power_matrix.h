@@ -7,7 +7,7 @@
 namespace sturm {
 
 /// Power vector of a thin lens [D]: spherical equivalent M and the two Jackson cross cylinders, examiner's frame.
-/// Thibos, Wheeler & Horner 1997; physics.md §2.
+/// Thibos, Wheeler & Horner 1997; docs/theory.md#2-from-a-prescription-to-a-power-matrix.
 struct PowerVector {
   double M, J0, J45;
 };
@@ -15,8 +15,8 @@ struct PowerVector {
 PowerVector power_vector(const Prescription& rx);
 
 /// Symmetric 2×2 dioptric power: maps a pupil offset [m] to the ray-slope change [rad] of a thin astigmatic lens.
-/// Wearer frame (physics.md §1): x to the wearer's right, y up. A cylinder has no power along its axis and full power
-/// across it.
+/// Wearer frame (docs/theory.md#1-frames-signs-units): x to the wearer's right, y up. A cylinder has no power along its
+/// axis and full power across it.
 class PowerMatrix {
  public:
   PowerMatrix() : matrix_(Eigen::Matrix2d::Zero()) {}
@@ -57,7 +57,8 @@ class PowerMatrix {
   Eigen::Matrix2d matrix_;
 };
 
-/// The correcting power at the cornea of a prescription written for its vertex distance (physics.md §2).
+/// The correcting power at the cornea of a prescription written for its vertex distance
+/// (docs/theory.md#2-from-a-prescription-to-a-power-matrix).
 PowerMatrix power_at_cornea(const Prescription& rx);
 
 }  // namespace sturm

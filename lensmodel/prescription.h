@@ -3,8 +3,8 @@
 namespace sturm {
 
 /// A spectacle prescription as it is written: SPH / CYL × AXIS, stated for a lens at a vertex distance before the
-/// cornea. physics.md §1–2. Plus- and minus-cylinder forms are both accepted and mean the same lens when transposed
-/// into each other.
+/// cornea. docs/theory.md#1-frames-signs-units and docs/theory.md#2-from-a-prescription-to-a-power-matrix. Plus- and
+/// minus-cylinder forms are both accepted and mean the same lens when transposed into each other.
 struct Prescription {
   double sphere_D = 0.0;    ///< sphere [D]; power along the AXIS meridian
   double cylinder_D = 0.0;  ///< cylinder [D], either sign; acts across the AXIS

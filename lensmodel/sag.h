@@ -31,7 +31,8 @@ struct SurfaceElement {
 };
 
 /// Curvature matrix of the surface on two tangent vectors u, w [1/m], positive where the centre of curvature lies
-/// outward of the surface: ahead of a wave that leaves the eye (physics.md §6). K(t, t) = −tᵀ∇∇z t/√(1 + |∇z|²).
+/// outward of the surface: ahead of a wave that leaves the eye (docs/theory.md#112-a-wavefront-along-the-chief-ray).
+/// K(t, t) = −tᵀ∇∇z t/√(1 + |∇z|²).
 Eigen::Matrix2d tangent_curvature(const SurfaceElement& element, const Eigen::Vector3d& u, const Eigen::Vector3d& w);
 
 }  // namespace sturm

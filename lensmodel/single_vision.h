@@ -12,8 +12,8 @@ struct SingleVisionDesign {
                                        ///< plane; none: usual_base_curve_D
   double center_thickness_m = 2e-3;
   double refractive_index = 1.5;
-  double vertex_distance_m = 12e-3;
-  double diameter_m = 70e-3;
+  double vertex_distance_m = Spectacles{}.vertex_distance_m;
+  double diameter_m = Spectacles{}.diameter_m;
   Mounting mounting{};
 };
 

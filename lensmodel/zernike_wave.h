@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lensmodel/power_matrix.h"
+#include "lensmodel/words.h"
 #include "lensmodel/zernike.h"
 
 namespace sturm {
@@ -15,8 +16,11 @@ enum class SecondOrder {
   Paraxial       ///< the wave's curvature at the pupil's centre, which higher orders change
 };
 
-/// A wavefront W over a disc as OSA/ANSI Zernike coefficients (physics.md §3). Wearer frame; the ray through p leaves
-/// with the slope −∇W(p), so that a correcting power F alone is W = −½ pᵀF p. Immutable.
+inline constexpr Words<SecondOrder, 2> second_order_words{
+    {{SecondOrder::LeastSquares, "least_squares"}, {SecondOrder::Paraxial, "paraxial"}}};
+
+/// A wavefront W over a disc as OSA/ANSI Zernike coefficients (docs/theory.md#52-measured-wavefronts). Wearer frame;
+/// the ray through p leaves with the slope −∇W(p), so that a correcting power F alone is W = −½ pᵀF p. Immutable.
 class ZernikeWave {
  public:
   /// `coefficients_m[j]` in the examiner's frame, single index j = (n(n + 2) + m)/2, normalised, [m], for the pupil

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes configs/scenes/seed.json: spheres of METALSTIGMATISM's three materials on a chequered floor under an even sky.
 
-Own geometry; materials seed_diffuse, seed_metal and seed_dielectric (docs/theory.md, section 9). Metres, the eye is at (0, 0.42, 0) and
+Own geometry; materials seed_diffuse, seed_metal and seed_dielectric (docs/theory.md#9-the-path-tracer). Metres, the eye is at (0, 0.42, 0) and
 looks along -z; the middle row lies at 1.6 m. Standard library only; the same bytes each time.
 """
 import pathlib

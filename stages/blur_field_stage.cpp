@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "pathtrace/cameras/camera_hits.h"
 #include "pathtrace/scene/scene_import.h"
-#include "stages/json_values.h"
 #include "stages/stopwatch.h"
 
 namespace sturm {
@@ -27,12 +27,6 @@ FieldGrid grid_of(const BlurFieldSpec& spec) {
           std::tan(0.5 * spec.vfov),
           spec.near_vergence_D,
           spec.far_vergence_D};
-}
-
-FieldMethod method_of(const std::string& name) {
-  return name == "published"  ? FieldMethod::published
-         : name == "previous" ? FieldMethod::previous
-                              : FieldMethod::ray_transfer;
 }
 
 /// Looks into every cell of the field and marks the voxels that a look-up at what is seen there reads.
@@ -145,8 +139,8 @@ BlurField compute_blur_field(const BlurFieldSpec& spec) {
     field.seconds["depth_analytic"] = watch.lap();
   }
   if (spec.voxels) {
-    field.voxels.emplace(fill_voxels(lens, spec.eye, field.grid, field.directions, method_of(spec.method),
-                                     visible ? &*visible : nullptr));
+    field.voxels.emplace(
+        fill_voxels(lens, spec.eye, field.grid, field.directions, spec.method, visible ? &*visible : nullptr));
     field.seconds["voxels"] = watch.lap();
   }
   field.summary = {

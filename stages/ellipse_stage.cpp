@@ -7,18 +7,15 @@
 #include "conoid/tracing/previous.h"
 #include "conoid/tracing/published.h"
 #include "conoid/tracing/spectacle_conoid.h"
+#include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "pathtrace/sampling/pupil_sampler.h"
-#include "stages/json_values.h"
-#include "stages/lens_status_word.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
 
 namespace {
-
-constexpr std::string_view ray_prefix = "rays:";
 
 /// One target as the turned eye sees it, through its spectacles if it has some.
 struct View {
@@ -185,9 +182,9 @@ std::string status_without_ellipse(const MeasuredBundle& bundle) {
   const LensLosses& lost = bundle.losses;
   if (lost.total() == 0 && bundle.counters.dropped == 0) return "ok";
   if (bundle.counters.dropped >= lost.total()) return "undefined";
-  if (lost.rim >= lost.total_reflection && lost.rim >= lost.no_convergence) return word_for(LensStatus::missed_lens);
-  return word_for(lost.total_reflection >= lost.no_convergence ? LensStatus::total_internal_reflection
-                                                               : LensStatus::no_convergence);
+  if (lost.rim >= lost.total_reflection && lost.rim >= lost.no_convergence) return name_of(LensStatus::missed_lens);
+  return name_of(lost.total_reflection >= lost.no_convergence ? LensStatus::total_internal_reflection
+                                                              : LensStatus::no_convergence);
 }
 
 void write_rays(Json& result, const View& view, const EllipseQuery& query, RayModel model) {
@@ -213,23 +210,30 @@ void write_rays(Json& result, const View& view, const EllipseQuery& query, RayMo
 }
 
 /// One method's answer for one target.
-Json result_of(const View& view, const std::string& method, const EllipseQuery& query) {
-  Json result = {{"method", method}, {"accommodation_D", number_or_null(view.accommodation_D)}};
+Json result_of(const View& view, const EllipseMethod& method, const EllipseQuery& query) {
+  Json result = {{"method", name_of(method)}, {"accommodation_D", number_or_null(view.accommodation_D)}};
   if (view.status != LensStatus::ok) {
-    write_failure(result, word_for(view.status));
+    write_failure(result, name_of(view.status));
     result["chief_ray"] = nullptr;
-    if (method == "conoid") result["footprint"] = result["wavefront_curvature_D"] = nullptr;
+    if (method == EllipseMethod(ConoidMethod::conoid)) result["footprint"] = result["wavefront_curvature_D"] = nullptr;
     return result;
   }
   result["chief_ray"] = {{"origin_m", json_of(view.chief.origin)}, {"direction", json_of(view.chief.direction)}};
-  if (method.starts_with(ray_prefix))
-    write_rays(result, view, query, *ray_model_named(std::string_view(method).substr(ray_prefix.size())));
-  else if (method == "conoid_published")
-    write_published(result, view, query);
-  else if (method == "previous")
-    write_previous(result, view, query);
-  else
-    write_conoid(result, view, query.eye);
+  if (const auto* ray_model = std::get_if<RayModel>(&method)) {
+    write_rays(result, view, query, *ray_model);
+    return result;
+  }
+  switch (std::get<ConoidMethod>(method)) {
+    case ConoidMethod::conoid:
+      write_conoid(result, view, query.eye);
+      break;
+    case ConoidMethod::conoid_published:
+      write_published(result, view, query);
+      break;
+    case ConoidMethod::previous:
+      write_previous(result, view, query);
+      break;
+  }
   return result;
 }
 
@@ -239,7 +243,7 @@ Json blur_ellipses(const EllipseQuery& query) {
   Json results = Json::array();
   for (std::size_t t = 0; t < query.targets.size(); ++t) {
     const View view = view_of(query.targets[t], query);
-    for (const std::string& method : query.methods) {
+    for (const EllipseMethod& method : query.methods) {
       results.push_back(result_of(view, method, query));
       results.back()["target"] = t;
     }

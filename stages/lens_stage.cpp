@@ -1,12 +1,11 @@
 #include "stages/lens_stage.h"
 
 #include "conoid/tracing/as_worn.h"
+#include "io/json/values.h"
 #include "lensmodel/edge_thickness.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "lensmodel/vertex_power.h"
-#include "stages/json_values.h"
-#include "stages/lens_status_word.h"
 
 namespace sturm {
 
@@ -41,7 +40,7 @@ Json error_json(const std::optional<PowerMatrix>& worn, const std::optional<Powe
           {"astigmatism_D", number_or_null(2.0 * std::hypot(J0, J45))}};
 }
 
-const char* word_for(EdgeStatus status) {
+const char* name_of(EdgeStatus status) {
   switch (status) {
     case EdgeStatus::ok:
       return "ok";
@@ -56,7 +55,7 @@ Json thickness_json(const Spectacles& lens) {
   const EdgeThickness edge = edge_thickness(lens);
   const auto millimetres = [](double m) { return m / metres_per_millimetre; };
   return {{"center_mm", millimetres(lens.center_thickness_m)},
-          {"edge_status", word_for(edge.status)},
+          {"edge_status", name_of(edge.status)},
           {"edge_min_mm", edge.rim ? Json(millimetres(edge.rim->min)) : Json(nullptr)},
           {"edge_max_mm", edge.rim ? Json(millimetres(edge.rim->max)) : Json(nullptr)},
           {"usable_diameter_mm", millimetres(edge.usable_diameter_m)}};
@@ -67,7 +66,7 @@ Json gaze_json(const LensQuery& query, const std::optional<PowerMatrix>& nominal
   const AsWorn worn =
       as_worn(query.lens, gaze_direction(radians_per_degree * azimuth_deg, radians_per_degree * elevation_deg),
               query.rotation_center_m);
-  Json result = {{"gaze_deg", {azimuth_deg, elevation_deg}}, {"status", word_for(worn.status)}};
+  Json result = {{"gaze_deg", {azimuth_deg, elevation_deg}}, {"status", name_of(worn.status)}};
   if (worn.status != LensStatus::ok) {
     for (const char* key : {"prism", "power", "error"}) result[key] = nullptr;
     return result;

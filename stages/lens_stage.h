@@ -10,9 +10,9 @@ namespace sturm {
 /// 89°.
 struct LensQuery {
   Spectacles lens;
-  std::optional<LensMaterial> material;  ///< if known: for its dispersion
-  std::vector<FreeFormFit> fits;         ///< to be reported
-  double rotation_center_m = 13.5e-3;    ///< behind the pupil
+  std::optional<LensMaterial> material;               ///< if known: for its dispersion
+  std::vector<FreeFormFit> fits;                      ///< to be reported
+  double rotation_center_m = mean_rotation_center_m;  ///< behind the pupil
   std::vector<double> azimuths_deg, elevations_deg;
 };
 

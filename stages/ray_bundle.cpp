@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lensmodel/gaze.h"
 #include "pathtrace/sampling/pupil_points.h"
@@ -164,10 +165,9 @@ MeasuredBundle measure_points(const EyeRays<double>& rays, Arrivals arrivals,
 }  // namespace
 
 std::optional<EyeRays<double>> eye_rays_for(RayModel model, const Eye& eye, double accommodation_D) {
-  if (model != RayModel::metalstigmatism) return EyeRays<double>(model, eye, accommodation_D);
-  const auto focus = eye.stated_focus_distance_m();
-  if (!focus) return std::nullopt;
-  return EyeRays<double>(model, eye, accommodation_D, *focus);
+  if (!has_rays(model, eye.accommodation)) return std::nullopt;
+  return EyeRays<double>(model, eye, accommodation_D,
+                         eye.stated_focus_distance_m().value_or(std::numeric_limits<double>::infinity()));
 }
 
 void LensLosses::count(LensStatus status) {

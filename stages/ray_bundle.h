@@ -52,8 +52,7 @@ struct LensView {
 MeasuredBundle measure_bundle(const EyeRays<double>& eye_rays, double target_vergence_D, const RayBundleSpec& spec,
                               std::uint64_t seed, const LensView* lens = nullptr, double apodization = 0.0);
 
-/// The rays of an eye in the state that the target asks for. None where the model is undefined: metalstigmatism without
-/// a focus distance.
+/// The rays of an eye in the state that the target asks for; none where the model has none (has_rays).
 std::optional<EyeRays<double>> eye_rays_for(RayModel model, const Eye& eye, double accommodation_D);
 
 }  // namespace sturm

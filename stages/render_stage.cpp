@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "io/files/error.h"
 #include "pathtrace/cameras/camera_hits.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"
@@ -38,12 +38,8 @@ double fixed_accommodation(const Eye& eye) {
 
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model,
                         const RenderSettings& settings, const CameraSkips& skips) {
-  const auto focus = eye.stated_focus_distance_m();
-  if (model == RayModel::metalstigmatism && !focus)
-    throw InputError("", "/eye/accommodation", "no focus distance",
-                     "{\"mode\": \"fixed\", \"focus_distance_m\": …}, which the ray model metalstigmatism needs");
   const EyeRays<float> rays(model, eye, fixed_accommodation(eye),
-                            focus.value_or(std::numeric_limits<double>::infinity()));
+                            eye.stated_focus_distance_m().value_or(std::numeric_limits<double>::infinity()));
   return render(scene, EyeCamera(pose, rays, skips), settings);
 }
 

@@ -16,8 +16,8 @@ namespace sturm {
 
 using ProgressFunction = std::function<void(double fraction)>;
 
-/// Path traces one view. `accommodation` and focus distance come from the eye (relaxed or fixed).
-/// Throws InputError where metalstigmatism has no focus distance.
+/// Path traces one view. Accommodation and focus distance come from the eye, relaxed or fixed, for which the model has
+/// rays (has_rays).
 RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model,
                         const RenderSettings& settings, const CameraSkips& skips = {});
 

@@ -17,8 +17,8 @@ inline constexpr double circle_axis_ratio = 0.99;
 struct EllipseComparison {
   /// Signed deviations in standard errors **along the predicted axes** (variance along the major, along the minor axis,
   /// and their covariance): near a circle measured eigenvalues are biased apart and the measured angle means nothing
-  /// (physics.md §8). None where the bundle has no standard error. With R replicates each is distributed as Student's t
-  /// with R − 1 degrees of freedom.
+  /// (docs/theory.md#71-from-a-bundle-of-rays). None where the bundle has no standard error. With R replicates each is
+  /// distributed as Student's t with R − 1 degrees of freedom.
   std::optional<Eigen::Vector3d> z;
 
   std::optional<double> z_max;  ///< largest |z|
@@ -44,9 +44,9 @@ EllipseComparison compare_to_prediction(const BundleEllipse& measured, const Eig
 double bures_wasserstein_distance(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b);
 
 /// Covariance of the `sin2_radial` pattern of a uniform pupil of radius `a` [m] under the symmetric vergence matrix V
-/// [D] (physics.md §4.1): with V = m·I + D (D without trace, D² = δ²·I), a²/4·(m²·I + m·D + δ²/2·I); its principal
-/// values are a²/4·(5V₁² + 2V₁V₂ + V₂²)/8 and a²/4·(V₁² + 2V₁V₂ + 5V₂²)/8. (Wavefront theory: a²/4·V² = a²/4·(m²·I +
-/// 2m·D + δ²·I).)
+/// [D] (docs/theory.md#61-second-moments-in-closed-form): with V = m·I + D (D without trace, D² = δ²·I), a²/4·(m²·I +
+/// m·D + δ²/2·I); its principal values are a²/4·(5V₁² + 2V₁V₂ + V₂²)/8 and a²/4·(V₁² + 2V₁V₂ + 5V₂²)/8. (Wavefront
+/// theory: a²/4·V² = a²/4·(m²·I + 2m·D + δ²·I).)
 Eigen::Matrix2d sin2_closed_form_covariance(const Eigen::Matrix2d& v, double a);
 
 }  // namespace sturm

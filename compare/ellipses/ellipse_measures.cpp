@@ -10,6 +10,7 @@
 #include "compare/ellipses/ellipse_comparison.h"
 #include "compare/ellipses/ellipse_overlap.h"
 #include "compare/statistics/random_draws.h"
+#include "compare/statistics/running_moments.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
 
@@ -50,18 +51,10 @@ class Scatter {
   Eigen::Matrix3d root_ = Eigen::Matrix3d::Zero();
 };
 
-struct MeanAndDeviation {
-  double mean, deviation;
-};
-
-MeanAndDeviation scatter_of(int draws, const std::function<double()>& draw) {
-  double mean = 0.0, squares = 0.0;
-  for (int i = 0; i < draws; ++i) {
-    const double value = draw(), step = value - mean;
-    mean += step / (i + 1);
-    squares += step * (value - mean);
-  }
-  return {mean, std::sqrt(squares / (draws - 1))};
+RunningMoments scatter_of(int draws, const std::function<double()>& draw) {
+  RunningMoments moments;
+  for (int i = 0; i < draws; ++i) moments.add(draw());
+  return moments;
 }
 
 constexpr double rounding_floor =
@@ -76,9 +69,9 @@ EllipseMeasure bootstrapped(const Distance& distance, const BundleEllipse& measu
   m.value = distance(measured.covariance);
   if (!measured.entry_covariance || draws < 2) return m;
   Scatter scatter(*measured.entry_covariance, seed);
-  m.standard_error = scatter_of(draws, [&] { return distance(scatter.around(measured.covariance)); }).deviation;
-  const MeanAndDeviation noise = scatter_of(draws, [&] { return distance(scatter.around(predicted)); });
-  if (noise.deviation > 0.0) m.z = (m.value - noise.mean) / noise.deviation;
+  m.standard_error = scatter_of(draws, [&] { return distance(scatter.around(measured.covariance)); }).deviation();
+  const RunningMoments noise = scatter_of(draws, [&] { return distance(scatter.around(predicted)); });
+  if (noise.deviation() > 0.0) m.z = (m.value - noise.mean()) / noise.deviation();
   return m;
 }
 

@@ -1,12 +1,11 @@
 #include "compare/findings/bench.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
 
+#include "compare/studies/bench/bench_findings.h"
 #include "compare/studies/bench/curve.h"
 #include "compare/studies/bench/measured_view.h"
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 
 namespace sturm {
 
@@ -25,21 +24,17 @@ struct Method {
             .standard_error = error,
             .statistic = "bench/" + view + "/" + id + "/" + quantity};
   }
-  Measurement at(const std::string& quantity, const Json& json, const std::string& value,
-                 const std::string& error) const {
-    return measurement(quantity, number_at(json, value), number_at(json, error));
-  }
 };
 
 /// A setting whose cost and error can be put on logarithmic axes.
-std::optional<CostPoint> point_on_curve(const Json& point, const std::string& error) {
-  const auto samples = number_at(point, "samples"), value = number_at(point, "errors/" + error + "/value");
-  if (!samples || !value || !(*samples > 0.0) || !(*value > 0.0)) return std::nullopt;
-  return CostPoint{*samples, 1.0, *value, number_at(point, "errors/" + error + "/standard_error")};
+std::optional<CostPoint> point_on_curve(const BenchPoint& point, const std::string& name) {
+  const BenchError error = point.error(name);
+  if (!point.samples || !error.value || !(*point.samples > 0.0) || !(*error.value > 0.0)) return std::nullopt;
+  return CostPoint{*point.samples, 1.0, *error.value, error.standard_error};
 }
 
 /// Slope of log error against log samples between the last two settings: whether more samples still help.
-Measurement last_slope(const Json& points, const std::string& error, const Method& method) {
+Measurement last_slope(const std::vector<BenchPoint>& points, const std::string& error, const Method& method) {
   const std::string quantity = "last_slope/" + error;
   const Measurement none = method.measurement(quantity, std::nullopt);
   if (points.size() < 2) return none;
@@ -49,39 +44,42 @@ Measurement last_slope(const Json& points, const std::string& error, const Metho
   return law ? method.measurement(quantity, law->slope, law->standard_error) : none;
 }
 
-void add_method(const Json& json, const Method& method, Measurements& out) {
+void add_method(const BenchMethodResult& result, const Method& method, Measurements& out) {
   for (const ErrorKind& kind : error_kinds) {
-    const std::string error(kind.name), slope = "slopes/" + error;
-    out.push_back(method.at("slope/" + error, json, slope + "/slope", slope + "/standard_error"));
-    if (const Json& points = array_at(json, "points"); !points.empty()) {
-      const Json& last = value_at(points.back(), "errors/" + error);
-      out.push_back(method.at("error/" + error, last, "value", "standard_error"));
-      out.push_back(last_slope(points, error, method));
-    }
+    const std::string error(kind.name);
+    const BenchSlope slope = result.slope(error);
+    out.push_back(method.measurement("slope/" + error, slope.slope, slope.standard_error));
+    if (result.points.empty()) continue;
+    const BenchError last = result.points.back().error(error);
+    out.push_back(method.measurement("error/" + error, last.value, last.standard_error));
+    out.push_back(last_slope(result.points, error, method));
   }
-  for (const Json& time : array_at(json, "times"))
-    if (const auto level = number_at(time, "level"))
-      out.push_back(method.measurement("seconds/" + text_at(time, "error") + "/" + plain_number(*level),
-                                       number_at(time, "seconds")));
+  for (const BenchTime& time : result.times)
+    if (time.level)
+      out.push_back(method.measurement("seconds/" + time.error + "/" + plain_number(*time.level), time.seconds));
 }
 
-void add_ratio(const Json& ratio, const Method& method, Measurements& out) {
-  const std::string error = "/" + text_at(ratio, "error");
-  for (const char* kind : {"error_ratio", "time_ratio", "cost_ratio"})
-    out.push_back(method.at(kind + error, value_at(ratio, kind), "value", "standard_error"));
-  out.push_back(method.measurement("times_faster" + error, number_at(ratio, "at_its_best/times_faster")));
+void add_ratio(const BenchRatio& ratio, const Method& method, Measurements& out) {
+  const auto add = [&](const char* kind, const StatisticValue& found) {
+    out.push_back(method.measurement(kind + ("/" + ratio.error), found.value, found.standard_error));
+  };
+  add("error_ratio", ratio.error_ratio);
+  add("time_ratio", ratio.time_ratio);
+  add("cost_ratio", ratio.cost_ratio);
+  out.push_back(method.measurement("times_faster/" + ratio.error,
+                                   ratio.at_its_best ? ratio.at_its_best->times_faster : std::nullopt));
 }
 
-Measurement broken_requirements(const Json& requirements) {
+Measurement broken_requirements(const std::vector<BenchRequirementResult>& requirements) {
   Measurement broken{.section = "bench",
                      .quantity = "requirements that do not hold",
                      .value = 0.0,
                      .cases = requirements.size(),
                      .statistic = "bench/broken_requirements"};
-  for (const Json& r : requirements)
-    if (!boolean_at(r, "passed").value_or(false)) {
+  for (const BenchRequirementResult& r : requirements)
+    if (!r.passed) {
       *broken.value += 1.0;
-      broken.worst_case = text_at(r, "id") + ", " + text_at(r, "view");
+      broken.worst_case = r.id + ", " + r.view;
     }
   return broken;
 }
@@ -89,13 +87,14 @@ Measurement broken_requirements(const Json& requirements) {
 }  // namespace
 
 void measure_bench(const Json& report, Measurements& out) {
-  for (const Json& view : array_at(report, "bench/views")) {
-    const std::string id = text_at(view, "id");
-    for (const Json& method : array_at(view, "methods"))
-      if (!boolean_at(method, "biased").value_or(false)) add_method(method, {id, text_at(method, "id")}, out);
-    for (const Json& ratio : array_at(view, "ratios")) add_ratio(ratio, {id, text_at(ratio, "method")}, out);
+  const std::optional<BenchFindings> found = bench_findings(report);
+  if (!found) return;
+  for (const BenchViewResult& view : found->views) {
+    for (const BenchMethodResult& method : view.methods)
+      if (!method.biased) add_method(method, {view.id, method.id}, out);
+    for (const BenchRatio& ratio : view.ratios) add_ratio(ratio, {view.id, ratio.method}, out);
   }
-  if (value_at(report, "bench").is_object()) out.push_back(broken_requirements(array_at(report, "bench/requirements")));
+  out.push_back(broken_requirements(found->requirements));
 }
 
 }  // namespace sturm

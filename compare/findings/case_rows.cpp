@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compare/findings/sections.h"
 #include "io/json/stored.h"
 
 namespace sturm {
@@ -19,13 +18,13 @@ bool decided(const Json& gate, const StatisticSubject& subject, const Measuremen
 
 }  // namespace
 
-Measurements case_rows(const Json& report) {
-  const Measurements all = measurements_of(report);
+Measurements case_rows(const Json& report, std::span<const FindingSection> sections) {
+  const Measurements all = measurements_of(report, sections);
   Measurements rows;
   std::copy_if(all.begin(), all.end(), std::back_inserter(rows), [](const Measurement& m) { return m.listed_as; });
   for (const Json& gate : array_at(report, "gates")) {
     if (boolean_at(gate, "passed").value_or(false)) continue;
-    const StatisticSubject subject = subject_of(text_at(gate, "statistic"), all);
+    const StatisticSubject subject = subject_of(text_at(gate, "statistic"), all, sections);
     for (Measurement& row : rows)
       if (decided(gate, subject, row)) row.listed_as = CaseStatus::Failed;
   }

@@ -100,7 +100,8 @@ void add_rows(const Json& c, Measurements& out) {
   const std::string id = text_at(c, "id");
   const std::size_t first = out.size();
   for (const Json& rays : array_at(c, "rays")) {
-    const bool closed = value_at(rays, "against_closed_form").is_object();
+    const bool closed =
+        text_at(rays, "ray_model") == "sin2_radial" && value_at(rays, "against_closed_form").is_object();
     const Json& own = value_at(rays, closed ? "against_closed_form" : "against_conoid");
     add(id, text_at(rays, "ray_model").c_str(), closed ? relative_form : relative_conoid,
         number_at(own, "relative_frobenius"), out);

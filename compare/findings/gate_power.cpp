@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/findings/judged_report.h"
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
@@ -52,11 +52,11 @@ void drop_mutated(Json& report) {
 }
 
 Json gate_power(std::span<const GateSpec> gates, const Json& report, std::span<const MutationName> mutations,
-                const Json& baseline) {
-  const Json honest = evaluate_gates(gates, report, &baseline);
+                const Json& baseline, std::span<const FindingSection> sections) {
+  const Json honest = evaluate_gates(gates, report, &baseline, sections);
   Json rows = Json::array();
   for (const MutationName& mutation : mutations) {
-    const Json results = evaluate_gates(gates, mutated_report(report, mutation.id), &baseline);
+    const Json results = evaluate_gates(gates, mutated_report(report, mutation.id), &baseline, sections);
     Json caught_by = Json::array();
     for (std::size_t i = 0; i < gates.size(); ++i) {
       const Json &before = honest[i], &after = results[i];

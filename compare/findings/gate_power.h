@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 
+#include "compare/findings/sections.h"
 #include "io/json/json.h"
 #include "io/specs/experiment/gate_spec.h"
 
@@ -23,6 +24,6 @@ void drop_mutated(Json& report);
 /// "gate_power" of the report, with the expected number of false alarms in a run (the sum of the gates' levels; null
 /// where a gate states none). `baseline`: null if there is none.
 Json gate_power(std::span<const GateSpec> gates, const Json& report, std::span<const MutationName> mutations,
-                const Json& baseline);
+                const Json& baseline, std::span<const FindingSection> sections = finding_sections());
 
 }  // namespace sturm

@@ -1,4 +1,5 @@
 #pragma once
+#include "compare/findings/sections.h"
 #include "compare/gates/statistic.h"
 #include "io/json/json.h"
 
@@ -47,6 +48,6 @@ namespace sturm {
 /// | must_fail_min_value_over_bound | smallest value ÷ bound over all mutants; none if one says that it did not fail |
 /// | mutation_min_gates | section `gate_power`: smallest number of gates that notice a mutation |
 // clang-format on
-Statistics statistics_of(const Json& report);
+Statistics statistics_of(const Json& report, std::span<const FindingSection> sections = finding_sections());
 
 }  // namespace sturm

@@ -8,10 +8,11 @@
 
 namespace sturm {
 
-Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline) {
+Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline,
+                    std::span<const FindingSection> sections) {
   std::optional<Statistics> before;
-  if (baseline && !baseline->is_null()) before = statistics_of(*baseline);
-  return evaluate_gates(gates, statistics_of(report), before ? &*before : nullptr);
+  if (baseline && !baseline->is_null()) before = statistics_of(*baseline, sections);
+  return evaluate_gates(gates, statistics_of(report, sections), before ? &*before : nullptr);
 }
 
 }  // namespace sturm

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "compare/findings/sections.h"
 #include "io/json/json.h"
 #include "io/specs/experiment/gate_spec.h"
 
@@ -8,6 +9,7 @@ namespace sturm {
 
 /// Evaluates gates on a stored report, against the stored report `baseline` (null: there is none). See
 /// compare/gates/gates.h.
-Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline);
+Json evaluate_gates(std::span<const GateSpec> gates, const Json& report, const Json* baseline,
+                    std::span<const FindingSection> sections = finding_sections());
 
 }  // namespace sturm

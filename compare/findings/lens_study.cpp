@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "compare/studies/lens/lens_study_errors.h"
 #include "compare/studies/lens/lens_study_views.h"
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 
 namespace sturm {
 
@@ -32,65 +30,68 @@ void add(const std::string& subject, const char* model, const char* quantity, co
 }
 
 /// Orders of convergence, which gates judge.
-void add_orders(const Json& section, Measurements& out) {
-  const std::set<std::string> splines = spline_lenses(section);
-  for (const Json& view : array_at(section, "views")) {
+void add_orders(const LensFindings& found, Measurements& out) {
+  const std::set<std::string> splines = spline_lenses(found);
+  for (const LensStudyView& view : found.views) {
     const std::string name = view_name(view);
-    const bool oblique = number_at(view, "eccentricity_deg").value_or(1.0) > 0.0,
-               blurred = number_at(view, "blur_D/0").value_or(1.0) >= least_blur_D;
-    if (splines.contains(text_at(view, "lens"))) {
-      if (oblique && blurred) add(name, "ray_transfer", spline_order, number_at(view, "relative_order"), out);
+    const bool oblique = view.eccentricity_deg.value_or(1.0) > 0.0,
+               blurred = view.blur_D[0].value_or(1.0) >= least_blur_D;
+    if (splines.contains(view.lens)) {
+      if (oblique && blurred) add(name, "ray_transfer", spline_order, view.relative_order, out);
       continue;
     }
-    if (oblique) add(name, "ray_transfer", order_deviation, distance_from(number_at(view, "order"), 4.0), out);
+    if (oblique) add(name, "ray_transfer", order_deviation, distance_from(view.order, 4.0), out);
     if (oblique && blurred)
-      add(name, "ray_transfer", relative_order_deviation, distance_from(number_at(view, "relative_order"), 2.0), out);
-    if (blurred) add(name, "ray_transfer", limit_relative, number_at(view, "limit_relative"), out);
+      add(name, "ray_transfer", relative_order_deviation, distance_from(view.relative_order, 2.0), out);
+    if (blurred) add(name, "ray_transfer", limit_relative, view.limit_relative, out);
   }
 }
 
 /// The largest first-order error of a method in the views of one lens; views where it has none are left out: they are
 /// counted elsewhere.
-Number largest_first_order_error(const Json& views, const std::string& lens, const std::string& method) {
+Number largest_first_order_error(const LensFindings& found, const std::string& lens,
+                                 std::optional<FirstOrderError> FirstOrderErrors::*method) {
   Extreme largest;
-  for (const Json& view : views)
-    if (text_at(view, "lens") == lens)
-      if (const Number error = number_at(view, "first_order/" + method + "/defocus_D"))
-        largest.add(error, view_name(view));
+  for (const LensStudyView& view : found.views)
+    if (view.lens == lens)
+      if (const Number error = defocus_of(view.first_order.*method)) largest.add(error, view_name(view));
   return largest.result().value;
 }
 
 /// Errors of the other methods, which gates judge.
-void add_methods(const Json& section, Measurements& out) {
-  const Json& views = array_at(section, "views");
-  for (const Json& lens : array_at(section, "lenses")) {
-    const std::string id = text_at(lens, "id");
-    const bool round_lens = boolean_at(lens, "lens_of_revolution").value_or(false);
-    const bool round_eye = number_at(lens, "cylinder_D").value_or(1.0) == 0.0;
-    for (const Json& view : views) {
-      if (text_at(view, "lens") != id) continue;
-      const bool on_axis = number_at(view, "eccentricity_deg").value_or(1.0) == 0.0;
+void add_methods(const LensFindings& found, Measurements& out) {
+  const auto largest = [&](const LensFacts& lens, std::optional<FirstOrderError> FirstOrderErrors::*method) {
+    return largest_first_order_error(found, lens.id, method);
+  };
+  for (const LensFacts& lens : found.lenses) {
+    const bool round_lens = lens.lens_of_revolution.value_or(false);
+    const bool round_eye = lens.cylinder_D.value_or(1.0) == 0.0;
+    for (const LensStudyView& view : found.views) {
+      if (view.lens != lens.id) continue;
+      const bool on_axis = view.eccentricity_deg.value_or(1.0) == 0.0;
       if (round_lens && (on_axis || round_eye))
-        add(view_name(view), "published", revolution_error, number_at(view, "first_order/published/defocus_D"), out);
-      add(view_name(view), "previous", unscaled_error, number_at(view, "previous_unscaled_error"), out);
+        add(view_name(view), "published", revolution_error, defocus_of(view.first_order.published), out);
+      add(view_name(view), "previous", unscaled_error, view.previous_unscaled_error, out);
     }
-    if (!round_eye) add(id, "published", largest_error, largest_first_order_error(views, id, "published"), out);
-    add(id, "previous", largest_error, largest_first_order_error(views, id, "previous"), out);
+    if (!round_eye) add(lens.id, "published", largest_error, largest(lens, &FirstOrderErrors::published), out);
+    add(lens.id, "previous", largest_error, largest(lens, &FirstOrderErrors::previous), out);
   }
 }
 
 /// What another run of the same experiment has, too.
-void add_compared(const Json& section, Measurements& out) {
-  for (const Json& view : array_at(section, "views")) {
-    std::string name = "lens study " + text_at(view, "lens");
-    for (const char* key : {"eccentricity_deg", "direction_deg", "distance_m"}) {
-      const auto number = number_at(view, key);
-      name += "|" + (number ? plain_number(*number) : text_at(view, key));
-    }
-    for (const char* key : {"order", "relative_order", "limit_relative"}) {
-      add(view_name(view), "ray_transfer", key, number_at(view, key), out);
-      out.back().run_name = name + ": " + key;
-    }
+void add_compared(const LensFindings& found, Measurements& out) {
+  for (const LensStudyView& view : found.views) {
+    std::string name = "lens study " + view.lens;
+    for (const Number& number : {view.eccentricity_deg, view.direction_deg, view.finite_distance_m()})
+      name += "|" + (number ? plain_number(*number) : std::string());
+    if (view.distance_m && view.distance_m->is_infinite()) name += "inf";
+    const auto compare = [&](const char* quantity, const Number& value) {
+      add(view_name(view), "ray_transfer", quantity, value, out);
+      out.back().run_name = name + ": " + quantity;
+    };
+    compare("order", view.order);
+    compare("relative_order", view.relative_order);
+    compare("limit_relative", view.limit_relative);
   }
 }
 
@@ -101,8 +102,8 @@ struct Tally {
   std::size_t ellipses = 0, matter = 0, without = 0;
 };
 
-void count(const Json& view, const Json& pupil, const char* method, Tally& tally) {
-  const auto error = number_at(pupil, std::string(method) + "/defocus_D");
+void count(const LensStudyView& view, const LensPupil& pupil, const StudyMethod& method, Tally& tally) {
+  const Number error = defocus_of(pupil.*method.error);
   if (!error) {
     ++tally.without;
     return;
@@ -112,9 +113,8 @@ void count(const Json& view, const Json& pupil, const char* method, Tally& tally
   if (tally.worst_D && *error <= *tally.worst_D) return;
   tally.worst_D = error;
   const std::string name = view_name(view);
-  const auto diameter = number_at(pupil, "pupil_mm");
-  tally.where = name.substr(std::min(name.size(), text_at(view, "lens").size() + 1)) +
-                (diameter ? ", pupil " + plain_number(*diameter) + " mm" : std::string());
+  tally.where = name.substr(std::min(name.size(), view.lens.size() + 1)) +
+                (pupil.pupil_mm ? ", pupil " + plain_number(*pupil.pupil_mm) + " mm" : std::string());
 }
 
 std::string measure_of(const Tally& tally) {
@@ -127,16 +127,15 @@ std::string measure_of(const Tally& tally) {
 
 /// Rows of the table of cases: per lens and method the largest error against real rays over all its views and pupils,
 /// and in how many of them it matters to a wearer.
-void add_rows(const Json& section, Measurements& out) {
+void add_rows(const LensFindings& found, Measurements& out) {
   std::map<std::pair<std::string, std::string>, Tally> tallies;
-  for (const Json& view : array_at(section, "views"))
-    for (const Json& pupil : array_at(view, "pupils"))
-      for (const StudyMethod& method : study_methods)
-        count(view, pupil, method.key, tallies[{text_at(view, "lens"), method.key}]);
-  for (const Json& lens : array_at(section, "lenses"))
+  for (const LensStudyView& view : found.views)
+    for (const LensPupil& pupil : view.pupils)
+      for (const StudyMethod& method : study_methods) count(view, pupil, method, tallies[{view.lens, method.key}]);
+  for (const LensFacts& lens : found.lenses)
     for (const StudyMethod& method : study_methods) {
-      const Tally& tally = tallies[{text_at(lens, "id"), method.key}];
-      add(text_at(lens, "id"), method.key, measure_of(tally).c_str(), tally.worst_D, out);
+      const Tally& tally = tallies[{lens.id, method.key}];
+      add(lens.id, method.key, measure_of(tally).c_str(), tally.worst_D, out);
       out.back().listed_as = !tally.worst_D                            ? CaseStatus::NoResult
                              : *tally.worst_D > defocus_that_matters_D ? CaseStatus::Differs
                                                                        : CaseStatus::Agrees;
@@ -146,11 +145,11 @@ void add_rows(const Json& section, Measurements& out) {
 }  // namespace
 
 void measure_lens_study(const Json& report, Measurements& out) {
-  const Json& section = value_at(report, "lens_study");
-  add_orders(section, out);
-  add_methods(section, out);
-  add_compared(section, out);
-  add_rows(section, out);
+  const LensFindings found = lens_findings(report).value_or(LensFindings{});
+  add_orders(found, out);
+  add_methods(found, out);
+  add_compared(found, out);
+  add_rows(found, out);
 }
 
 std::span<const StatisticRule> lens_study_rules() {

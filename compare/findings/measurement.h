@@ -17,10 +17,10 @@ enum class CaseStatus { Failed, NoResult, Differs, Agrees, Measured };
 /// One number that a run has found, with all that is needed to judge it. Gates, comparisons of runs and the table of
 /// cases are queries on one list of these.
 struct Measurement {
-  std::string section;   ///< of the report, as in report.json
-  std::string subject;   ///< the case: id of an ellipse, spot, picture, view of a lens, …
-  std::string model;     ///< ray model, kind of prediction or method; "" if it is of none
-  std::string quantity;  ///< plain text with its unit
+  std::string section;     ///< of the report, as in report.json
+  std::string subject{};   ///< the case: id of an ellipse, spot, picture, view of a lens, …
+  std::string model{};     ///< ray model, kind of prediction or method; "" if it is of none
+  std::string quantity{};  ///< plain text with its unit
 
   Number value{};           ///< none: there is no number where one should be
   Number standard_error{};  ///< none: the report states none

@@ -10,8 +10,8 @@
 #include "compare/statistics/statistics.h"
 #include "compare/statistics/test_family.h"
 #include "compare/statistics/welch.h"
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

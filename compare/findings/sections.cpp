@@ -33,14 +33,15 @@ std::span<const FindingSection> finding_sections() {
   return sections;
 }
 
-Measurements measurements_of(const Json& report) {
+Measurements measurements_of(const Json& report, std::span<const FindingSection> sections) {
   Measurements all;
-  for (const FindingSection& section : finding_sections()) section.measure(report, all);
+  for (const FindingSection& section : sections) section.measure(report, all);
   return all;
 }
 
-StatisticSubject subject_of(std::string_view statistic, const Measurements& measurements) {
-  for (const FindingSection& section : finding_sections())
+StatisticSubject subject_of(std::string_view statistic, const Measurements& measurements,
+                            std::span<const FindingSection> sections) {
+  for (const FindingSection& section : sections)
     if (StatisticSubject subject = subject_of(statistic, section.rules, {}); !subject.section.empty()) return subject;
   return subject_of(statistic, {}, measurements);
 }

@@ -19,9 +19,10 @@ struct FindingSection {
 std::span<const FindingSection> finding_sections();
 
 /// The numbers of a report ("sturm.report/1").
-Measurements measurements_of(const Json& report);
+Measurements measurements_of(const Json& report, std::span<const FindingSection> sections = finding_sections());
 
 /// What a gate's statistic is about; see StatisticSubject.
-StatisticSubject subject_of(std::string_view statistic, const Measurements& measurements);
+StatisticSubject subject_of(std::string_view statistic, const Measurements& measurements,
+                            std::span<const FindingSection> sections = finding_sections());
 
 }  // namespace sturm

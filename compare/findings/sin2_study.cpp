@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "compare/findings/measured.h"
 #include "compare/studies/sin2/shown_checks.h"
+#include "compare/studies/sin2/sin2_findings.h"
+#include "compare/studies/stored_words.h"
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 
 namespace sturm {
 
@@ -43,120 +43,133 @@ Measurement exact(const std::string& subject, const std::string& model, const st
 }
 
 /// A check is a statistic by itself.
-void make_statistic(const Json& check, Measurement& m) {
-  m.cases = static_cast<std::uint64_t>(number_at(check, "cases").value_or(0.0));
-  m.worst_case = text_at(check, "worst_case");
+void make_statistic(const Sin2Check& check, Measurement& m) {
+  m.cases = static_cast<std::uint64_t>(check.cases.value_or(0));
+  m.worst_case = check.worst_case.value_or("");
   m.statistic = "sin2_study/" + m.subject;
 }
 
 /// Checks that gates judge and readers see: each names the case that decided.
-void add_shown_checks(const Json& checks, Measurements& out) {
+void add_shown_checks(const Sin2Findings& found, Measurements& out) {
   for (const ShownCheck& shown : shown_checks) {
-    const Json& check = value_at(checks, shown.key);
-    const std::string worst = text_at(check, "worst_case");
+    const Sin2Check* check = found.check(shown.key);
+    const std::string worst = check ? check->worst_case.value_or("") : "";
     const std::size_t model = worst.rfind('|');
-    const Number value = number_at(check, "value");
+    const Number value = check ? check->value : std::nullopt;
     Measurement m = exact(shown.key, model == std::string::npos ? "" : worst.substr(model + 1),
                           std::string(shown.what) + (worst.empty() ? "" : ", decided by " + worst), value,
                           std::string("sin² study, ") + shown.key);
     m.better = shown.deviation ? Better::Less : Better::Unknown;
-    if (check.is_object()) {
+    if (check) {
       m.listed_as = value ? CaseStatus::Measured : CaseStatus::NoResult;
-      make_statistic(check, m);
+      make_statistic(*check, m);
     }
     out.push_back(std::move(m));
   }
 }
 
 /// Checks that only gates see.
-void add_other_checks(const Json& checks, Measurements& out) {
-  if (!checks.is_object()) return;
-  for (const auto& [name, check] : checks.items()) {
+void add_other_checks(const Sin2Findings& found, Measurements& out) {
+  for (const auto& [name, check] : found.checks) {
     const bool shown = std::any_of(std::begin(shown_checks), std::end(shown_checks),
                                    [&, key = name](const ShownCheck& c) { return c.key == key; });
     if (shown || name.starts_with("mutant_")) continue;  // mutants are in the report's list "must_fail"
-    Measurement m{.section = "sin2_study", .subject = name, .quantity = "check", .value = number_at(check, "value")};
+    Measurement m{.section = "sin2_study", .subject = name, .quantity = "check", .value = check.value};
     make_statistic(check, m);
     out.push_back(std::move(m));
   }
 }
 
-void add_models(const Json& section, Measurements& out) {
-  for (const Json& model : array_at(section, "models"))
-    for (const char* key : {"cases", "undefined", "pole", "rays_dropped", "largest_error_D"}) {
-      const std::string name = text_at(model, "ray_model");
-      out.push_back(exact("", name, key, number_at(model, key), "sin² study, " + name + ": " + key));
-    }
-}
-
-void add_population(const Json& section, Measurements& out) {
-  for (const Json& row : array_at(section, "population")) {
-    const auto metres = number_at(row, "distance_m");
-    const std::string model = text_at(row, "ray_model");
-    const std::string view = value_at(row, "accommodation").is_null()
-                                 ? "worst view"
-                                 : text_at(row, "accommodation") + ", " +
-                                       (metres ? plain_number(*metres) + " m" : text_at(row, "distance_m"));
-    const std::string name = "sin² study, real eyes, " + model + ", " + view + ": ";
-    for (const char* key : {"eyes", "pole", "noticeable", "error_D/median", "error_D/p90", "error_D/max"})
-      out.push_back(exact(view, model, key, number_at(row, key), name + key));
+void add_models(const Sin2Findings& found, Measurements& out) {
+  for (const Sin2ModelRow& row : found.models) {
+    const std::string name = word_of(row.ray_model);
+    const auto add = [&](const char* quantity, const Number& value) {
+      out.push_back(exact("", name, quantity, value, "sin² study, " + name + ": " + quantity));
+    };
+    add("cases", row.cases);
+    add("undefined", row.undefined);
+    add("pole", row.pole);
+    add("rays_dropped", row.rays_dropped);
+    add("largest_error_D", row.largest_error_D);
   }
 }
 
-void add_radii(const Json& view, const Json& psf, Measurements& out) {
-  const std::string id = text_at(view, "id"), model = text_at(psf, "model");
-  const std::string name = "sin² study, point spread " + id + ", " + model + ": ";
-  for (const char* radius : {"radius_50", "radius_80"}) {
-    const auto error = number_at(psf, std::string(radius) + "_error_of_independent_rays_arcmin");
-    const std::string quantity = std::string(radius) + " [arcmin]";
+/// "inf", "0.5 m"; "" if it is not known.
+std::string distance_text(const std::optional<StoredDistance>& distance) {
+  if (!distance) return "";
+  return distance->is_infinite() ? "inf" : plain_number(distance->metres) + " m";
+}
+
+void add_population(const Sin2Findings& found, Measurements& out) {
+  for (const Sin2PopulationRow& row : found.population) {
+    const std::string model = word_of(row.ray_model);
+    const std::string view =
+        row.accommodation ? *row.accommodation + ", " + distance_text(row.distance_m) : "worst view";
+    const std::string name = "sin² study, real eyes, " + model + ", " + view + ": ";
+    const auto add = [&](const char* quantity, const Number& value) {
+      out.push_back(exact(view, model, quantity, value, name + quantity));
+    };
+    add("eyes", row.eyes);
+    add("pole", row.pole);
+    add("noticeable", row.noticeable);
+    add("error_D/median", row.error_D.median);
+    add("error_D/p90", row.error_D.p90);
+    add("error_D/max", row.error_D.max);
+  }
+}
+
+void add_radii(const Sin2GalleryEntry& view, const Sin2Spread& psf, Measurements& out) {
+  const std::string name = "sin² study, point spread " + view.id + ", " + psf.model + ": ";
+  const auto add = [&](const std::string& quantity, const Number& radius, const Number& error) {
     out.push_back({.section = "sin2_study",
-                   .subject = id,
-                   .model = model,
+                   .subject = view.id,
+                   .model = psf.model,
                    .quantity = quantity,
-                   .value = number_at(psf, std::string(radius) + "_arcmin"),
+                   .value = radius,
                    .bound = error ? Number(errors_of_a_bound * *error) : std::nullopt,
                    .run_name = name + quantity});
-  }
-  if (model == "wavefront") return;
+  };
+  add("radius_50 [arcmin]", psf.radius_50_arcmin, psf.radius_50_error_of_independent_rays_arcmin);
+  add("radius_80 [arcmin]", psf.radius_80_arcmin, psf.radius_80_error_of_independent_rays_arcmin);
+  if (psf.model == "wavefront") return;
   // Both patterns are of random rays: by the triangle inequality their distance is off by no more than the distance
   // of two runs of the model and that of two runs of theory, half of it in each of the reports that are compared.
   out.push_back({.section = "sin2_study",
-                 .subject = id,
-                 .model = model,
+                 .subject = view.id,
+                 .model = psf.model,
                  .quantity = "total variation from theory",
-                 .value = number_at(psf, "total_variation"),
-                 .bound = number_at(view, "noise_total_variation"),
+                 .value = psf.total_variation,
+                 .bound = view.noise_total_variation,
                  .run_name = name + "total variation from theory"});
 }
 
 /// Point spreads of the gallery over their own noise: a row of the table of cases, which gates judge, too.
-void add_pattern(const Json& view, const Json& psf, Measurements& out) {
-  const std::string id = text_at(view, "id"), model = text_at(psf, "model");
-  if (model == "wavefront") return;  // theory itself
-  const Number ratio = number_at(psf, "total_variation_over_noise");
-  const bool astigmatic = number_at(view, "cylinder_D").value_or(1.0) != 0.0;
+void add_pattern(const Sin2GalleryEntry& view, const Sin2Spread& psf, Measurements& out) {
+  if (psf.model == "wavefront") return;  // theory itself
+  const Number& ratio = psf.total_variation_over_noise;
+  const bool astigmatic = view.cylinder_D.value_or(1.0) != 0.0;
   out.push_back({.section = "sin2_study",
-                 .subject = id,
-                 .model = model,
+                 .subject = view.id,
+                 .model = psf.model,
                  .quantity = over_noise,
                  .value = ratio,
                  .listed_as = !ratio                  ? CaseStatus::NoResult
                               : *ratio > same_pattern ? CaseStatus::Differs
                                                       : CaseStatus::Agrees});
-  if (model == "sin2_radial" && astigmatic)
-    out.push_back({.section = "sin2_study", .subject = id, .model = model, .quantity = rose, .value = ratio});
+  if (psf.model == "sin2_radial" && astigmatic)
+    out.push_back({.section = "sin2_study", .subject = view.id, .model = psf.model, .quantity = rose, .value = ratio});
 }
 
 }  // namespace
 
 void measure_sin2_study(const Json& report, Measurements& out) {
-  const Json& section = value_at(report, "sin2_study");
-  add_shown_checks(value_at(section, "checks"), out);
-  add_other_checks(value_at(section, "checks"), out);
-  add_models(section, out);
-  add_population(section, out);
-  for (const Json& view : array_at(section, "gallery"))
-    for (const Json& psf : array_at(view, "models")) {
+  const Sin2Findings found = sin2_study_findings(report).value_or(Sin2Findings{});
+  add_shown_checks(found, out);
+  add_other_checks(found, out);
+  add_models(found, out);
+  add_population(found, out);
+  for (const Sin2GalleryEntry& view : found.gallery)
+    for (const Sin2Spread& psf : view.models) {
       add_radii(view, psf, out);
       add_pattern(view, psf, out);
     }

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "compare/statistics/welch.h"
-#include "io/json/json_numbers.h"
 #include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
@@ -58,57 +58,23 @@ Statistic deviation(const std::string& name, const Statistics& now, const Statis
       std::nullopt, a.cases, where};
 }
 
-bool larger_is_worse(Comparison c) {
-  return c == Comparison::AtMost || c == Comparison::Baseline;
-}
-
 /// The statistic that decides a gate.
 Statistic deciding(const GateSpec& gate, const Statistics& now, const Statistics* before) {
-  const bool needs_baseline = gate.comparison == Comparison::Baseline;
+  const bool needs_baseline = gate.kind == GateKind::Baseline;
   if (needs_baseline && !before) return {std::nullopt, std::nullopt, 0, "no baseline"};
   std::set<std::string> names = names_for(gate.statistic, now);
   if (needs_baseline) names.merge(names_for(gate.statistic, *before));
   Statistic worst{std::nullopt, std::nullopt, 0, "no case"};
+  const bool larger_is_worse = entry_of(gate.kind).passing == Relation::AtMost;
   std::uint64_t cases = 0;
   for (const std::string& name : names) {
     const Statistic s = needs_baseline ? deviation(name, now, *before, gate.unit) : find(name, now);
     if (!s.value || s.cases == 0) return {std::nullopt, std::nullopt, s.cases, s.worst_case};
     cases += s.cases;
-    if (!worst.value || (larger_is_worse(gate.comparison) ? *s.value > *worst.value : *s.value < *worst.value))
-      worst = s;
+    if (!worst.value || (larger_is_worse ? *s.value > *worst.value : *s.value < *worst.value)) worst = s;
   }
   worst.cases = cases;
   return worst;
-}
-
-bool passes(const GateSpec& gate, double value) {
-  switch (gate.comparison) {
-    case Comparison::AtMost:
-    case Comparison::Baseline:
-      return value <= gate.bound;
-    case Comparison::AtLeast:
-    case Comparison::Differs:
-      return value >= gate.bound;
-    case Comparison::MustFail:
-      return value > gate.bound;
-  }
-  return false;
-}
-
-std::string kind_of(Comparison comparison) {
-  switch (comparison) {
-    case Comparison::AtMost:
-      return "upper_bound";
-    case Comparison::AtLeast:
-      return "lower_bound";
-    case Comparison::Differs:
-      return "must_differ";
-    case Comparison::Baseline:
-      return "baseline";
-    case Comparison::MustFail:
-      return "must_fail";
-  }
-  return "";
 }
 
 }  // namespace
@@ -117,10 +83,11 @@ Json evaluate_gates(std::span<const GateSpec> gates, const Statistics& now, cons
   Json results = Json::array();
   for (const GateSpec& gate : gates) {
     const Statistic s = deciding(gate, now, before);
+    const GateKindEntry& kind = entry_of(gate.kind);
     results.push_back({{"id", gate.id},
                        {"title", gate.title},
-                       {"kind", kind_of(gate.comparison)},
-                       {"passed", s.value && passes(gate, *s.value)},
+                       {"kind", kind.report_word},
+                       {"passed", s.value && holds(kind.passing, *s.value, gate.bound)},
                        {"statistic", gate.statistic},
                        {"value", number_or_null(s.value)},
                        {"uncertainty", number_or_null(s.uncertainty)},

@@ -24,8 +24,8 @@ struct RegionLayers {
 };
 
 /// The larger semi-axis a·σ₁(I/d + F − A·I) of the naked eye's blur ellipse at each pixel [px], for one gaze and one
-/// accommodation A [D] over the whole picture (physics.md §3). `depth` is measured along the line of sight;
-/// `pixel_slope` is the width of a pixel as a slope.
+/// accommodation A [D] over the whole picture (docs/theory.md#4-the-footprint-of-the-pupil). `depth` is measured along
+/// the line of sight; `pixel_slope` is the width of a pixel as a slope.
 Image blur_semi_axis_px(const Image& depth, const Eye& eye, double accommodation_D, double pixel_slope);
 
 /// Where one thing hides another. The reciprocal of a plane's depth is affine in the picture, so its second difference

@@ -8,6 +8,7 @@
 
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/luma.h"
+#include "compare/statistics/sinc.h"
 #include "io/files/error.h"
 
 namespace sturm {
@@ -113,10 +114,6 @@ std::vector<double> edge_spread(const Patch& p, const Line& line) {
               std::max(1.0, counts[low] + (high == low ? 0.0 : counts[high]));
   }
   return edge;
-}
-
-double sinc(double x) {
-  return x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x);
 }
 
 }  // namespace

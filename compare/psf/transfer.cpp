@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/statistics/sinc.h"
+
 namespace sturm {
 
 namespace {
 
 constexpr double arcmin_per_degree = 60.0;
-
-double sinc(double x) {
-  return x == 0.0 ? 1.0 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
-}
 
 /// (cos, sin) of an angle in degrees; exact on the axes.
 Eigen::Vector2d direction(double degrees) {

@@ -6,12 +6,24 @@
 
 namespace sturm {
 
-/// SplitMix64 [Steele2014]: full period, and the same numbers everywhere. Advances `state`.
-inline std::uint64_t next_random(std::uint64_t& state) {
-  std::uint64_t z = state += 0x9e3779b97f4a7c15u;
+/// 2^64 over the golden ratio: what SplitMix64 adds to its state.
+inline constexpr std::uint64_t golden_step = 0x9e3779b97f4a7c15u;
+
+/// The output function of SplitMix64 [Steele2014]: every bit of `z` changes about half of the bits of the result.
+inline std::uint64_t mixed_bits(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);
+}
+
+/// SplitMix64: full period, and the same numbers everywhere. Advances `state`.
+inline std::uint64_t next_random(std::uint64_t& state) {
+  return mixed_bits(state += golden_step);
+}
+
+/// A number in [0, 1) made of the upper 53 bits.
+inline double unit_interval(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
 /// Standard normal deviates by the method of Box and Muller, the same for a seed on every machine up to the rounding of
@@ -32,7 +44,7 @@ class NormalDraws {
   }
 
  private:
-  double uniform() { return static_cast<double>(next_random(state_) >> 11) * 0x1p-53; }
+  double uniform() { return unit_interval(next_random(state_)); }
 
   std::uint64_t state_;
   std::optional<double> second_;

@@ -12,8 +12,9 @@ struct SampleSizeRequest {
 };
 
 /// Number of independent rays for a semi-axis 2·√variance whose rays have the kurtosis κ > 1 along it (2 for a linear
-/// image of a uniform disc): relative standard error ½·√((κ − 1)/N) (physics.md §8), hence N = (κ − 1)/4·((sigmas +
-/// z_power)/δ)², twice that for two measurements. Rounded up. Throws std::domain_error for values outside their range.
+/// image of a uniform disc): relative standard error ½·√((κ − 1)/N) (docs/theory.md#71-from-a-bundle-of-rays), hence N
+/// = (κ − 1)/4·((sigmas + z_power)/δ)², twice that for two measurements. Rounded up. Throws std::domain_error for
+/// values outside their range.
 std::uint64_t rays_for_semi_axis(const SampleSizeRequest& request, double kurtosis);
 
 /// The same for a mean whose single samples have the coefficient of variation `deviation`/mean > 0: N = (cv·(sigmas +

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/statistics/random_draws.h"
+#include "compare/statistics/running_moments.h"
 
 namespace sturm {
 
@@ -142,15 +143,13 @@ double bootstrap_standard_error(std::size_t items, const std::function<double(st
   if (items == 0 || resamples < 2)
     throw std::domain_error("bootstrap_standard_error: needs items and at least two resamples");
   std::vector<std::size_t> indices(items);
-  double mean = 0.0, squares = 0.0;
+  RunningMoments moments;
   for (int r = 0; r < resamples; ++r) {
     // A modulo bias of items/2^64 is far below the bootstrap's own error.
     for (std::size_t& index : indices) index = static_cast<std::size_t>(next_random(seed) % items);
-    const double value = statistic(indices), step = value - mean;
-    mean += step / (r + 1);
-    squares += step * (value - mean);
+    moments.add(statistic(indices));
   }
-  return std::sqrt(squares / (resamples - 1));
+  return moments.deviation();
 }
 
 }  // namespace sturm

@@ -11,8 +11,8 @@
 namespace sturm {
 
 /// Blur field without samples in depth: for each direction the map X/d = V A + B − a (V Q₀ + Q₁) in single precision,
-/// which is exact for every vergence V = 1/d and every accommodation a of one eye (physics.md §7). Only the direction
-/// is interpolated (bilinear).
+/// which is exact for every vergence V = 1/d and every accommodation a of one eye (docs/theory.md#118-blur-fields).
+/// Only the direction is interpolated (bilinear).
 class DepthAnalyticField {
  public:
   /// X/d [rad/m] row by row, and what accommodation takes off, of one direction: one cache line.

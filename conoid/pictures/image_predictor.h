@@ -7,9 +7,9 @@ namespace sturm {
 /// What the predictor starts from: one sharp (pinhole) HDR rendering with depth, in `camera` gaze, with a guard band
 /// around it.
 struct SharpView {
-  Image radiance;  ///< 3 channels, linear
-  Image depth;     ///< 1 channel, planar distance along the line of sight [m], > 0; +∞ where nothing was hit. One
-                ///< surface's distance per pixel (the nearest that was seen), never a mean across an edge
+  Image radiance;     ///< 3 channels, linear
+  Image depth;        ///< 1 channel, planar distance along the line of sight [m], > 0; +∞ where nothing was hit. One
+                      ///< surface's distance per pixel (the nearest that was seen), never a mean across an edge
   int margin_px = 0;  ///< width of the guard band on each side, in pixels of this image
   double pixel_slope =
       0;  ///< size of a pixel *of this image* in tangent image coordinates (slope units), same in x and y
@@ -43,8 +43,8 @@ struct PredictorSettings {
 /// spread pixel by pixel over its ellipse, in linear light. Deterministic: the same bits for any number of threads.
 ///
 /// A point at planar depth d on the chief slope q is seen through pupil point p at slope q − V(d) p, V(d) = I/d + F −
-/// A·I (physics.md §3), so its light covers the ellipse q + V(d)·disc(a), with exact area weights
-/// (conoid/pictures/ellipse_kernel.h). V is evaluated on a grid of 1/64 of a depth layer: semi-axes are within
+/// A·I (docs/theory.md#4-the-footprint-of-the-pupil), so its light covers the ellipse q + V(d)·disc(a), with exact area
+/// weights (conoid/pictures/ellipse_kernel.h). V is evaluated on a grid of 1/64 of a depth layer: semi-axes are within
 /// layer_width_px/128 (0.004 px) of exact, and a plane of constant depth is exact.
 ///
 /// Depth layers, uniform in dioptres, are composited from near to far with clipped additive coverage: a layer of

@@ -11,7 +11,7 @@ namespace sturm {
 /// Composites layers of spread light from near to far with clipped additive coverage: a layer of coverage α adds min(α,
 /// 1 − A) to the coverage A so far; colour is divided by A at the end. Bands of rows run in parallel, each pixel is
 /// summed by one thread in the order of the spots, in double: the same bits for any number of threads, and a bright
-/// lamp does not swallow its dim neighbours (physics.md §9.4).
+/// lamp does not swallow its dim neighbours (docs/theory.md#13-numerical-traps).
 class LayerCompositor {
  public:
   /// Light from one point.

@@ -39,10 +39,10 @@ struct Sight {
   Map directions(const Eigen::Matrix2d& slopes) const { return slope_p + slope_s * slopes; }
 };
 
-/// Sights over a picture: naked eye or spectacles (conoid tracing, physics.md §7), gaze `camera` or `foveal`. Naked
-/// eyes in closed form. Through spectacles, conoids stand on a grid of `grid_slope` (1.1°), linear in between: chief
-/// rays are off by an eighth of its square times the second derivative of the deviation, 2e-5 rad where that is 0.4
-/// rad⁻¹. Cells that a rim crosses, and places beyond the grid, are traced one by one.
+/// Sights over a picture: naked eye or spectacles (conoid tracing, docs/theory.md#81-sights-any-gaze-spectacles), gaze
+/// `camera` or `foveal`. Naked eyes in closed form. Through spectacles, conoids stand on a grid of `grid_slope` (1.1°),
+/// linear in between: chief rays are off by an eighth of its square times the second derivative of the deviation, 2e-5
+/// rad where that is 0.4 rad⁻¹. Cells that a rim crosses, and places beyond the grid, are traced one by one.
 ///
 /// In gaze `camera` the pupil is seen obliquely by the chief ray of slope q: its point p stands at the offset T p
 /// across the ray, with the slope T s/√(1 + q²), where T keeps what is across. Immutable.
@@ -100,7 +100,7 @@ class SightNeighbourhood {
 
   /// Where in the picture [px, relative to its chief place] the pupil point p [m] sees a point at 1/`vergence_D`: M p,
   /// M = −G⁻¹ X with the footprint X and the displacement G of the chief ray per pixel there. The Jacobian of the
-  /// projection is in G (physics.md §7).
+  /// projection is in G (docs/theory.md#81-sights-any-gaze-spectacles).
   Eigen::Matrix2d picture_map(const Eigen::Matrix2d& slopes, double vergence_D) const;
 
   /// The place whose chief ray goes through `point` [m], by Newton's iteration with the derivatives of here, to 0.002

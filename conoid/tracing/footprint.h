@@ -7,8 +7,9 @@
 
 namespace sturm {
 
-/// First-order footprint of the pupil at one target (physics.md §3, §7): a point p of the pupil sends its ray through X
-/// p at the target's distance. At infinity only the angular map exists.
+/// First-order footprint of the pupil at one target (docs/theory.md#4-the-footprint-of-the-pupil and
+/// docs/theory.md#113-conoid-tracing-as-ray-transfer): a point p of the pupil sends its ray through X p at the target's
+/// distance. At infinity only the angular map exists.
 struct Footprint {
   double accommodation_D = 0.0;
   double distance_m = 0.0;  ///< may be ∞

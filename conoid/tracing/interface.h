@@ -5,8 +5,8 @@
 namespace sturm {
 
 /// A surface as the neighbourhood of a chief ray meets it: Snell's law and the frames of generalised Coddington
-/// (physics.md §6). (u, v) is the frame across the incoming ray, (u, v_out) across the outgoing one, (u, n × u) in the
-/// surface's tangent plane.
+/// (docs/theory.md#112-a-wavefront-along-the-chief-ray). (u, v) is the frame across the incoming ray, (u, v_out) across
+/// the outgoing one, (u, n × u) in the surface's tangent plane.
 struct Interface {
   Eigen::Vector3d u, v, v_out;         ///< u ⊥ plane of incidence; v = N × u, v_out = N' × u
   Eigen::Vector3d tangent;             ///< n × u

@@ -6,8 +6,8 @@
 
 namespace sturm {
 
-/// First-order neighbourhood of a chief ray (physics.md §7, `ray_transfer`): a ray that starts with the offset p and
-/// the slope s across the chief ray has here, on the frame (e1, e2),
+/// First-order neighbourhood of a chief ray (docs/theory.md#113-conoid-tracing-as-ray-transfer, `ray_transfer`): a ray
+/// that starts with the offset p and the slope s across the chief ray has here, on the frame (e1, e2),
 ///
 ///     offset = offset_from_offset · p + offset_from_slope · s,   slope = slope_from_offset · p + slope_from_slope · s.
 ///

@@ -8,7 +8,7 @@
 namespace sturm {
 
 /// A wavefront to second order about a chief ray: direction, a frame across it and the curvature matrix K on that frame
-/// [1/m], positive where the centre of curvature lies ahead (physics.md §6).
+/// [1/m], positive where the centre of curvature lies ahead (docs/theory.md#112-a-wavefront-along-the-chief-ray).
 struct Wavefront {
   Eigen::Vector3d direction;
   Eigen::Vector3d e1, e2;

@@ -73,18 +73,17 @@ const char* layer_of(const std::string& method, const std::vector<BenchMethod>& 
 }
 
 /// All settings of one view, once.
-Json measured_round(const BenchView& view, const std::vector<BenchMethod>& methods, const ReferenceImage& reference,
-                    std::uint64_t seed, int round, MeasuringProgress& progress) {
-  Json results = Json::array();
+std::vector<BenchSample> measured_round(const BenchView& view, const std::vector<BenchMethod>& methods,
+                                        const ReferenceImage& reference, std::uint64_t seed, int round,
+                                        MeasuringProgress& progress) {
+  std::vector<BenchSample> results;
   for (std::size_t i = 0; i < view.settings.size(); ++i) {
     RenderSpec spec = view.settings[i].render;
     spec.seed = replicate_seed(replicate_seed(seed, static_cast<int>(i) + 1), round);
     const double samples = planned_samples(view.settings[i]);
     const RenderOutput output = render_view(spec, [&](double fraction) { progress.update(fraction, samples); });
-    results.push_back({{"seconds", rendering_seconds(output.seconds)},
-                       {"samples", camera_rays(output.counters)},
-                       {"errors", picture_errors_json(reference.errors_of(
-                                      output.image.layers.at(layer_of(view.settings[i].method, methods))))}});
+    results.push_back({rendering_seconds(output.seconds), camera_rays(output.counters),
+                       reference.errors_of(output.image.layers.at(layer_of(view.settings[i].method, methods)))});
     progress.finish(samples);
   }
   return results;
@@ -109,28 +108,28 @@ std::vector<MeasuredView> measured(const BenchSpec& spec, const std::vector<Benc
   for (int round = 0; round < spec.rounds; ++round)
     for (std::size_t v = 0; v < spec.views.size(); ++v) {
       const RunFolder::Part part = folder.part("round_" + std::to_string(round) + "_" + spec.views[v].id, [&] {
-        return measured_round(spec.views[v], spec.methods, references[v].image,
-                              replicate_seed(spec.seed, static_cast<int>(v)), round, progress);
+        return to_json(measured_round(spec.views[v], spec.methods, references[v].image,
+                                      replicate_seed(spec.seed, static_cast<int>(v)), round, progress));
       });
       if (part.reused && !quiet)
         std::fprintf(stderr, "round %d of %s: taken from the interrupted run\n", round + 1, spec.views[v].id.c_str());
-      for (std::size_t i = 0; i < part.value.size(); ++i) {
-        const Json& sample = part.value[i];
-        views[v].settings[i].rounds.push_back({sample.at("seconds").get<double>(), sample.at("samples").get<double>(),
-                                               picture_errors_from(sample.at("errors"))});
+      const std::vector<BenchSample> samples = bench_samples_from(part.value);
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        views[v].settings[i].rounds.push_back(samples[i]);
         if (part.reused) progress.finish(planned_samples(spec.views[v].settings[i]));
       }
     }
   return views;
 }
 
-Json machine_json(const Machine& machine, int threads) {
-  return {{"cpu", cpu_model()},
-          {"cores", machine.cores ? Json(*machine.cores) : Json(nullptr)},
-          {"logical_processors", machine.logical_processors},
-          {"threads", threads},
-          {"memory_bytes", machine.memory_bytes ? Json(*machine.memory_bytes) : Json(nullptr)},
-          {"load_at_start", machine.load ? Json(*machine.load) : Json(nullptr)}};
+BenchMachine machine_facts(const Machine& machine, int threads) {
+  BenchMachine facts{.cpu = cpu_model(),
+                     .cores = machine.cores,
+                     .logical_processors = machine.logical_processors,
+                     .threads = threads,
+                     .memory_bytes = machine.memory_bytes};
+  if (machine.load) facts.load_at_start = {machine.load->begin(), machine.load->end()};
+  return facts;
 }
 
 }  // namespace
@@ -142,7 +141,7 @@ BenchKeys bench_keys(const BenchSpec& spec, int threads) {
   return keys;
 }
 
-Json measured_bench(const BenchSpec& spec, const BenchKeys& keys, const BenchPlace& place) {
+BenchFindings measured_bench(const BenchSpec& spec, const BenchKeys& keys, const BenchPlace& place) {
   const Machine machine = this_machine();
   std::vector<BenchReference> references;
   for (std::size_t v = 0; v < spec.views.size(); ++v)
@@ -150,18 +149,18 @@ Json measured_bench(const BenchSpec& spec, const BenchKeys& keys, const BenchPla
         bench_reference(spec.views[v], keys.references[v], spec.seed, place.folder.path(), place.quiet));
   const std::vector<MeasuredView> views = measured(spec, references, place.folder, place.quiet);
 
-  Json section = {{"title", spec.title}, {"machine", machine_json(machine, place.threads)}, {"views", Json::array()}};
+  BenchFindings found{.title = spec.title, .machine = machine_facts(machine, place.threads)};
   for (std::size_t v = 0; v < views.size(); ++v) {
-    Json view = evaluated(views[v], spec.methods, spec.levels);
-    view["id"] = spec.views[v].id;
-    view["title"] = spec.views[v].title;
-    view["resolution"] = {references[v].image.mean().width, references[v].image.mean().height};
-    view["reference"] = references[v].facts;
-    section["views"].push_back(std::move(view));
+    BenchViewResult view = evaluated(views[v], spec.methods, spec.levels);
+    view.id = spec.views[v].id;
+    view.title = spec.views[v].title;
+    view.resolution = {references[v].image.mean().width, references[v].image.mean().height};
+    view.reference = references[v].facts;
+    found.views.push_back(std::move(view));
   }
-  section["requirements"] = evaluated(spec.requirements, views);
-  section["verdict"] = bench_verdict(section["requirements"]);
-  return section;
+  found.requirements = evaluated(spec.requirements, views);
+  found.verdict = bench_verdict(found.requirements);
+  return found;
 }
 
 }  // namespace sturm

@@ -1,8 +1,8 @@
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "compare/studies/bench/bench_findings.h"
 #include "experiments/run/run_folder.h"
 #include "io/specs/experiment/bench_spec.h"
 #include "reports/plots/figure.h"
@@ -26,8 +26,7 @@ struct BenchPlace {
 };
 
 /// Makes the references, or takes them from the folder, then measures in rounds in which every setting of every view is
-/// rendered once, so that a slow spell of the machine meets all of them alike. The result: title, machine, views,
-/// requirements and verdict of a report (sturm.bench_report/1). Throws InputError or RuntimeFailure.
-Json measured_bench(const BenchSpec& spec, const BenchKeys& keys, const BenchPlace& place);
+/// rendered once, so that a slow spell of the machine meets all of them alike. Throws InputError or RuntimeFailure.
+BenchFindings measured_bench(const BenchSpec& spec, const BenchKeys& keys, const BenchPlace& place);
 
 }  // namespace sturm

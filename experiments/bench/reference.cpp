@@ -45,20 +45,20 @@ void make_reference(const BenchView& view, std::uint64_t seed, const std::filesy
   halves.layers[""] = image.mean();
   write_exr(stem.string() + ".exr", halves);
   write_png(stem.string() + ".png", image.mean(), view.exposure);
-  const Json facts = {{"key", key},
-                      {"samples_per_pixel", view.reference.samples_per_pixel},
-                      {"seconds", progress.seconds()},
-                      {"started_utc", started},
-                      {"version", build_info().version},
-                      {"commit", build_info().commit}};
-  write_file_atomically(stem.string() + ".json", facts.dump(1) + "\n");
+  const BenchReferenceOrigin origin{.key = key,
+                                    .samples_per_pixel = static_cast<std::int64_t>(view.reference.samples_per_pixel),
+                                    .seconds = progress.seconds(),
+                                    .started_utc = started,
+                                    .version = std::string(build_info().version),
+                                    .commit = std::string(build_info().commit)};
+  write_file_atomically(stem.string() + ".json", to_json(origin).dump(1) + "\n");
 }
 
-Json noise_floor_json(const PictureErrors& floor) {
-  return {{"rmse", std::sqrt(floor.mse)},
-          {"relative_mse", floor.relative_mse},
-          {"relative_mse_trimmed", floor.relative_mse_trimmed},
-          {"one_minus_ssim", floor.one_minus_ssim}};
+ByError<Number> by_error(const PictureErrors& floor) {
+  ByError<Number> values;
+  for (const ErrorKind& kind : error_kinds)
+    values[std::string(kind.name)] = kind.is_root ? std::sqrt(floor.*kind.of) : floor.*kind.of;
+  return values;
 }
 
 }  // namespace
@@ -86,11 +86,11 @@ BenchReference bench_reference(const BenchView& view, const std::string& key, st
       throw InputError(file(".exr"), "", std::string("no layer ") + half, "a reference of this benchmark");
   ReferenceImage image(halves.layers.at(half_names[0]), halves.layers.at(half_names[1]),
                        view.max_neighbourhood_radiance, view.exposure);
-  Json facts = load_json(file(".json"));
-  facts["file"] = name + ".exr";
-  facts["picture"] = name + ".png";
-  facts["noise_floor"] = noise_floor_json(image.noise_floor());
-  facts["pixels_left_out"] = image.pixels_left_out();
+  BenchReferenceFacts facts{reference_origin_from(load_json(file(".json")))};
+  facts.file = name + ".exr";
+  facts.picture = name + ".png";
+  facts.noise_floor = by_error(image.noise_floor());
+  facts.pixels_left_out = static_cast<std::int64_t>(image.pixels_left_out());
   return {std::move(image), std::move(facts)};
 }
 

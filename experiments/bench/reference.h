@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "compare/studies/bench/bench_findings.h"
 #include "compare/studies/bench/reference_image.h"
 #include "io/specs/experiment/bench_spec.h"
 
@@ -10,7 +10,7 @@ namespace sturm {
 /// What a benchmark's pictures of one view are measured against, and how it came about.
 struct BenchReference {
   ReferenceImage image;
-  Json facts;  ///< the member "reference" of the view in sturm.bench_report/1
+  BenchReferenceFacts facts;
 };
 
 /// What the reference's pixels depend on, the program aside: resolved view, seed, the scene as loaded, and all files

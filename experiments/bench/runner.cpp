@@ -20,12 +20,13 @@ BenchOutcome run_bench(const BenchSpec& spec, const std::string& bench_file, con
                          {{"bench.json", "bench.html"}, {"references", "figures"}});
 
   const std::string command = "sturm bench " + bench_file;
-  Json report = measured_bench(spec, keys, {folder, options.threads, options.quiet});
+  const BenchFindings found = measured_bench(spec, keys, {folder, options.threads, options.quiet});
+  Json report = to_json(found);
   report["format"] = "sturm.bench_report/1";
   report["command"] = command;
   report["spec"] = *spec.resolved;
   report["figures"] = Json::array();
-  for (const Json& view : report["views"])
+  for (const BenchViewResult& view : found.views)
     for (const Figure& figure : bench_figures(view, command)) {
       write_file_atomically(folder.path() / figure_file(figure.id), figure.svg);
       report["figures"].push_back(figure_json(figure));
@@ -34,7 +35,7 @@ BenchOutcome run_bench(const BenchSpec& spec, const std::string& bench_file, con
   report["provenance"] = provenance(facts, *spec.resolved);
   write_file_atomically(folder.path() / "bench.html", bench_report_html(report, folder.path()));
   write_file_atomically(folder.path() / "bench.json", report.dump(1) + "\n");
-  return {report["verdict"].at("passed"), bench_report_text(report), folder.path() / "bench.html"};
+  return {found.verdict.passed, bench_report_text(found), folder.path() / "bench.html"};
 }
 
 }  // namespace sturm

@@ -1,20 +1,18 @@
+#include "experiments/lens_study/lens_study.h"
+
 #include <tbb/parallel_for.h>
 
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "compare/ellipses/accuracy_split.h"
 #include "conoid/tracing/previous.h"
 #include "conoid/tracing/published.h"
 #include "conoid/tracing/spectacle_conoid.h"
-#include "experiments/run/sections.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
-#include "stages/lens_status_word.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -43,13 +41,6 @@ std::vector<StudyGaze> gazes_of(const LensStudySpec& spec) {
     for (const double direction : spec.directions_deg) gazes.push_back({eccentricity, direction});
   }
   return gazes;
-}
-
-Json gaze_json(const StudyGaze& gaze) {
-  const Eigen::Vector3d v = gaze.vector();
-  return {{"eccentricity_deg", gaze.eccentricity_deg},
-          {"direction_deg", number_or_null(gaze.direction_deg)},
-          {"gaze_deg", {std::atan2(v.x(), -v.z()) / radians_per_degree, std::asin(v.y()) / radians_per_degree}}};
 }
 
 /// One eye looking through its lens along one line of sight, traced by every method for all distances and pupils.
@@ -140,91 +131,96 @@ const char* word_for(const PublishedTrace& trace) {
 }
 
 /// An error against `should` at one pupil, in the units that are of use: arcmin and dioptres.
-Json error_json(const Eigen::Matrix2d& is, const Eigen::Matrix2d& should, double pupil_radius_m) {
+MethodError method_error(const Eigen::Matrix2d& is, const Eigen::Matrix2d& should, double pupil_radius_m) {
   const CovarianceError e = covariance_error(is, should);
-  return {{"relative_frobenius", number_or_null(e.relative_frobenius)},
-          {"semi_axes_arcmin", json_of(Eigen::Vector2d(arcminutes_per_radian * e.semi_axes))},
-          {"half_width_arcmin", arcminutes_per_radian * e.half_width},
-          {"defocus_D", e.half_width / pupil_radius_m}};
+  return {.relative_frobenius = e.relative_frobenius,
+          .semi_axes_arcmin = {arcminutes_per_radian * e.semi_axes.x(), arcminutes_per_radian * e.semi_axes.y()},
+          .half_width_arcmin = arcminutes_per_radian * e.half_width,
+          .defocus_D = e.half_width / pupil_radius_m};
 }
 
 /// A method's first order against the exact one: the same at every pupil, so for a pupil of unit radius.
-Json first_order_json(const std::optional<Eigen::Matrix2d>& map, const Eigen::Matrix2d& exact) {
-  if (!map) return nullptr;
+std::optional<FirstOrderError> first_order_error(const std::optional<Eigen::Matrix2d>& map,
+                                                 const Eigen::Matrix2d& exact) {
+  if (!map) return std::nullopt;
   const CovarianceError e = covariance_error(covariance_of_disc_image(*map, 1.0), covariance_of_disc_image(exact, 1.0));
-  return {{"relative_frobenius", number_or_null(e.relative_frobenius)}, {"defocus_D", e.half_width}};
+  return FirstOrderError{e.relative_frobenius, e.half_width};
 }
 
 /// How far the previous method is from the exact first order once its scaling to the object is replaced by the true
 /// one, Q.
-Json unscaled_error(const Sight& sight, const std::optional<PreviousBlur>& previous, const Eigen::Matrix2d& exact,
-                    double vergence_D) {
-  if (!previous) return nullptr;
+Number unscaled_error(const Sight& sight, const std::optional<PreviousBlur>& previous, const Eigen::Matrix2d& exact,
+                      double vergence_D) {
+  if (!previous) return std::nullopt;
   const Eigen::Matrix2d q = sight.conoid.angular_q(vergence_D);
   // Against the size of what the footprint is the difference of, where the blur itself nearly vanishes.
   return (q * previous->inside - exact).norm() / (exact.norm() + q.norm());
 }
 
 /// What the same pair of covariances says about footprints that are wrong on purpose.
-Json mutant_orders(const Sight& sight, const Eigen::Matrix2d& mirrored, double vergence_D, const Eigen::Matrix2d& small,
-                   double small_radius_m, const Eigen::Matrix2d& large, double large_radius_m) {
-  const auto order = [&](const std::optional<Eigen::Matrix2d>& x) -> Json {
-    return x ? number_or_null(fit_orders(*x, small, small_radius_m, large, large_radius_m).absolute) : Json(nullptr);
+MutantOrders mutant_orders(const Sight& sight, const Eigen::Matrix2d& mirrored, double vergence_D,
+                           const Eigen::Matrix2d& small, double small_radius_m, const Eigen::Matrix2d& large,
+                           double large_radius_m) {
+  const auto order = [&](const std::optional<Eigen::Matrix2d>& x) -> Number {
+    return x ? Number(fit_orders(*x, small, small_radius_m, large, large_radius_m).absolute) : std::nullopt;
   };
-  return {{"published_as_exact", order(sight.as_published(vergence_D))}, {"mirrored_gaze", order(mirrored)}};
+  return {.published_as_exact = order(sight.as_published(vergence_D)), .mirrored_gaze = order(mirrored)};
 }
 
-Json view_json(const LensStudySpec& spec, const Sight& sight, const SpectacleConoid& mirrored, double distance_m) {
+/// One pupil of a view: the methods' maps against the real rays.
+LensPupil pupil_of(double pupil_diameter_m, const RealRays& rays, const Eigen::Matrix2d& exact,
+                   const std::optional<Eigen::Matrix2d>& published, const std::optional<Eigen::Matrix2d>& previous) {
+  const double a = 0.5 * pupil_diameter_m;
+  const auto against_rays = [&](const std::optional<Eigen::Matrix2d>& map) {
+    return map && rays.covariance ? std::optional(method_error(covariance_of_disc_image(*map, a), *rays.covariance, a))
+                                  : std::nullopt;
+  };
+  LensPupil pupil{.pupil_mm = 1e3 * pupil_diameter_m,
+                  .rays_lost = static_cast<std::int64_t>(rays.lost),
+                  .ray_transfer = against_rays(exact),
+                  .published = against_rays(published),
+                  .previous = against_rays(previous)};
+  if (rays.covariance) {
+    const Ellipse e = Ellipse::of_second_moments(*rays.covariance);
+    pupil.real_semi_axes_arcmin = {arcminutes_per_radian * e.semi_major, arcminutes_per_radian * e.semi_minor};
+  }
+  return pupil;
+}
+
+LensStudyView view_of(const LensStudySpec& spec, const Sight& sight, const SpectacleConoid& mirrored,
+                      double distance_m) {
   const double vergence = vergence_of(distance_m);
   const Eigen::Matrix2d exact = sight.exact(vergence);
   const std::optional<Eigen::Matrix2d> published = sight.as_published(vergence);
   const auto blur_inside = sight.by_previous(vergence);
   const std::optional<Eigen::Matrix2d> previous = blur_inside ? std::optional(blur_inside->angular()) : std::nullopt;
   const SingularValues blur = singular_values(exact);
-  Json view = {{"distance_m", distance_json(distance_m)},
-               {"blur_D", {blur.large, blur.small}},
-               {"first_order",
-                {{"published", first_order_json(published, exact)}, {"previous", first_order_json(previous, exact)}}},
-               {"previous_unscaled_error", unscaled_error(sight, blur_inside, exact, vergence)}};
+  LensStudyView view;
+  view.distance_m = StoredDistance{distance_m};
+  view.blur_D = {blur.large, blur.small};
+  view.first_order = {first_order_error(published, exact), first_order_error(previous, exact)};
+  view.previous_unscaled_error = unscaled_error(sight, blur_inside, exact, vergence);
   std::optional<Eigen::Matrix2d> small, large;
-  Json pupils = Json::array();
   for (const double diameter : spec.pupil_diameters_m) {
-    const double a = 0.5 * diameter;
-    const RealRays rays = real_rays(sight, spec.quadrature, vergence, a);
+    const RealRays rays = real_rays(sight, spec.quadrature, vergence, 0.5 * diameter);
     if (diameter == spec.order_small_m) small = rays.covariance;
     if (diameter == spec.order_large_m) large = rays.covariance;
-    const auto against_rays = [&](const std::optional<Eigen::Matrix2d>& map) -> Json {
-      return map && rays.covariance ? error_json(covariance_of_disc_image(*map, a), *rays.covariance, a)
-                                    : Json(nullptr);
-    };
-    pupils.push_back(
-        {{"pupil_mm", 1e3 * diameter},
-         {"rays_lost", rays.lost},
-         {"real_semi_axes_arcmin",
-          rays.covariance ? semi_axes_json(Ellipse::of_second_moments(*rays.covariance), arcminutes_per_radian)
-                          : Json(nullptr)},
-         {"ray_transfer", against_rays(exact)},
-         {"published", against_rays(published)},
-         {"previous", against_rays(previous)}});
+    view.pupils.push_back(pupil_of(diameter, rays, exact, published, previous));
   }
-  OrderFit fit;
-  Json mutants = {{"published_as_exact", nullptr}, {"mirrored_gaze", nullptr}};
-  if (small && large) {
-    fit = fit_orders(exact, *small, 0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
-    if (mirrored.status == LensStatus::ok)
-      mutants = mutant_orders(sight, mirrored.angular_footprint(sight.slopes(), vergence), vergence, *small,
-                              0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
-  }
-  view["order"] = number_or_null(fit.absolute);
-  view["relative_order"] = number_or_null(fit.relative);
-  view["limit_relative"] = number_or_null(fit.limit_relative);
-  view["mutant_orders"] = std::move(mutants);
-  view["pupils"] = std::move(pupils);
+  if (!small || !large) return view;
+  const OrderFit fit = fit_orders(exact, *small, 0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
+  view.order = fit.absolute;
+  view.relative_order = fit.relative;
+  view.limit_relative = fit.limit_relative;
+  if (mirrored.status == LensStatus::ok)
+    view.mutant_orders = mutant_orders(sight, mirrored.angular_footprint(sight.slopes(), vergence), vergence, *small,
+                                       0.5 * spec.order_small_m, *large, 0.5 * spec.order_large_m);
   return view;
 }
 
 struct GazeResult {
-  Json gaze, views;
+  LensGaze gaze;
+  std::vector<LensStudyView> views;
 };
 
 GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const StudyGaze& gaze) {
@@ -232,34 +228,34 @@ GazeResult gaze_result(const LensStudySpec& spec, const StudyLens& lens, const S
   const Sight sight = sight_of(spec, lens, direction);
   const SpectacleConoid mirrored =
       trace_conoid(lens.lens, {-direction.x(), direction.y(), direction.z()}, spec.rotation_center_m);
-  GazeResult result{gaze_json(gaze), Json::array()};
-  result.gaze["lens"] = lens.id;
-  result.gaze["status"] = word_for(sight.conoid.status);
-  const bool ok = sight.conoid.status == LensStatus::ok;
-  result.gaze["eq11"] =
-      ok ? Json{{"principal", word_for(sight.published[0])}, {"incidence", word_for(sight.published[1])}}
-         : Json(nullptr);
-  if (!ok) return result;
+  GazeResult result{{.lens = lens.id,
+                     .eccentricity_deg = gaze.eccentricity_deg,
+                     .direction_deg = gaze.direction_deg,
+                     .gaze_deg = {std::atan2(direction.x(), -direction.z()) / radians_per_degree,
+                                  std::asin(direction.y()) / radians_per_degree},
+                     .status = name_of(sight.conoid.status)},
+                    {}};
+  if (sight.conoid.status != LensStatus::ok) return result;
+  result.gaze.eq11 = Eq11Outcome{word_for(sight.published[0]), word_for(sight.published[1])};
   for (const double distance : spec.distances_m) {
-    Json view = view_json(spec, sight, mirrored, distance);
-    view["lens"] = lens.id;
-    view["eccentricity_deg"] = gaze.eccentricity_deg;
-    view["direction_deg"] = number_or_null(gaze.direction_deg);
+    LensStudyView view = view_of(spec, sight, mirrored, distance);
+    view.lens = lens.id;
+    view.eccentricity_deg = gaze.eccentricity_deg;
+    view.direction_deg = gaze.direction_deg;
     result.views.push_back(std::move(view));
   }
   return result;
 }
 
-Json ellipse_json(const std::optional<Eigen::Matrix2d>& covariance) {
-  if (!covariance) return nullptr;
+std::optional<FieldEllipse> field_ellipse(const std::optional<Eigen::Matrix2d>& covariance) {
+  if (!covariance) return std::nullopt;
   const Ellipse e = Ellipse::of_second_moments(*covariance);
-  return {{"semi_axes_arcmin", semi_axes_json(e, arcminutes_per_radian)},
-          {"orientation_deg", number_or_null(e.orientation_deg)}};
+  return FieldEllipse{{arcminutes_per_radian * e.semi_major, arcminutes_per_radian * e.semi_minor}, e.orientation_deg};
 }
 
 }  // namespace
 
-Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const ProgressFunction& progress) {
+LensPart lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const ProgressFunction& progress) {
   const std::vector<StudyGaze> gazes = gazes_of(spec);
   std::vector<GazeResult> results(gazes.size());
   std::atomic<std::size_t> done = 0;
@@ -267,48 +263,43 @@ Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const Progr
     results[i] = gaze_result(spec, lens, gazes[i]);
     progress(static_cast<double>(++done) / static_cast<double>(gazes.size()));
   });
-  Json part = {{"gazes", Json::array()}, {"views", Json::array()}};
-  for (GazeResult& result : results) {
-    part["gazes"].push_back(std::move(result.gaze));
-    for (Json& view : result.views) part["views"].push_back(std::move(view));
-  }
   const Prescription& rx = lens.prescription;
-  part["lens"] = {{"id", lens.id},
-                  {"note", lens.note},
-                  {"lens_of_revolution", of_revolution(lens.lens)},
-                  {"analytic_surfaces", analytic(lens.lens)},
-                  {"sphere_D", rx.sphere_D},
-                  {"cylinder_D", rx.cylinder_D},
-                  {"axis_deg", rx.axis_deg},
-                  {"vertex_distance_mm", 1e3 * rx.vertex_distance_m}};
+  LensPart part;
+  part.lens = {.id = lens.id,
+               .note = lens.note,
+               .lens_of_revolution = of_revolution(lens.lens),
+               .analytic_surfaces = analytic(lens.lens),
+               .sphere_D = rx.sphere_D,
+               .cylinder_D = rx.cylinder_D,
+               .axis_deg = rx.axis_deg,
+               .vertex_distance_mm = 1e3 * rx.vertex_distance_m};
+  for (GazeResult& result : results) {
+    part.gazes.push_back(std::move(result.gaze));
+    for (LensStudyView& view : result.views) part.views.push_back(std::move(view));
+  }
   return part;
 }
 
-Json field_study(const LensStudySpec& spec, const FieldStudy& field) {
-  const StudyLens& lens = spec.lenses[field.lens];
-  const double vergence = vergence_of(field.distance_m), a = 0.5 * field.pupil_diameter_m;
-  Json points = Json::array();
-  for (const double azimuth : field.azimuths_deg) {
+LensField wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze) {
+  const StudyLens& lens = spec.lenses[gaze.lens];
+  const double vergence = vergence_of(gaze.distance_m), a = 0.5 * gaze.pupil_diameter_m;
+  LensField field{.lens = lens.id, .distance_m = StoredDistance{gaze.distance_m}, .pupil_mm = 2e3 * a, .points = {}};
+  for (const double azimuth : gaze.azimuths_deg) {
     const Sight sight = sight_of(spec, lens, gaze_direction(azimuth * radians_per_degree, 0.0));
-    Json point = {{"azimuth_deg", azimuth}, {"status", word_for(sight.conoid.status)},
-                  {"real_rays", nullptr},   {"ray_transfer", nullptr},
-                  {"published", nullptr},   {"previous", nullptr}};
+    FieldPoint point{.azimuth_deg = azimuth, .status = name_of(sight.conoid.status)};
     if (sight.conoid.status == LensStatus::ok) {
       const auto covariance = [a](const std::optional<Eigen::Matrix2d>& map) {
         return map ? std::optional(covariance_of_disc_image(*map, a)) : std::nullopt;
       };
-      point["real_rays"] = ellipse_json(real_rays(sight, spec.quadrature, vergence, a).covariance);
-      point["ray_transfer"] = ellipse_json(covariance(sight.exact(vergence)));
-      point["published"] = ellipse_json(covariance(sight.as_published(vergence)));
+      point.real_rays = field_ellipse(real_rays(sight, spec.quadrature, vergence, a).covariance);
+      point.ray_transfer = field_ellipse(covariance(sight.exact(vergence)));
+      point.published = field_ellipse(covariance(sight.as_published(vergence)));
       const auto previous = sight.by_previous(vergence);
-      point["previous"] = ellipse_json(covariance(previous ? std::optional(previous->angular()) : std::nullopt));
+      point.previous = field_ellipse(covariance(previous ? std::optional(previous->angular()) : std::nullopt));
     }
-    points.push_back(std::move(point));
+    field.points.push_back(std::move(point));
   }
-  return {{"lens", lens.id},
-          {"distance_m", distance_json(field.distance_m)},
-          {"pupil_mm", 2e3 * a},
-          {"points", std::move(points)}};
+  return field;
 }
 
 }  // namespace sturm

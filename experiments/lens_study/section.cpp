@@ -1,119 +1,62 @@
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <vector>
+#include "experiments/lens_study/section.h"
 
-#include "compare/studies/lens/lens_study_views.h"
-#include "experiments/run/sections.h"
-#include "io/json/stored.h"
+#include <nlohmann/json.hpp>
+
+#include "experiments/lens_study/lens_study.h"
+#include "io/files/atomic_file.h"
+#include "io/files/sha256.h"
+#include "reports/plots/lens_study_figures.h"
+#include "reports/text/csv.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr double order_tolerance = 0.05;  // of the gates that the mutants must violate
+class LensRun : public SectionRun {
+ public:
+  explicit LensRun(const LensStudySpec& spec) : spec_(spec) {}
 
-/// Orders in the oblique views through analytic surfaces, as they stand at `path`.
-std::vector<double> oblique_orders(const Json& section, const std::string& path) {
-  std::vector<double> orders;
-  const std::set<std::string> splines = spline_lenses(section);
-  for (const Json& view : array_at(section, "views")) {
-    const auto order = number_at(view, path);
-    const bool oblique = number_at(view, "eccentricity_deg").value_or(0.0) > 0.0;
-    if (order && oblique && !splines.contains(text_at(view, "lens"))) orders.push_back(*order);
+  std::string depends_on() const override {
+    std::string facts;
+    for (const std::string& file : spec_.input_files) facts += sha256_of_file(file);
+    return facts;
   }
-  return orders;
-}
 
-/// Largest |order − 4| of them; null where there is none.
-Json worst_order_deviation(const Json& section, const std::string& path) {
-  Json worst = nullptr;
-  for (const double order : oblique_orders(section, path)) {
-    const double deviation = std::abs(order - 4.0);
-    if (worst.is_null() || deviation > worst.get<double>()) worst = deviation;
+  void run(const SectionPlace& place, Json& report) override {
+    LensFindings found;
+    found.conditions = conditions_of(spec_);
+    for (const StudyLens& lens : spec_.lenses) {
+      LensPart part =
+          lens_part_from(place.steps("lens_" + lens.id, "lens " + lens.id, [&](const ProgressFunction& progress) {
+            return to_json(lens_study_of(spec_, lens, progress));
+          }));
+      found.lenses.push_back(std::move(part.lens));
+      for (LensGaze& gaze : part.gazes) found.gazes.push_back(std::move(gaze));
+      for (LensStudyView& view : part.views) found.views.push_back(std::move(view));
+    }
+    if (spec_.wide_gaze)
+      found.field = lens_field_from(place.steps("lens_field", "wide field", [&](const ProgressFunction&) {
+        return to_json(wide_gaze_study(spec_, *spec_.wide_gaze));
+      }));
+    report["lens_study"] = to_json(found);
+    append(report["must_fail"], lens_study_mutants(found));
+    write_file_atomically(place.folder.path() / "lens_study.csv", lens_study_csv(found));
   }
-  return worst;
-}
 
-Json mutant(const Json& section, const char* id, const char* what, const std::string& path) {
-  const Json value = worst_order_deviation(section, path);
-  const bool noticed = value.is_number() && value.get<double>() > order_tolerance;
-  return {{"id", id}, {"what", what}, {"failed_as_it_must", noticed}, {"value", value}, {"bound", order_tolerance}};
-}
+  std::vector<Figure> figures(const Json& report, const RunFolder&, const std::string&) const override {
+    return lens_study_figures(*lens_findings(report));
+  }
 
-/// Largest error [D] of a method over all views and pupils.
-double worst_defocus(const Json& section, const std::string& method) {
-  double worst = 0.0;
-  for (const Json& view : array_at(section, "views"))
-    for (const Json& pupil : array_at(view, "pupils"))
-      worst = std::max(worst, number_at(pupil, method + "/defocus_D").value_or(0.0));
-  return worst;
-}
+  Json sentence(const Json& report) const override { return lens_study_sentence(*lens_findings(report)); }
 
-double worst_first_order(const Json& section, const std::string& method) {
-  double worst = 0.0;
-  for (const Json& view : array_at(section, "views"))
-    worst = std::max(worst, number_at(view, "first_order/" + method + "/defocus_D").value_or(0.0));
-  return worst;
-}
+ private:
+  const LensStudySpec& spec_;
+};
 
 }  // namespace
 
-Json assembled_lens_study(const LensStudySpec& spec, const Json& parts, const Json& field) {
-  Json section = {{"conditions",
-                   {{"radial", spec.quadrature.radial},
-                    {"azimuthal", spec.quadrature.azimuthal},
-                    {"order_pupils_mm", {1e3 * spec.order_small_m, 1e3 * spec.order_large_m}},
-                    {"rotation_center_mm", 1e3 * spec.rotation_center_m}}},
-                  {"lenses", Json::array()},
-                  {"gazes", Json::array()},
-                  {"views", Json::array()},
-                  {"field", field}};
-  for (const Json& part : parts) {
-    section["lenses"].push_back(part.at("lens"));
-    for (const char* list : {"gazes", "views"})
-      section[list].insert(section[list].end(), part.at(list).begin(), part.at(list).end());
-  }
-  return section;
-}
-
-Json lens_study_mutants(const Json& section) {
-  return {
-      mutant(section, "published_as_exact", "eq. 11 was passed off as the exact first order in the fit of the order",
-             "mutant_orders/published_as_exact"),
-      mutant(section, "mirrored_gaze",
-             "the footprint was traced for the gaze mirrored left to right; the real rays were not",
-             "mutant_orders/mirrored_gaze")};
-}
-
-Json lens_study_sentence(const Json& section) {
-  if (section.is_null() || array_at(section, "views").empty()) return nullptr;
-  const std::vector<double> orders = oblique_orders(section, "order");
-  char order_text[64] = "–";
-  if (!orders.empty()) {
-    const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
-    std::snprintf(order_text, sizeof order_text, "%.2f to %.2f", *lowest, *highest);
-  }
-  std::size_t traced = 0, failed = 0;
-  for (const Json& gaze : array_at(section, "gazes")) {
-    const std::string word = text_at(gaze, "eq11/principal");
-    traced += !word.empty();
-    failed += !word.empty() && word != "ok" && word != "free_axes";
-  }
-  char text[768];
-  std::snprintf(text, sizeof text,
-                "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its "
-                "truncation alone, which falls with "
-                "the pupil to the "
-                "power %s and is at most %.2g D at the widest pupil; at every pupil alike, eq. 11 as published errs by "
-                "up to %.2g D in first order "
-                "(no solution in %zu of %zu gazes) and the previous method by up to %.2g D.",
-                array_at(section, "lenses").size(), array_at(section, "views").size(), order_text,
-                worst_defocus(section, "ray_transfer"), worst_first_order(section, "published"), failed, traced,
-                worst_first_order(section, "previous"));
-  return text;
+std::unique_ptr<SectionRun> prepared_lens_study(const ExperimentSpec& spec, const RunOptions&) {
+  return spec.lens_study ? std::make_unique<LensRun>(*spec.lens_study) : nullptr;
 }
 
 }  // namespace sturm

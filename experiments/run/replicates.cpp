@@ -1,5 +1,7 @@
 #include "experiments/run/replicates.h"
 
+#include "compare/statistics/random_draws.h"
+
 namespace sturm {
 
 namespace {
@@ -15,14 +17,6 @@ Image mean_of(const std::vector<Image>& images, std::size_t first, std::size_t l
   }
   for (std::size_t i = 0; i < sums.size(); ++i) mean.pixels[i] = static_cast<float>(sums[i] / count);
   return mean;
-}
-
-/// SplitMix64 (Steele, Lea & Flood 2014).
-std::uint64_t mixed_seed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
 }
 
 /// Progress of part `index` of `count` equal parts.
@@ -58,7 +52,8 @@ Image Replicates::variance_of_mean() const {
 }
 
 std::uint64_t replicate_seed(std::uint64_t seed, int index) {
-  return mixed_seed(mixed_seed(seed) + static_cast<std::uint64_t>(index));
+  std::uint64_t own = next_random(seed) + static_cast<std::uint64_t>(index);
+  return next_random(own);
 }
 
 Replicates render_replicates(const Scene& scene, const CameraPose& pose, const Eye& eye, RayModel model,

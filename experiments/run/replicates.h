@@ -5,8 +5,8 @@
 
 namespace sturm {
 
-/// The same view rendered several times with independent seeds: the only honest source of a picture's noise (physics.md
-/// §8).
+/// The same view rendered several times with independent seeds: the only honest source of a picture's noise
+/// (docs/theory.md#73-noise-of-a-picture).
 struct Replicates {
   std::vector<Image> images;
 

@@ -28,9 +28,6 @@ Json sin2_findings(const Json& ellipses);
 Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
                  const std::filesystem::path& folder, const ProgressFunction& progress);
 
-/// Throws InputError where a PSF asks for a ray model that its eye leaves undefined.
-void require_defined_models(const PsfExperiment& spec);
-
 /// Image number `index` of an experiment: one scene path traced with each ray model and predicted once: a list of
 /// "images" entries.
 Json image_entries(const ExperimentSpec& experiment, std::size_t index, const SceneDescription& description,
@@ -43,23 +40,6 @@ Json agreement_entry(const AgreementCase& spec, const SceneDescription& descript
 /// The comparison of rays with the conoid again, with a conoid that is wrong on purpose: mirrored axis, vertex distance
 /// dropped, and sin² rays passed off as matrix rays. Each must be noticed.
 Json must_fail_checks(const EllipseExperiment& spec, const Json& ellipses);
-
-/// One lens of the accuracy study: {"lens", "gazes", "views"}, its share of the section "lens_study" of the report.
-/// Gazes are traced in parallel; the result does not depend on the number of threads.
-Json lens_study_of(const LensStudySpec& spec, const StudyLens& lens, const ProgressFunction& progress);
-
-/// The ellipses of all methods over the wide field.
-Json field_study(const LensStudySpec& spec, const FieldStudy& field);
-
-/// The section, put together from what the lenses gave; `field` may be null.
-Json assembled_lens_study(const LensStudySpec& spec, const Json& lenses, const Json& field);
-
-/// The order of convergence again with footprints that are wrong on purpose; each must be noticed. From the finished
-/// section.
-Json lens_study_mutants(const Json& section);
-
-/// The measured facts about conoid tracing in one sentence.
-Json lens_study_sentence(const Json& section);
 
 /// The measured facts about sin² in one sentence; null without the section.
 Json sin2_sentence(const Json& sin2);

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/run/scene_fingerprint.h"
+#include "io/json/values.h"
 #include "pathtrace/plan/simplest_model.h"
-#include "stages/json_values.h"
 
 namespace sturm {
 
@@ -12,7 +12,7 @@ SharedViews::SharedViews(const ExperimentSpec& spec, const std::vector<SceneDesc
   if (!spec.share_views) return;
   for (const SceneDescription& scene : scenes) fingerprints_.push_back(scene_fingerprint(scene));
   for (std::size_t i = 0; i < spec.images.size(); ++i)
-    for (const std::string& model : spec.images[i].ray_models) ++views_[key(i, *ray_model_named(model))].requests;
+    for (const RayModel model : spec.images[i].ray_models) ++views_[key(i, model)].requests;
 }
 
 /// All that the bits of a picture depend on within one experiment.

@@ -1,7 +1,6 @@
 #include "experiments/samplings/sampling_study.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "compare/images/paired_bias.h"
 #include "compare/statistics/jackknife.h"
@@ -19,7 +18,7 @@ constexpr double exposure = 1.0;
 constexpr std::uint64_t reference_stream =
     0x5245464552454e43ull;  // the reference shares no numbers with what is compared with it
 
-/// E[r²] over that of a uniform disc (physics.md §5).
+/// E[r²] over that of a uniform disc (docs/theory.md#53-pupil-sampling).
 double mean_square_radius(const PupilSamplingSpec& spec) {
   if (spec.kind == PupilSampling::UniformPolar) return 2.0 / 3.0;
   if (spec.kind == PupilSampling::Rings) return (spec.rings + 1.0) / spec.rings;
@@ -63,8 +62,7 @@ Replicates sampled(const Scene& scene, const SamplingStudySpec& study, const Sam
                    const PupilSamplingSpec& sampling, Sequence sampler, std::uint64_t seed) {
   ViewOptions options;
   options.pupil = PupilSampler(sampling, 0.0);
-  const ViewCamera camera(camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model),
-                          std::move(options));
+  const ViewCamera camera(camera_pose(study.camera), configuration.eye, configuration.ray_model, std::move(options));
   RenderSettings settings = settings_of(study);
   settings.sequence = sampler;
   Replicates replicates;
@@ -77,52 +75,52 @@ Replicates sampled(const Scene& scene, const SamplingStudySpec& study, const Sam
 
 }  // namespace
 
-Json sampling_entries(const SamplingStudySpec& study, std::size_t index, const Scene& scene, std::uint64_t seed,
-                      const std::filesystem::path& folder, const ProgressFunction& progress) {
+std::vector<SamplingEntry> sampling_entries(const SamplingStudySpec& study, std::size_t index, const Scene& scene,
+                                            std::uint64_t seed, const std::filesystem::path& folder,
+                                            const ProgressFunction& progress) {
   const SamplingConfiguration& configuration = study.configurations[index];
   const std::uint64_t own_seed = replicate_seed(seed, static_cast<int>(index));
   const Replicates reference =
-      render_replicates(scene, camera_pose(study.camera), configuration.eye, *ray_model_named(configuration.ray_model),
+      render_replicates(scene, camera_pose(study.camera), configuration.eye, configuration.ray_model,
                         settings_of(study), own_seed ^ reference_stream, study.replicates, [](double) {});
   const double brightness = mean_radiance(reference.mean());
-  Json entries = Json::array();
+  std::vector<SamplingEntry> entries;
   const double steps = static_cast<double>(study.samplings.size() * study.samplers.size()) + 1.0;
   for (std::size_t s = 0; s < study.samplers.size(); ++s)
-    for (const NamedSampling& sampling : study.samplings) {
+    for (const PupilSamplingSpec& sampling : study.samplings) {
       progress((static_cast<double>(entries.size()) + 1.0) / steps);
       const Stopwatch watch;
-      const Replicates pictures = sampled(scene, study, configuration, sampling.spec, study.samplers[s],
+      const Replicates pictures = sampled(scene, study, configuration, sampling, study.samplers[s],
                                           replicate_seed(own_seed, static_cast<int>(entries.size()) + 1));
       const double seconds = watch.seconds();
       const PairedBias bias = paired_bias(pictures.images, reference.images);
-      const std::string file = "samplings/" + configuration.id + "_" + sampling.name + "_" + study.sampler_names[s];
+      const std::string file =
+          "samplings/" + configuration.id + "_" + name_of(sampling.kind) + "_" + name_of(study.samplers[s]);
       write_picture(folder / file, pictures.mean(), exposure);
-      entries.push_back({{"configuration", configuration.id},
-                         {"note", configuration.note},
-                         {"ray_model", configuration.ray_model},
-                         {"sampling", sampling.name},
-                         {"sampler", study.sampler_names[s]},
-                         {"aspect_ratio", static_cast<double>(study.camera.width) / study.camera.height},
-                         {"pupil_rms_ratio", std::sqrt(mean_square_radius(sampling.spec))},
-                         {"mean_radiance", brightness},
-                         {"noise", noise_of(pictures)},
-                         {"noise_standard_error", noise_error_of(pictures)},
-                         {"mean_square_bias", bias.mean_square},
-                         {"mean_square_bias_standard_error", bias.standard_error},
-                         {"z", bias.z},
-                         {"seconds", seconds},
-                         {"files", {{"picture", file + ".exr"}, {"picture_png", file + ".png"}}}});
+      entries.push_back({.configuration = configuration.id,
+                         .note = configuration.note,
+                         .ray_model = configuration.ray_model,
+                         .sampling = sampling.kind,
+                         .sampler = study.samplers[s],
+                         .aspect_ratio = static_cast<double>(study.camera.width) / study.camera.height,
+                         .pupil_rms_ratio = std::sqrt(mean_square_radius(sampling)),
+                         .mean_radiance = brightness,
+                         .noise = noise_of(pictures),
+                         .noise_standard_error = noise_error_of(pictures),
+                         .mean_square_bias = bias.mean_square,
+                         .mean_square_bias_standard_error = bias.standard_error,
+                         .z = bias.z,
+                         .seconds = seconds,
+                         .files = {file + ".exr", file + ".png"}});
     }
   return entries;
 }
 
-Json assembled_sampling_study(const SamplingStudySpec& study, const Json& entries) {
-  return {{"conditions",
-           {{"scene", study.scene_name},
-            {"pupil_mm", 2e3 * study.configurations.front().eye.pupil_radius_m},
-            {"samples_per_pixel", study.samples_per_pixel},
-            {"replicates", study.replicates}}},
-          {"entries", entries}};
+SamplingConditions conditions_of(const SamplingStudySpec& study) {
+  return {.scene = study.scene_name,
+          .pupil_mm = 2e3 * study.configurations.front().eye.pupil_radius_m,
+          .samples_per_pixel = static_cast<std::int64_t>(study.samples_per_pixel),
+          .replicates = study.replicates};
 }
 
 }  // namespace sturm

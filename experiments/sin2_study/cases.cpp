@@ -73,8 +73,8 @@ void add_principal_variances(StudyCase& c, const View& v, const Eigen::Matrix2d&
   const double high = u.dot(measured * u), low = measured.trace() - high;
   // At a circle of least confusion both differences are zero, and their ratio means nothing.
   if (std::abs(true_high - true_low) > 1e-3 * (true_high + true_low))
-    c[Quantity::difference_ratio] = (high - low) / (true_high - true_low);
-  c[Quantity::lost_variance_ratio] = (v.truth.trace() - measured.trace()) / (a * a * cylinder * cylinder / 16.0);
+    c[StudyQuantity::difference_ratio] = (high - low) / (true_high - true_low);
+  c[StudyQuantity::lost_variance_ratio] = (v.truth.trace() - measured.trace()) / (a * a * cylinder * cylinder / 16.0);
 }
 
 void add_samplings(StudyCase& c, const View& v, const EyeRays<double>& rays, const StudyPupils& pupils,
@@ -85,9 +85,9 @@ void add_samplings(StudyCase& c, const View& v, const EyeRays<double>& rays, con
     const TracedPupil pupil = traced(rays, points, v.target_vergence_D);
     return pupil.covariance ? std::optional(std::sqrt(pupil.covariance->trace() / variance)) : std::nullopt;
   };
-  c[Quantity::polar_rms] = rms(pupils.polar);
-  c[Quantity::weighted_rms] = rms(pupils.polar_weighted);
-  c[Quantity::rings_rms] = rms(pupils.rings);
+  c[StudyQuantity::polar_rms] = rms(pupils.polar);
+  c[StudyQuantity::weighted_rms] = rms(pupils.polar_weighted);
+  c[StudyQuantity::rings_rms] = rms(pupils.rings);
 }
 
 /// Euler's theorem: the power along a meridian is what sin² takes it for.
@@ -104,10 +104,10 @@ double largest_radial_deviation(const View& v, const EyeRays<double>& sin2, cons
 }
 
 /// The model's own closed form, or theory itself for power_matrix.
-std::optional<Eigen::Matrix2d> closed_form(const View& v, StudyModel model) {
+std::optional<Eigen::Matrix2d> closed_form(const View& v, RayModel model) {
   const double a = v.eye.pupil_radius_m;
-  if (model == StudyModel::sin2_radial) return sin2_closed_form_covariance(v.vergence, a);
-  if (model == StudyModel::power_matrix) return v.truth;
+  if (model == RayModel::sin2_radial) return sin2_closed_form_covariance(v.vergence, a);
+  if (model == RayModel::power_matrix) return v.truth;
   return metalstigmatism_covariance(v.eye.correction.matrix(), v.target_vergence_D,
                                     v.eye.stated_focus_distance_m().value(), a);
 }
@@ -115,34 +115,33 @@ std::optional<Eigen::Matrix2d> closed_form(const View& v, StudyModel model) {
 void add_mutants(StudyCase& c, const View& v, const EyeRays<double>& rays, const StudyPupils& pupils,
                  const Eigen::Matrix2d& measured) {
   const double a = v.eye.pupil_radius_m;
-  if (c.model == StudyModel::power_matrix)
-    c[Quantity::mutant_mirrored_axis] = relative_deviation(measured, mirrored_truth(v), a);
-  if (c.model != StudyModel::sin2_radial) return;
+  if (c.model == RayModel::power_matrix)
+    c[StudyQuantity::mutant_mirrored_axis] = relative_deviation(measured, mirrored_truth(v), a);
+  if (c.model != RayModel::sin2_radial) return;
   const TangentialTerm tangential(v.eye.correction);
   const Eigen::Matrix2d repaired = *traced(rays, pupils.uniform_disk, v.target_vergence_D, &tangential).covariance;
-  c[Quantity::repaired_deviation] = relative_deviation(repaired, v.truth, a);
-  c[Quantity::mutant_repaired_as_sin2] = relative_deviation(repaired, *closed_form(v, c.model), a);
-  c[Quantity::mutant_wrong_coefficient] = relative_deviation(measured, wrong_sin2_covariance(v), a);
-  c[Quantity::mutant_sin2_as_matrix] = relative_deviation(measured, v.truth, a);
+  c[StudyQuantity::repaired_deviation] = relative_deviation(repaired, v.truth, a);
+  c[StudyQuantity::mutant_repaired_as_sin2] = relative_deviation(repaired, *closed_form(v, c.model), a);
+  c[StudyQuantity::mutant_wrong_coefficient] = relative_deviation(measured, wrong_sin2_covariance(v), a);
+  c[StudyQuantity::mutant_sin2_as_matrix] = relative_deviation(measured, v.truth, a);
 }
 
 void measure(StudyCase& c, const View& v, const StudyPupils& pupils) {
-  const RayModel model = *ray_model_named(name_of(c.model));
-  c[Quantity::high_D] = v.principal.high;
-  c[Quantity::low_D] = v.principal.low;
-  c[Quantity::true_major_arcmin] = arcminutes_per_radian * v.truth_ellipse.semi_major;
-  c[Quantity::true_minor_arcmin] = arcminutes_per_radian * v.truth_ellipse.semi_minor;
-  const auto rays = eye_rays_for(model, v.eye, v.accommodation_D);
+  c[StudyQuantity::high_D] = v.principal.high;
+  c[StudyQuantity::low_D] = v.principal.low;
+  c[StudyQuantity::true_major_arcmin] = arcminutes_per_radian * v.truth_ellipse.semi_major;
+  c[StudyQuantity::true_minor_arcmin] = arcminutes_per_radian * v.truth_ellipse.semi_minor;
+  const auto rays = eye_rays_for(c.model, v.eye, v.accommodation_D);
   if (!rays) {
     c.status = StudyStatus::undefined;
     return;
   }
   const TracedPupil uniform = traced(*rays, pupils.uniform_disk, v.target_vergence_D);
-  c[Quantity::rays] = static_cast<double>(uniform.counters.launched);
-  c[Quantity::rays_dropped] = static_cast<double>(uniform.counters.dropped);
-  c[Quantity::rays_negative_focus] = static_cast<double>(uniform.counters.negative_focus);
+  c[StudyQuantity::rays] = static_cast<double>(uniform.counters.launched);
+  c[StudyQuantity::rays_dropped] = static_cast<double>(uniform.counters.dropped);
+  c[StudyQuantity::rays_negative_focus] = static_cast<double>(uniform.counters.negative_focus);
   const double a = v.eye.pupil_radius_m;
-  if (c.model == StudyModel::metalstigmatism) {
+  if (c.model == RayModel::metalstigmatism) {
     const TracedPupil half = traced(*rays, pupils.every_second, v.target_vergence_D);
     if (has_pole(v.eye.correction.matrix(), *v.eye.stated_focus_distance_m()) || !uniform.covariance ||
         !half.covariance || relative_deviation(*half.covariance, *uniform.covariance, a) > resolved) {
@@ -152,17 +151,17 @@ void measure(StudyCase& c, const View& v, const StudyPupils& pupils) {
   }
   const Eigen::Matrix2d& measured = *uniform.covariance;
   const Ellipse ellipse = Ellipse::of_second_moments(measured);
-  c[Quantity::major_arcmin] = arcminutes_per_radian * ellipse.semi_major;
-  c[Quantity::minor_arcmin] = arcminutes_per_radian * ellipse.semi_minor;
+  c[StudyQuantity::major_arcmin] = arcminutes_per_radian * ellipse.semi_major;
+  c[StudyQuantity::minor_arcmin] = arcminutes_per_radian * ellipse.semi_minor;
   const double error = covariance_error(measured, v.truth).half_width;
-  c[Quantity::error_D] = error / a;
-  c[Quantity::error_arcmin] = arcminutes_per_radian * error;
-  if (v.truth_ellipse.semi_major > 0.0) c[Quantity::error_percent] = 100.0 * error / v.truth_ellipse.semi_major;
-  c[Quantity::theory_deviation] = relative_deviation(measured, v.truth, a);
+  c[StudyQuantity::error_D] = error / a;
+  c[StudyQuantity::error_arcmin] = arcminutes_per_radian * error;
+  if (v.truth_ellipse.semi_major > 0.0) c[StudyQuantity::error_percent] = 100.0 * error / v.truth_ellipse.semi_major;
+  c[StudyQuantity::theory_deviation] = relative_deviation(measured, v.truth, a);
   if (const auto expected = closed_form(v, c.model))
-    c[Quantity::closed_form_deviation] = relative_deviation(measured, *expected, a);
-  if (c.model == StudyModel::sin2_radial) {
-    c[Quantity::radial_deviation_D] = largest_radial_deviation(v, *rays, pupils);
+    c[StudyQuantity::closed_form_deviation] = relative_deviation(measured, *expected, a);
+  if (c.model == RayModel::sin2_radial) {
+    c[StudyQuantity::radial_deviation_D] = largest_radial_deviation(v, *rays, pupils);
     add_principal_variances(c, v, measured);
   }
   add_samplings(c, v, *rays, pupils, measured);
@@ -177,7 +176,7 @@ std::vector<Json> rows_of_eye(const Sin2StudySpec& spec, const StudyPupils& pupi
           Eye::with(spec.eyes[eye].prescription, spec.pupil_diameters_m[pupil], spec.accommodations[accommodation]);
       for (std::size_t distance = 0; distance < spec.distances_m.size(); ++distance) {
         const View view = view_of(worn, spec.distances_m[distance]);
-        for (const StudyModel model : study_models) {
+        for (const RayModel model : study_models) {
           StudyCase c{eye, distance, pupil, accommodation, model, StudyStatus::ok, {}};
           measure(c, view, pupils);
           rows.push_back(row_of(c));

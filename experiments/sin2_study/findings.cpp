@@ -2,8 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/sin2_study/sin2_study.h"
-#include "io/json/json_numbers.h"
-#include "io/json/stored.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
@@ -12,8 +11,13 @@ namespace {
 /// The bound of the gates on closed forms and on wavefront theory, which each mutant must exceed.
 constexpr double rounding_bound = 1e-9;
 
-Json mutant(const Json& section, const char* id, const char* what) {
-  const auto value = number_at(section, std::string("checks/mutant_") + id + "/value");
+Number value_of(const Sin2Findings& found, const std::string& check) {
+  const Sin2Check* of_name = found.check(check);
+  return of_name ? of_name->value : std::nullopt;
+}
+
+Json mutant(const Sin2Findings& found, const char* id, const char* what) {
+  const Number value = value_of(found, std::string("mutant_") + id);
   return {{"id", id},
           {"what", what},
           {"failed_as_it_must", value && *value > rounding_bound},
@@ -21,30 +25,26 @@ Json mutant(const Json& section, const char* id, const char* what) {
           {"bound", rounding_bound}};
 }
 
-/// The row over all views of the real eyes for one model.
-const Json& anywhere(const Json& section, const char* model) {
-  static const Json none;
-  for (const Json& row : array_at(section, "population"))
-    if (text_at(row, "ray_model") == model && value_at(row, "accommodation").is_null()) return row;
-  return none;
+/// The row over each eye's worst view, without numbers if there is none.
+Sin2PopulationRow worst_views(const Sin2Findings& found, RayModel model) {
+  const Sin2PopulationRow* row = found.worst_views(model);
+  return row ? *row : Sin2PopulationRow{};
 }
 
 }  // namespace
 
-Json sin2_study_mutants(const Json& section) {
-  return {
-      mutant(section, "repaired_as_sin2",
-             "sin² rays got the tangential term that they lack, and were passed off as sin² rays"),
-      mutant(section, "wrong_coefficient", "the closed form of sin² was given 4 in place of 5"),
-      mutant(section, "mirrored_axis", "wavefront theory was given AXIS 180 − α instead of α; matrix rays were not"),
-      mutant(section, "sin2_as_matrix", "sin² rays were passed off as matrix rays")};
+Json sin2_study_mutants(const Sin2Findings& found) {
+  return {mutant(found, "repaired_as_sin2",
+                 "sin² rays got the tangential term that they lack, and were passed off as sin² rays"),
+          mutant(found, "wrong_coefficient", "the closed form of sin² was given 4 in place of 5"),
+          mutant(found, "mirrored_axis", "wavefront theory was given AXIS 180 − α instead of α; matrix rays were not"),
+          mutant(found, "sin2_as_matrix", "sin² rays were passed off as matrix rays")};
 }
 
-Json sin2_study_sentence(const Json& section) {
-  const auto cases = number_at(section, "checks/cases/value"),
-             least = number_at(section, "checks/sin2_error_per_cylinder_min/value"),
-             most = number_at(section, "checks/sin2_error_per_cylinder_max/value"),
-             repaired = number_at(section, "checks/repaired_vs_theory_max/value");
+Json sin2_study_sentence(const Sin2Findings& found) {
+  const Number cases = value_of(found, "cases"), least = value_of(found, "sin2_error_per_cylinder_min"),
+               most = value_of(found, "sin2_error_per_cylinder_max"),
+               repaired = value_of(found, "repaired_vs_theory_max");
   if (!cases || !least || !most || !repaired) return nullptr;
   char text[768];
   int used = std::snprintf(
@@ -53,11 +53,12 @@ Json sin2_study_sentence(const Json& section) {
       "is "
       "wrong by %.3f to %.3f D per dioptre of cylinder, and its missing tangential term repairs it to %.1g",
       *cases, *least, *most, *repaired);
-  const Json &sin2 = anywhere(section, "sin2_radial"), &printed = anywhere(section, "metalstigmatism");
-  if (const auto eyes = number_at(sin2, "eyes"), noticed = number_at(sin2, "noticeable"); eyes && noticed) {
+  const Sin2PopulationRow sin2 = worst_views(found, RayModel::sin2_radial),
+                          printed = worst_views(found, RayModel::metalstigmatism);
+  if (const Number eyes = sin2.eyes, noticed = sin2.noticeable; eyes && noticed) {
     used += std::snprintf(text + used, sizeof text - static_cast<std::size_t>(used),
                           "; of %.0f real eyes %.0f see an error above 0.25 D at some distance", *eyes, *noticed);
-    const auto wrong = number_at(printed, "noticeable"), pole = number_at(printed, "pole");
+    const Number wrong = printed.noticeable, pole = printed.pole;
     if (wrong && pole)
       std::snprintf(text + used, sizeof text - static_cast<std::size_t>(used),
                     ", and by the focal-distance formula as printed %.0f, %.0f more having its pole within the pupil",

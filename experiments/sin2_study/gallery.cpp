@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "compare/psf/distances.h"
 #include "compare/psf/encircled_energy.h"
@@ -8,8 +7,8 @@
 #include "experiments/sin2_study/pupil_trace.h"
 #include "experiments/sin2_study/sin2_study.h"
 #include "io/images/exr.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -79,8 +78,8 @@ Image density(const std::vector<Eigen::Vector2d>& angles, double half_side_arcmi
   return image;
 }
 
-Json model_entry(const GalleryModel& m, const std::vector<Eigen::Vector2d>& angles, const PointSpread& truth,
-                 double noise, double cell) {
+Sin2Spread spread_entry(const GalleryModel& m, const std::vector<Eigen::Vector2d>& angles, const PointSpread& truth,
+                        double noise, double cell) {
   const PointSpread spread = spread_about_cells(angles, cell);
   const double distance = total_variation(spread, truth, cell).value;
   // Points of a scrambled Sobol' sequence scatter less than the independent ones of these errors, by how much is not
@@ -91,33 +90,32 @@ Json model_entry(const GalleryModel& m, const std::vector<Eigen::Vector2d>& angl
   const WithError radius_50 = encircled_energy_radius(independent, 0.5),
                   radius_80 = encircled_energy_radius(independent, 0.8);
   const double centroid_error = std::sqrt(spread.covariance().trace() / independent.independent_rays);
-  return {{"model", m.name},
-          {"total_variation", distance},
-          {"total_variation_over_noise", number_or_null(distance / noise)},
-          {"radius_50_arcmin", radius_50.value},
-          {"radius_80_arcmin", radius_80.value},
-          {"radius_50_error_of_independent_rays_arcmin", *radius_50.standard_error + centroid_error},
-          {"radius_80_error_of_independent_rays_arcmin", *radius_80.standard_error + centroid_error}};
+  return {.model = m.name,
+          .total_variation = distance,
+          .total_variation_over_noise = distance / noise,
+          .radius_50_arcmin = radius_50.value,
+          .radius_80_arcmin = radius_80.value,
+          .radius_50_error_of_independent_rays_arcmin = *radius_50.standard_error + centroid_error,
+          .radius_80_error_of_independent_rays_arcmin = *radius_80.standard_error + centroid_error};
 }
 
 }  // namespace
 
-Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
-                        const std::filesystem::path& folder) {
+Sin2GalleryEntry sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
+                                    const std::filesystem::path& folder) {
   const double vergence = vergence_of(view.distance_m), accommodation = view.eye.accommodation_for(vergence);
   const Ellipse truth = Ellipse::image_of_disc(naked_eye_footprint(view.eye, view.distance_m, accommodation).angular,
                                                view.eye.pupil_radius_m);
   const double longest = arcminutes_per_radian * truth.semi_major;
-  Json entry = {{"id", view.id},
-                {"title", view.title},
-                {"sphere_D", view.eye.prescription.sphere_D},
-                {"cylinder_D", view.eye.prescription.cylinder_D},
-                {"axis_deg", view.eye.prescription.axis_deg},
-                {"distance_m", distance_json(view.distance_m)},
-                {"pupil_mm", 2e3 * view.eye.pupil_radius_m},
-                {"accommodation_D", accommodation},
-                {"half_side_arcmin", margin * longest},
-                {"models", Json::array()}};
+  Sin2GalleryEntry entry{.id = view.id,
+                         .title = view.title,
+                         .sphere_D = view.eye.prescription.sphere_D,
+                         .cylinder_D = view.eye.prescription.cylinder_D,
+                         .axis_deg = view.eye.prescription.axis_deg,
+                         .distance_m = StoredDistance{view.distance_m},
+                         .pupil_mm = 2e3 * view.eye.pupil_radius_m,
+                         .accommodation_D = accommodation,
+                         .half_side_arcmin = margin * longest};
   if (!(longest > 0.0)) return entry;
   const double cell = longest / cells_per_semi_axis;
   const GalleryScene scene{view, vergence, accommodation, spec.gallery_rays, seed};
@@ -126,16 +124,16 @@ Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, 
   const double noise =
       total_variation(spread_about_cells(*scene.angles(gallery_models[0], noise_replicate), cell), reference, cell)
           .value;
-  entry["cell_arcmin"] = cell;
-  entry["noise_total_variation"] = noise;
+  entry.cell_arcmin = cell;
+  entry.noise_total_variation = noise;
   for (const GalleryModel& m : gallery_models) {
     const auto angles = scene.angles(m, m.replicate);
     if (!angles) continue;
-    Json of_model = model_entry(m, *angles, reference, noise, cell);
+    Sin2Spread of_model = spread_entry(m, *angles, reference, noise, cell);
     const std::string file = "psf/gallery_" + view.id + "_" + m.name + ".exr";
     write_exr(folder / file, LayeredImage{{{"", density(*angles, margin * longest)}}, {}});
-    of_model["file"] = file;
-    entry["models"].push_back(std::move(of_model));
+    of_model.file = file;
+    entry.models.push_back(std::move(of_model));
   }
   return entry;
 }

@@ -21,9 +21,10 @@ struct StudyPupils {
   explicit StudyPupils(const Sin2StudySpec& spec);
 };
 
-/// The part of the wavefront's slope that sin² interpolation drops (physics.md §4.1): r·C sin(φ − α) cos(φ − α) along
-/// e_φ, from the prescription's own numbers at the cornea (Euler's theorem: W = −½ r² P(φ), so the tangential slope is
-/// ½ r dP/dφ).
+/// The part of the wavefront's slope that sin² interpolation drops
+/// (docs/theory.md#6-sine-squared-interpolation-against-wavefront-theory): r·C sin(φ − α) cos(φ − α) along e_φ, from
+/// the prescription's own numbers at the cornea (Euler's theorem: W = −½ r² P(φ), so the tangential slope is ½ r
+/// dP/dφ).
 class TangentialTerm {
  public:
   explicit TangentialTerm(const PowerMatrix& correction);

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 
+#include "compare/studies/sin2/sin2_findings.h"
 #include "compare/studies/sin2/study_case.h"
 #include "stages/render_stage.h"
 
@@ -13,13 +14,13 @@ Json sin2_study_rows(const Sin2StudySpec& spec, const StudyEyeGroup& group, cons
 
 /// Point-spread functions of one gallery view by wavefront theory, sin², sin² with the tangential term and added focal
 /// distances: their distances from the first, and their densities as EXR files in `folder`.
-Json sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
-                        const std::filesystem::path& folder);
+Sin2GalleryEntry sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
+                                    const std::filesystem::path& folder);
 
-/// The study's checks again with inputs that are wrong on purpose; each must be noticed. From the finished section.
-Json sin2_study_mutants(const Json& section);
+/// The study's checks again with inputs that are wrong on purpose; each must be noticed.
+Json sin2_study_mutants(const Sin2Findings& found);
 
 /// What the study measured, in one sentence; null without numbers.
-Json sin2_study_sentence(const Json& section);
+Json sin2_study_sentence(const Sin2Findings& found);
 
 }  // namespace sturm

@@ -13,8 +13,8 @@
 #include "experiments/run/sections.h"
 #include "experiments/standard/noise_floor_error.h"
 #include "io/images/tone_map.h"
+#include "io/json/values.h"
 #include "stages/image_files.h"
-#include "stages/json_values.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/prediction_stage.h"
 #include "stages/stopwatch.h"
@@ -158,7 +158,7 @@ class Case {
   Pictures path_traced(int samples, std::uint64_t seed, const ProgressFunction& progress) const {
     RenderSpec view;
     view.camera = spec_.camera;
-    view.ray_model = "power_matrix";
+    view.ray_model = RayModel::power_matrix;
     ViewPlan plan;
     plan.naked =
         spec_.camera.gaze == Gaze::Camera && !spec_.worn.spectacles && spec_.worn.eye.stiles_crawford_per_m2 == 0.0;

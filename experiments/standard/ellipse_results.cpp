@@ -6,8 +6,8 @@
 #include "conoid/tracing/footprint.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/case_names.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -116,8 +116,7 @@ Json case_json(const NamedPrescription& named, double distance_m, const Eye& eye
   const Eigen::Matrix2d sin2 = sin2_closed_form_covariance(footprint.angular, a);
   Bundles bundles;
   Json rays = Json::array();
-  for (const std::string& name : spec.ray_models) {
-    const RayModel model = *ray_model_named(name);
+  for (const RayModel model : spec.ray_models) {
     const auto eye_rays = eye_rays_for(model, eye, footprint.accommodation_D);
     bundles.emplace_back(
         model, eye_rays ? std::optional(measure_bundle(*eye_rays, vergence_of(footprint.distance_m), spec.rays, seed))

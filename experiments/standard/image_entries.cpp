@@ -54,7 +54,8 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
   Json entries = Json::array();
   std::vector<std::shared_ptr<const SharedViews::View>> all_traced;
   for (std::size_t k = 0; k < spec.ray_models.size(); ++k) {
-    const RayModel model = *ray_model_named(spec.ray_models[k]);
+    const RayModel model = spec.ray_models[k];
+    const std::string own = spec.id + "/" + name_of(model);
     const std::shared_ptr<const SharedViews::View> view = views.get(index, model, [&] {
       RenderSettings settings;
       settings.samples_per_pixel = static_cast<int>(spec.samples_per_pixel);
@@ -63,17 +64,17 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
       const Stopwatch watch;
       Replicates replicates =
           render_replicates(scene, pose, spec.eye, model, settings, seed, spec.replicates, part(k + 1));
-      return SharedViews::View{std::move(replicates), watch.seconds(), spec.id + "/" + spec.ray_models[k]};
+      return SharedViews::View{std::move(replicates), watch.seconds(), own};
     });
     all_traced.push_back(view);
     const Replicates& traced = view->replicates;
-    const std::string traced_file = "images/" + spec.id + "_" + spec.ray_models[k];
+    const std::string traced_file = "images/" + spec.id + "_" + name_of(model);
     write_picture(folder / traced_file, traced.mean(), metrics_exposure);
     entries.push_back({{"id", spec.id},
                        {"scene", spec.scene_name},
                        {"prescription", spec.prescription},
                        {"pupil_mm", 2e3 * spec.eye.pupil_radius_m},
-                       {"ray_model", spec.ray_models[k]},
+                       {"ray_model", name_of(model)},
                        {"files",
                         {{"path_traced", traced_file + ".exr"},
                          {"path_traced_png", traced_file + ".png"},
@@ -88,8 +89,7 @@ Json image_entries(const ExperimentSpec& experiment, std::size_t index, const Sc
                        {"metrics", image_metrics_json(predicted.predictions, traced)},
                        {"noise_floor", image_noise_floor_json(traced)},
                        {"noise_floor_uncertainty", image_noise_floor_uncertainty_json(traced)}});
-    if (const std::string own = spec.id + "/" + spec.ray_models[k]; view->made_for != own)
-      entries.back()["same_view_as"] = view->made_for;
+    if (view->made_for != own) entries.back()["same_view_as"] = view->made_for;
   }
   add_mutated(entries, all_traced, spec.eye, predicted, mutations_named(experiment.mutations));
   return entries;

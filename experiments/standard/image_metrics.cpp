@@ -14,7 +14,7 @@
 #include "compare/statistics/jackknife.h"
 #include "experiments/standard/noise_floor_error.h"
 #include "io/images/tone_map.h"
-#include "stages/json_values.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

@@ -4,7 +4,7 @@
 
 #include "conoid/tracing/footprint.h"
 #include "experiments/run/sections.h"
-#include "stages/json_values.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

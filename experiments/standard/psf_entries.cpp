@@ -8,10 +8,9 @@
 #include "experiments/run/replicates.h"
 #include "experiments/run/sections.h"
 #include "experiments/standard/predicted_spot.h"
-#include "io/files/error.h"
 #include "io/images/exr.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 #include "stages/ray_bundle.h"
 
 namespace sturm {
@@ -75,8 +74,7 @@ Json measured_json(const ImageEllipse& e, double hits) {
 /// The bundles of all models; their spots set the field of view.
 std::vector<Spot> bundles_of(const PsfExperiment& spec, const Footprint& footprint, std::uint64_t seed) {
   std::vector<Spot> spots;
-  for (const std::string& name : spec.ray_models) {
-    const RayModel model = *ray_model_named(name);
+  for (const RayModel model : spec.ray_models) {
     const MeasuredBundle bundle = measure_bundle(eye_rays_for(model, spec.eye, footprint.accommodation_D).value(),
                                                  1.0 / footprint.distance_m, bundle_of_reference, seed);
     if (bundle.angular) spots.push_back({model, *bundle.angular});
@@ -110,13 +108,6 @@ void add_mutated(Json& entries, const PsfExperiment& spec, const Footprint& foot
 }
 
 }  // namespace
-
-void require_defined_models(const PsfExperiment& spec) {
-  for (const std::string& name : spec.ray_models)
-    if (!eye_rays_for(*ray_model_named(name), spec.eye, 0.0))
-      throw InputError("", "PSF '" + spec.id + "'", "ray model " + name + " without a focus distance",
-                       "{\"mode\": \"fixed\", \"focus_distance_m\": …} as accommodation");
-}
 
 Json psf_entries(const PsfExperiment& spec, std::uint64_t seed, std::span<const Mutation> mutations,
                  const std::filesystem::path& folder, const ProgressFunction& progress) {

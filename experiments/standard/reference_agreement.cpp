@@ -7,7 +7,7 @@
 #include "conoid/tracing/footprint.h"
 #include "experiments/run/sections.h"
 #include "io/files/error.h"
-#include "stages/json_values.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

@@ -4,11 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/statistics/median.h"
 #include "experiments/run/sections.h"
+#include "io/json/values.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 
 namespace sturm {
 
@@ -43,12 +44,6 @@ struct AxisVariances {
   AxisVariances(const Eigen::Matrix2d& covariance, const Eigen::Vector2d& u)
       : high(u.dot(covariance * u)), low(covariance.trace() - high) {}
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
 
 }  // namespace
 
@@ -88,9 +83,9 @@ Json sin2_findings(const Json& ellipses) {
                   {"table", std::move(table)},
                   {"ratio_of_difference_of_principal_variances", nullptr},
                   {"lost_total_variance", nullptr}};
-  if (!ratios.empty()) {
+  if (const auto middle = median(ratios)) {
     section["ratio_of_difference_of_principal_variances"] = {
-        {"measured_median", median(ratios)}, {"predicted", 0.5}, {"worst_deviation", worst_ratio}};
+        {"measured_median", *middle}, {"predicted", 0.5}, {"worst_deviation", worst_ratio}};
     section["lost_total_variance"] = {{"worst_deviation_relative", worst_loss}};
   }
   return section;

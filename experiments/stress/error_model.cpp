@@ -95,6 +95,18 @@ void pass(Blocks& e, const Crossing& at, const PassErrors& by, double offset_in,
   e.offset = stretch * offset_error + (stretch * offset_in + offset_out) * by.relative;
 }
 
+/// Blocks in the last frame, which turns with the direction by up to tan(θ/2) of its error `direction`.
+void bound_exit_frame(const ExtendedTrace& trace, double direction, const Blocks& p, const Blocks& q,
+                      ErrorBounds& bounds) {
+  const double to_z = static_cast<double>(trace.direction.z),
+               turn = direction * std::sqrt((1.0 + to_z) / (1.0 - to_z)) + eta * 2.0 / (1.0 - to_z);
+  const Crossing& last = trace.at[1];
+  bounds.offset_p = p.offset + last.offset_p_out * turn;
+  bounds.offset_q = q.offset + last.offset_q_out * turn;
+  bounds.slope_p = p.slope + last.slope_p_out * turn;
+  bounds.slope_q = q.slope + last.slope_q_out * turn;
+}
+
 }  // namespace
 
 ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const ExtendedTrace& trace) {
@@ -148,16 +160,9 @@ ErrorBounds error_bounds(const Spectacles& lens, double rotation_center_m, const
     direction = bent;
   }
   if (trace.status != LensStatus::ok) return bounds;
-  // The last frame turns with the direction by up to tan(θ/2) of its error.
-  const double to_z = static_cast<double>(trace.direction.z),
-               turn = direction * std::sqrt((1.0 + to_z) / (1.0 - to_z)) + eta * 2.0 / (1.0 - to_z);
-  const Crossing& last = trace.at[1];
   bounds.exit_point = point + eta * lens.diameter_m;
   bounds.direction = direction + turned;
-  bounds.offset_p = p.offset + last.offset_p_out * turn;
-  bounds.offset_q = q.offset + last.offset_q_out * turn;
-  bounds.slope_p = p.slope + last.slope_p_out * turn;
-  bounds.slope_q = q.slope + last.slope_q_out * turn;
+  bound_exit_frame(trace, direction, p, q, bounds);
   return bounds;
 }
 

@@ -12,7 +12,7 @@ inline constexpr double unit_roundoff = 0x1p-53;
 inline constexpr double formula_error = 16.0 * unit_roundoff;
 
 /// How far first order in double may be from the exact one: a running error analysis along the chief ray
-/// (docs/theory.md, "Numerical stability"). Everything is proportional to `formula_error`; conditioning (1/cos at each
+/// (docs/theory.md#117-numerical-stability). Everything is proportional to `formula_error`; conditioning (1/cos at each
 /// surface, the surface's steepness, the ray transfer itself) comes from the extended-precision trace, no number is
 /// fitted.
 struct ErrorBounds {

@@ -176,7 +176,7 @@ double correction_bound(const Prescription& rx) {
 
 void check_correction(Outcomes& outcomes, const Prescription& rx, const Eye* eye) {
   const ExactCorrection exact = exact_correction(rx);
-  constexpr double refused_below = 1e-9;  // |det(I − dF)|, docs/theory.md section 2
+  constexpr double refused_below = 1e-9;  // |det(I − dF)|, docs/theory.md#2-from-a-prescription-to-a-power-matrix
   const double f = std::abs(rx.sphere_D) + std::abs(rx.cylinder_D), grown = 1.0 + rx.vertex_distance_m * f;
   const double det = static_cast<double>(std::abs(exact.determinant)), rounding = formula_error * grown * grown;
   if (!eye) return outcomes.expect(Check::correction, det <= refused_below + rounding);

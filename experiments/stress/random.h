@@ -2,16 +2,17 @@
 #include <cmath>
 #include <cstdint>
 
+#include "compare/statistics/random_draws.h"
+
 namespace sturm::stress {
 
-/// The random numbers of one case, addressed by (seed, case). SplitMix64 [Steele2014]; needs no more quality than
-/// spreading the cases.
+/// The random numbers of one case, addressed by (seed, case); they need no more quality than spreading the cases.
 class Random {
  public:
-  Random(std::uint64_t seed, std::uint64_t index) : state_(mixed(mixed(seed) ^ (index + 1) * 0x9E3779B97F4A7C15ull)) {}
+  Random(std::uint64_t seed, std::uint64_t index) : state_(mixed_bits(mixed_bits(seed) ^ (index + 1) * golden_step)) {}
 
-  std::uint64_t bits() { return mixed(state_ += 0x9E3779B97F4A7C15ull); }
-  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  ///< [0, 1)
+  std::uint64_t bits() { return next_random(state_); }
+  double unit() { return unit_interval(bits()); }  ///< [0, 1)
   double uniform(double low, double high) { return low + (high - low) * unit(); }
   double log_uniform(double low, double high) { return low * std::pow(high / low, unit()); }
   double either_sign(double x) { return chance(0.5) ? x : -x; }
@@ -24,11 +25,6 @@ class Random {
   }
 
  private:
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-    return z ^ (z >> 31);
-  }
   std::uint64_t state_;
 };
 

@@ -3,9 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files/formatted_text.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
-#include "stages/lens_status_word.h"
 
 namespace sturm::stress {
 
@@ -38,7 +37,7 @@ Json digits(const Vec3<Extended>& v) {
 }
 
 Json double_json(const CaseRun& run) {
-  Json j = {{"status", run.conoid ? word_for(run.conoid->status) : "ok"}};
+  Json j = {{"status", run.conoid ? name_of(run.conoid->status) : "ok"}};
   if (!run.footprint) return j;
   if (run.conoid) {
     j["chief_ray"] = {{"origin_m", json_of(run.conoid->chief_ray.origin)},
@@ -54,7 +53,7 @@ Json double_json(const CaseRun& run) {
 Json extended_json(const CaseRun& run) {
   if (!run.oracle) return nullptr;
   const ExtendedTrace& t = *run.oracle;
-  Json j = {{"status", word_for(t.status)}, {"surfaces", Json::array()}};
+  Json j = {{"status", name_of(t.status)}, {"surfaces", Json::array()}};
   for (int i = 0; i < t.crossings; ++i) {
     const Crossing& c = t.at[static_cast<std::size_t>(i)];
     j["surfaces"].push_back(

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/single_vision.h"
 #include "lensmodel/units.h"
-#include "stages/json_values.h"
 
 namespace sturm::stress {
 

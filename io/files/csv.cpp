@@ -105,17 +105,19 @@ void CsvWriter::text(std::string_view value) {
   table_ += '"';
 }
 
-void CsvWriter::number(double value) {
+void CsvWriter::number(std::optional<double> value) {
   separate();
   std::array<char, 32> text;
-  table_.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+  if (value) table_.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), *value).ptr);
 }
 
-void CsvWriter::number(double value, int digits) {
+void CsvWriter::number(std::optional<double> value, int digits) {
   separate();
   std::array<char, 32> text;
-  table_.append(text.data(),
-                std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr);
+  if (value)
+    table_.append(
+        text.data(),
+        std::to_chars(text.data(), text.data() + text.size(), *value, std::chars_format::general, digits).ptr);
 }
 
 void CsvWriter::empty(std::size_t fields) {

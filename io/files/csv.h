@@ -52,9 +52,11 @@ std::optional<double> csv_number(std::string_view field);
 class CsvWriter {
  public:
   void text(std::string_view value);
-  void number(double value);              ///< with as many digits as it needs to read back exactly
-  void number(double value, int digits);  ///< rounded to so many significant digits
-  void empty(std::size_t fields = 1);
+  /// With as many digits as it needs to read back exactly, or rounded to so many significant ones; none is an empty
+  /// field.
+  void number(std::optional<double> value);
+  void number(std::optional<double> value, int digits);
+  void empty(std::size_t fields);
   void end_row();
 
   const std::string& table() const { return table_; }

@@ -182,4 +182,11 @@ Json with_defaults(const Json& document, std::string_view schema_name) {
   return filled;
 }
 
+Json with_defaults(const Json& value, std::string_view schema_name, const std::string& definition) {
+  const Json schema = schema_document(schema_name);
+  Json filled = value;
+  fill_defaults(filled, schema.at("definitions").at(definition), schema);
+  return filled;
+}
+
 }  // namespace sturm

@@ -35,4 +35,7 @@ void validate(const Json& document, std::string_view schema_name, const Source& 
 /// A valid document with every default that the schema states spelt out.
 Json with_defaults(const Json& document, std::string_view schema_name);
 
+/// The same for a value that follows one of the schema's definitions.
+Json with_defaults(const Json& value, std::string_view schema_name, const std::string& definition);
+
 }  // namespace sturm

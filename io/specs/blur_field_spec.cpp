@@ -6,6 +6,7 @@
 
 #include "io/files/error.h"
 #include "io/json/schema.h"
+#include "io/specs/words.h"
 #include "io/specs/worn_eye_spec.h"
 #include "lensmodel/units.h"
 
@@ -58,10 +59,10 @@ BlurFieldSpec read_blur_field_spec(const Json& document, const std::string& file
   const auto has = [&](const char* form) { return std::find(forms.begin(), forms.end(), form) != forms.end(); };
   spec.voxels = has("voxels");
   spec.depth_analytic = has("depth_analytic");
-  spec.method = resolved["method"].get<std::string>();
-  if (spec.depth_analytic && spec.method != "ray_transfer" && document.contains("forms"))
-    (root / "forms").fail(document["forms"], "only \"voxels\" for the method \"" + spec.method + "\"");
-  if (spec.method != "ray_transfer") spec.depth_analytic = false;
+  spec.method = read_word(resolved["method"], root / "method", field_method_words);
+  if (spec.depth_analytic && spec.method != FieldMethod::ray_transfer && document.contains("forms"))
+    (root / "forms").fail(document["forms"], "only \"voxels\" for the method " + compact(resolved["method"]));
+  if (spec.method != FieldMethod::ray_transfer) spec.depth_analytic = false;
   if (const Json& visible = resolved["visible"]; !visible.is_null()) {
     spec.visible = read_visible(visible, root / "visible");
     const std::vector<std::string>& files = spec.visible->scene.input_files;

@@ -8,6 +8,7 @@
 #include "io/specs/eye_spec.h"
 #include "io/specs/scene_spec.h"
 #include "io/specs/spectacles_spec.h"
+#include "lensmodel/field_method.h"
 
 namespace sturm {
 
@@ -26,7 +27,7 @@ struct BlurFieldSpec {
   int nx = 32, ny = 32, nz = 256;
   double near_vergence_D = 4.0, far_vergence_D = 0.0;
   bool voxels = true, depth_analytic = true;
-  std::string method = "ray_transfer";
+  FieldMethod method = FieldMethod::ray_transfer;
   std::optional<VisibleSceneSpec> visible;
   bool skip_rim = true, skip_symmetry = true, skip_empty_voxels = true;
   std::vector<double> layers_m;  ///< > 0, ∞ allowed

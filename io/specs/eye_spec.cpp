@@ -7,14 +7,14 @@
 
 #include "io/files/error.h"
 #include "io/json/named_file.h"
+#include "io/json/schema.h"
+#include "io/specs/words.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr double default_vertex_distance_mm = 12.0;
-constexpr double default_rotation_center_mm = 13.5;
 constexpr double largest_human_pupil_mm = 10.0;
 
 /// Throws unless exactly one of two members is there.
@@ -51,14 +51,13 @@ std::vector<double> read_coefficients(const Json& value, const Source& where) {
 /// An eye with a measured wavefront; `rx` is its prescription, if it has one too.
 Eye read_wavefront_eye(const Json& value, const Source& where, const std::optional<Prescription>& rx, double pupil_mm,
                        const Accommodation& accommodation) {
-  if (rx.has_value() != value.value("combine", false))
+  if (rx.has_value() != value["combine"].get<bool>())
     where.fail(value, rx ? "\"combine\": true where there is a prescription too" : "a prescription for \"combine\"");
   const double wave_pupil_mm = value["pupil_diameter_mm"].get<double>();
   if (pupil_mm > wave_pupil_mm)
     (where / "pupil_diameter_mm")
         .fail(value["pupil_diameter_mm"], "at least the eye's own " + Json(pupil_mm).dump() + " mm");
-  const SecondOrder rule =
-      value.value("second_order", "least_squares") == "paraxial" ? SecondOrder::Paraxial : SecondOrder::LeastSquares;
+  const SecondOrder rule = read_word(value["second_order"], where / "second_order", second_order_words);
   const ZernikeWave measured =
       ZernikeWave::from_examiner(read_coefficients(value["coefficients_um"], where / "coefficients_um"),
                                  0.5 * metres_per_millimetre * wave_pupil_mm);
@@ -73,15 +72,16 @@ double read_distance(const Json& value, const Source& where) {
   return value.get<double>();
 }
 
-Prescription read_prescription(const Json& value, const Source& where) {
+Prescription read_prescription(const Json& given, const Source& where) {
+  const Json value = with_defaults(given, "eye", "prescription");
   Prescription rx;
   rx.sphere_D = value.at("sphere_D").get<double>();
-  rx.cylinder_D = value.value("cylinder_D", 0.0);
+  rx.cylinder_D = value.at("cylinder_D").get<double>();
   if (rx.cylinder_D != 0.0 && !value.contains("axis_deg"))
     throw InputError(where.file, where.pointer, "no \"axis_deg\"", "the AXIS of the cylinder [deg], from 0 to 180");
   rx.axis_deg = value.value("axis_deg", rx.axis_deg);
-  rx.vertex_distance_m = metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm);
-  rx.prism_cm_per_m = value.value("prism_cm_per_m", 0.0);
+  rx.vertex_distance_m = metres_per_millimetre * value.at("vertex_distance_mm").get<double>();
+  rx.prism_cm_per_m = value.at("prism_cm_per_m").get<double>();
   rx.prism_base_deg = value.value("prism_base_deg", 0.0);
   if (rx.prism_cm_per_m != 0.0 && !value.contains("prism_base_deg"))
     throw InputError(where.file, where.pointer, "no \"prism_base_deg\"", "the base of the prism [deg], from 0 to 360");
@@ -89,9 +89,9 @@ Prescription read_prescription(const Json& value, const Source& where) {
     validate(rx);
     power_at_cornea(rx);
   } catch (const std::domain_error&) {
-    where.fail(value, "a vertex distance that is not a focal length of the lens");
+    where.fail(given, "a vertex distance that is not a focal length of the lens");
   } catch (const std::invalid_argument& error) {
-    where.fail(value, error.what());
+    where.fail(given, error.what());
   }
   return rx;
 }
@@ -123,15 +123,18 @@ Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodatio
   }
 }
 
-void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model,
+void require_rays(RayModel ray_model, const Accommodation& accommodation, const Source& where) {
+  if (!has_rays(ray_model, accommodation))
+    throw InputError(where.file, where.pointer, "no \"focus_distance_m\"",
+                     "mode \"fixed\" with a \"focus_distance_m\", which ray model " + name_of(ray_model) + " needs");
+}
+
+void require_camera_accommodation(const Accommodation& accommodation, std::optional<RayModel> ray_model,
                                   const Source& where) {
   if (std::holds_alternative<BestAccommodation>(accommodation))
     throw InputError(where.file, where.pointer, "mode \"best\"",
                      "\"relaxed\" or \"fixed\": in camera gaze one accommodation holds for all distances");
-  const auto* fixed = std::get_if<FixedAccommodation>(&accommodation);
-  if (ray_model == "metalstigmatism" && !(fixed && fixed->focus_distance_m > 0.0))
-    throw InputError(where.file, where.pointer, "no \"focus_distance_m\"",
-                     "mode \"fixed\" with a \"focus_distance_m\", which ray model metalstigmatism needs");
+  if (ray_model) require_rays(*ray_model, accommodation, where);
 }
 
 Json eye_object(const Json& value, const Source& where) {
@@ -140,7 +143,7 @@ Json eye_object(const Json& value, const Source& where) {
 
 EyeSpec read_eye_spec(const Json& value, const Source& where) {
   EyeSpec spec;
-  const Json object = eye_object(value, where);
+  const Json object = with_defaults(eye_object(value, where), "eye");
   Source place = where;
   if (value.is_string()) {
     place = {path_beside(value.get<std::string>(), where.file).string(), ""};
@@ -150,16 +153,14 @@ EyeSpec read_eye_spec(const Json& value, const Source& where) {
     throw InputError(place.file, place.pointer, "no \"prescription\"", "a \"prescription\" or a \"wavefront\"");
   std::optional<Prescription> rx;
   if (object.contains("prescription")) rx = read_prescription(object["prescription"], place / "prescription");
-  Accommodation accommodation;
-  if (object.contains("accommodation"))
-    accommodation = read_accommodation(object["accommodation"], place / "accommodation");
+  const Accommodation accommodation = read_accommodation(object["accommodation"], place / "accommodation");
   const double pupil_mm = object.at("pupil_diameter_mm").get<double>();
   spec.eye = object.contains("wavefront")
                  ? read_wavefront_eye(object["wavefront"], place / "wavefront", rx, pupil_mm, accommodation)
                  : make_eye(*rx, metres_per_millimetre * pupil_mm, accommodation, place);
-  spec.eye.rotation_center_m = metres_per_millimetre * object.value("rotation_center_mm", default_rotation_center_mm);
+  spec.eye.rotation_center_m = metres_per_millimetre * object["rotation_center_mm"].get<double>();
   spec.eye.stiles_crawford_per_m2 =
-      object.value("stiles_crawford_per_mm2", 0.0) / (metres_per_millimetre * metres_per_millimetre);
+      object["stiles_crawford_per_mm2"].get<double>() / (metres_per_millimetre * metres_per_millimetre);
   if (pupil_mm > largest_human_pupil_mm)
     spec.notes.push_back(place.file + ": " + place.pointer + "/pupil_diameter_mm is " +
                          object["pupil_diameter_mm"].dump() + " mm, more than a human pupil's 10 mm");

@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/json/json.h"
 #include "lensmodel/eye.h"
+#include "lensmodel/ray_model.h"
 
 namespace sturm {
 
@@ -20,8 +22,8 @@ EyeSpec read_eye_spec(const Json& value, const Source& where);
 /// The eye alone.
 Eye read_eye(const Json& value, const Source& where);
 
-/// Reads {"sphere_D", "cylinder_D", "axis_deg", "vertex_distance_mm"}; a cylinder needs an axis, the vertex distance is
-/// 12 mm by default and must not lie at the lens's focal length.
+/// Reads a prescription as the schema of eyes defines it; a cylinder needs an axis, a prism a base, and the vertex
+/// distance must not lie at the lens's focal length.
 Prescription read_prescription(const Json& value, const Source& where);
 
 /// Reads {"mode": "relaxed" | "fixed" | "best", …}.
@@ -33,9 +35,12 @@ double read_distance(const Json& value, const Source& where);
 /// Eye::with, its errors turned into InputErrors about `where`.
 Eye make_eye(const Prescription& rx, double pupil_diameter_m, const Accommodation& accommodation, const Source& where);
 
-/// Throws InputError unless an eye can accommodate so in `camera` gaze, where one accommodation holds for all
-/// distances, and with the ray model, of which metalstigmatism needs a stated focus distance.
-void require_camera_accommodation(const Accommodation& accommodation, const std::string& ray_model,
+/// Throws InputError unless the ray model has rays for an eye that accommodates so.
+void require_rays(RayModel ray_model, const Accommodation& accommodation, const Source& where);
+
+/// The same, and unless an eye can accommodate so in `camera` gaze, where one accommodation holds for all distances. A
+/// prediction has no ray model.
+void require_camera_accommodation(const Accommodation& accommodation, std::optional<RayModel> ray_model,
                                   const Source& where);
 
 /// The contents of the eye file that `value` names, validated; `value` itself if it is an object.

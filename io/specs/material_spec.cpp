@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "io/files/error.h"
-#include "io/json/json_vectors.h"
 #include "io/json/suggest.h"
+#include "io/json/values.h"
 
 namespace sturm {
 

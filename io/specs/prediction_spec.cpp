@@ -2,14 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/specs/words.h"
+
 namespace sturm {
 
 PredictionSpec read_prediction(const Json& value, const Source& where) {
   PredictionSpec spec;
-  const std::string kind = value.value("prediction", "ellipses");
-  spec.kind = kind == "multipass" ? PredictionKind::Multipass
-              : kind == "layered" ? PredictionKind::Layered
-                                  : PredictionKind::Ellipses;
+  spec.kind = word_or(value, "prediction", spec.kind, where, prediction_kind_words);
   if (value.contains("passes") && spec.kind != PredictionKind::Multipass)
     (where / "passes").fail(value["passes"], "no \"passes\" unless \"prediction\" is \"multipass\"");
   if (value.contains("smooth") && spec.kind == PredictionKind::Ellipses)
@@ -18,17 +17,6 @@ PredictionSpec read_prediction(const Json& value, const Source& where) {
   spec.smooth = value.value("smooth", spec.smooth);
   spec.oversampling = value.value("oversampling", spec.oversampling);
   return spec;
-}
-
-const char* name_of(PredictionKind kind) {
-  switch (kind) {
-    case PredictionKind::Layered:
-      return "layered";
-    case PredictionKind::Multipass:
-      return "multipass";
-    default:
-      return "ellipses";
-  }
 }
 
 }  // namespace sturm

@@ -1,6 +1,9 @@
 #pragma once
+#include <string>
+
 #include "io/files/error.h"
 #include "io/json/json.h"
+#include "lensmodel/words.h"
 
 namespace sturm {
 
@@ -10,6 +13,15 @@ enum class PredictionKind {
   Layered,   ///< ellipses of every surface that the pupil sees, hidden ones found by rays; any eye and gaze
   Multipass  ///< passes through points of the pupil, blended; any eye and gaze
 };
+
+inline constexpr Words<PredictionKind, 3> prediction_kind_words{{{PredictionKind::Ellipses, "ellipses"},
+                                                                 {PredictionKind::Layered, "layered"},
+                                                                 {PredictionKind::Multipass, "multipass"}}};
+
+/// The word for it in documents.
+inline std::string name_of(PredictionKind kind) {
+  return std::string(prediction_kind_words.word_of(kind));
+}
 
 struct PredictionSpec {
   PredictionKind kind = PredictionKind::Ellipses;
@@ -21,8 +33,5 @@ struct PredictionSpec {
 /// Reads "prediction", "passes", "smooth" and "oversampling" of an object. Throws InputError where they do not fit
 /// together.
 PredictionSpec read_prediction(const Json& value, const Source& where);
-
-/// The word for it in documents.
-const char* name_of(PredictionKind kind);
 
 }  // namespace sturm

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/files/error.h"
+#include "io/specs/words.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -29,11 +30,6 @@ std::vector<Eigen::Vector2d> read_points(const Json& points, const Source& where
 
 }  // namespace
 
-Sequence read_sequence(std::string_view name) {
-  if (name == "halton") return Sequence::Halton;
-  return name == "independent" ? Sequence::Independent : Sequence::Sobol;
-}
-
 RayBundleSpec read_ray_bundle(const Json& value, const Source& where, double pupil_radius_m) {
   RayBundleSpec spec;
   if (value.is_null()) return spec;
@@ -48,7 +44,7 @@ RayBundleSpec read_ray_bundle(const Json& value, const Source& where, double pup
                   std::string("no \"") + key + "\" beside \"" + (quadrature ? "quadrature" : "pupil_points_mm") + "\"");
   spec.count = value.value("count", spec.count);
   spec.replicates = value.value("replicates", spec.replicates);
-  spec.sequence = read_sequence(value.value("sequence", "sobol"));
+  spec.sequence = word_or(value, "sequence", spec.sequence, where, sequence_words);
   spec.sampling = read_pupil_sampling(value, where);
   if (quadrature)
     spec.quadrature =

@@ -2,15 +2,24 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "io/json/json.h"
 #include "io/specs/pupil_sampling_spec.h"
+#include "lensmodel/words.h"
 
 namespace sturm {
 
 enum class Sequence { Sobol, Halton, Independent };
+
+inline constexpr Words<Sequence, 3> sequence_words{
+    {{Sequence::Sobol, "sobol"}, {Sequence::Halton, "halton"}, {Sequence::Independent, "independent"}}};
+
+/// The word for it in documents.
+inline std::string name_of(Sequence sequence) {
+  return std::string(sequence_words.word_of(sequence));
+}
 
 /// Gauss–Legendre in r², equally spaced angles.
 struct QuadratureSpec {
@@ -32,7 +41,5 @@ struct RayBundleSpec {
 /// Reads a "rays" object (null: all defaults). Points must lie in the pupil of radius `pupil_radius_m`. Throws
 /// InputError.
 RayBundleSpec read_ray_bundle(const Json& value, const Source& where, double pupil_radius_m);
-
-Sequence read_sequence(std::string_view name);
 
 }  // namespace sturm

@@ -4,6 +4,7 @@
 
 #include "io/files/error.h"
 #include "io/json/schema.h"
+#include "io/specs/words.h"
 
 namespace sturm {
 
@@ -24,7 +25,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
     for (const char* key : {"oversampling", "prediction", "passes", "smooth"}) refuse(key, "path_trace");
     if (!value.contains("ray_model"))
       throw InputError(where.file, where.pointer, "no \"ray_model\"", "a ray model for type \"path_trace\"");
-    spec.ray_model = value["ray_model"].get<std::string>();
+    spec.ray_model = read_word(value["ray_model"], where / "ray_model", ray_model_words);
   }
   spec.samples_per_pixel = value.value("samples_per_pixel", spec.samples_per_pixel);
   spec.max_bounces = value.value("max_bounces", spec.max_bounces);
@@ -33,7 +34,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   spec.adaptive = read_adaptive(value, where);
   spec.denoise = read_denoise(value);
   spec.sharp_below_px = value.value("sharp_below_px", spec.sharp_below_px);
-  spec.sampler = read_sequence(value.value("sampler", "sobol"));
+  spec.sampler = word_or(value, "sampler", spec.sampler, where, sequence_words);
   spec.sampling = read_pupil_sampling(value, where);
 }
 
@@ -46,10 +47,11 @@ WornEye read_eye_of(const Json& value, const Source& where, const WornEye& other
 }
 
 void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source& where) {
-  if (spec.camera.gaze == Gaze::Foveal && std::holds_alternative<BestAccommodation>(eye.accommodation) &&
-      spec.ray_model != "metalstigmatism")
-    return;
-  require_camera_accommodation(eye.accommodation, spec.ray_model, where / "accommodation");
+  const Source place = where / "accommodation";
+  if (spec.camera.gaze == Gaze::Camera)
+    require_camera_accommodation(eye.accommodation, spec.ray_model, place);
+  else if (spec.ray_model)
+    require_rays(*spec.ray_model, eye.accommodation, place);
 }
 
 /// One sharp layer knows the naked eye in `camera` gaze; the others also spectacles and turning eyes. All of them:
@@ -57,7 +59,7 @@ void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source&
 void require_predictable(const Json& document, const RenderSpec& spec, const Source& root) {
   const Json& camera = document["camera"];
   const PredictionKind kind = spec.prediction.kind;
-  const std::string what = std::string("prediction \"") + name_of(kind) + "\"";
+  const std::string what = "prediction \"" + name_of(kind) + "\"";
   if (kind == PredictionKind::Ellipses) {
     const std::string other = what + " (\"layered\" and \"multipass\" know more)";
     require_plain_camera(camera, root / "camera", other);

@@ -25,7 +25,7 @@ struct RenderSpec {
   WornEye eye;                  ///< the right or only one; accommodation relaxed or fixed unless the gaze is foveal
   std::optional<WornEye> left;  ///< of a stereo pair
   RenderMethod method = RenderMethod::PathTrace;
-  std::string ray_model;                 ///< of the path tracer; "" for a prediction
+  std::optional<RayModel> ray_model;     ///< of the path tracer; none for a prediction
   std::uint64_t samples_per_pixel = 64;  ///< of the path tracer, or of the prediction's sharp view (per output pixel)
   int max_bounces = 16;
   bool guide_emitters = true;  ///< of the path tracer, where the pupil's spread has a density

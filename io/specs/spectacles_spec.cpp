@@ -17,8 +17,6 @@ namespace sturm {
 
 namespace {
 
-constexpr double default_vertex_distance_mm = 12.0;
-constexpr double default_diameter_mm = 70.0;
 constexpr double smallest_radius_mm = 1.0;
 
 [[noreturn]] void missing(const char* key, const Source& where, const std::string& expected) {
@@ -85,11 +83,16 @@ Surface read_surface(const Json& value, const Source& where, const char* side, d
   return SphereSurface{curvature};
 }
 
+/// A length [m]: stated in millimetres, or that of any lens.
+double length_or(const Json& value, const char* key, double otherwise_m) {
+  const auto stated = value.find(key);
+  return stated == value.end() ? otherwise_m : metres_per_millimetre * stated->get<double>();
+}
 double vertex_distance(const Json& value) {
-  return metres_per_millimetre * value.value("vertex_distance_mm", default_vertex_distance_mm);
+  return length_or(value, "vertex_distance_mm", Spectacles{}.vertex_distance_m);
 }
 double diameter(const Json& value) {
-  return metres_per_millimetre * value.value("diameter_mm", default_diameter_mm);
+  return length_or(value, "diameter_mm", Spectacles{}.diameter_m);
 }
 
 /// How the lens stands before the eye; straight if nothing is said.

@@ -18,7 +18,7 @@ struct CameraSkips {
   std::shared_ptr<const SharpCells> sharp;  ///< of the pixels whose blur cannot be seen; null: of none
 };
 
-/// Where the eye is and where it looks; perspective, `camera` gaze (physics.md §3).
+/// Where the eye is and where it looks; perspective, `camera` gaze (docs/theory.md#32-gaze-models).
 struct CameraPose {
   Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< centre of the pupil [m], world
   Eigen::Vector3d look_at{0.0, 0.0, -1.0};  ///< [m], world

@@ -3,24 +3,15 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <type_traits>
 
 #include "lensmodel/eye.h"
+#include "lensmodel/ray_model.h"
 
 namespace sturm {
 
-/// How the eye bends the ray that leaves it through a pupil point (physics.md §4). An eye without a measured wavefront
-/// has, for zernike, that of its prescription.
-enum class RayModel { pinhole, thin_lens, metalstigmatism, sin2_radial, power_matrix, zernike };
-
-std::optional<RayModel> ray_model_named(std::string_view name);
-std::string name_of(RayModel model);
-
-/// Rays that a model could not launch, or launched oddly (physics.md §4, metalstigmatism), and those that spectacles
-/// stopped.
+/// Rays that a model could not launch, or launched oddly
+/// (docs/theory.md#51-metalstigmatism-its-pole-and-the-emmetrope), and those that spectacles stopped.
 struct RayCounters {
   std::uint64_t launched = 0;
   std::uint64_t dropped = 0;         ///< at the pole |1 + d_f P| < 1e-6

@@ -48,13 +48,14 @@ class SharpCells {
 /// The sharp cells of the naked eye's picture in `camera` gaze, or null where there are none.
 ///
 /// A ray through the pupil point p of a pixel at the chief slope q meets what lies at the planar depth d where the
-/// chief ray of slope u = q + V(d) p, V(d) = I/d + F − A·I, would meet it (physics.md §3). So a triangle can be met
-/// from those pixels only whose distance from its outline in the picture is at most a·|V(d)|, |V| the larger singular
-/// value, for the depths d that it has. Depths with a·|V(d)| ≤ `largest_blur_px` form an interval; what a primitive has
-/// in front of and behind that interval blurs the cells that its outline, widened by its own blur, meets. In the cells
-/// that are left every ray meets what it meets within `largest_blur_px` of where the ray through the pupil's centre
-/// would: no occlusion is assumed, so hidden things count too and the bound holds in any case. A picture around the
-/// scene is at infinity; a surrounding colour looks the same from everywhere. Single precision of the rays aside.
+/// chief ray of slope u = q + V(d) p, V(d) = I/d + F − A·I, would meet it
+/// (docs/theory.md#4-the-footprint-of-the-pupil). So a triangle can be met from those pixels only whose distance from
+/// its outline in the picture is at most a·|V(d)|, |V| the larger singular value, for the depths d that it has. Depths
+/// with a·|V(d)| ≤ `largest_blur_px` form an interval; what a primitive has in front of and behind that interval blurs
+/// the cells that its outline, widened by its own blur, meets. In the cells that are left every ray meets what it meets
+/// within `largest_blur_px` of where the ray through the pupil's centre would: no occlusion is assumed, so hidden
+/// things count too and the bound holds in any case. A picture around the scene is at infinity; a surrounding colour
+/// looks the same from everywhere. Single precision of the rays aside.
 ///
 /// What it does to a pixel, a box-filtered mean over a square of the picture: a straight edge of contrast C that
 /// crosses the pixel changes it by at most √2·C·`largest_blur_px`.

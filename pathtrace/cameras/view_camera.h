@@ -23,8 +23,8 @@ struct ViewOptions {
   std::function<double(const LightRay&)> distance_along;
 };
 
-/// The eye as a camera in double precision (physics.md §3–5): through spectacles, with any spread of points over the
-/// pupil, over the whole sphere, or with an eye that turns to each point of the picture.
+/// The eye as a camera in double precision (docs/theory.md#91-camera-and-pixel): through spectacles, with any spread of
+/// points over the pupil, over the whole sphere, or with an eye that turns to each point of the picture.
 ///
 /// - Gaze `camera`, perspective: as EyeCamera; spectacles stand fixed before the pupil with the line of sight of
 /// primary gaze as axis.

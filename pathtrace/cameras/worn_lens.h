@@ -8,7 +8,7 @@
 namespace sturm {
 
 /// A spectacle lens before an eye that has turned about its centre of rotation: whatever model the rays leave the eye
-/// by, from there on they go through both surfaces by Snell's law (physics.md §4).
+/// by, from there on they go through both surfaces by Snell's law (docs/theory.md#114-real-rays).
 class WornLens {
  public:
   /// `gaze`: unit vector of the line of sight, wearer frame.

@@ -39,7 +39,7 @@ class PixelStatistics {
   double mean(int channel) const { return mean_[channel]; }
 
   /// Sample variance of a single sample; 0 with fewer than two samples. Of low-discrepancy samples it is *not* N times
-  /// the variance of their mean (physics.md §8).
+  /// the variance of their mean (docs/theory.md#73-noise-of-a-picture).
   double variance(int channel) const { return count_ > 1 ? squares_[channel] / static_cast<double>(count_ - 1) : 0.0; }
 
  private:

@@ -76,7 +76,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
   SurfacePoint at = first;
   Vector3f direction = first_direction.normalized(), throughput = Vector3f::Ones(), sum = Vector3f::Zero();
   Vector3f previous = Vector3f::Zero(), previous_normal = Vector3f::Zero();
-  float scatter_pdf = 0.0f, spread = 1.0f;
+  float scatter_pdf = 0.0f, index_ratio_squared = 1.0f;
   bool sharp = true;  // lights cannot have been sampled in this direction before
   for (int bounce = 0;; ++bounce) {
     if (at.emitter >= 0 && at.normal.dot(direction) < 0.0f) {
@@ -123,10 +123,10 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     if (!frame.agrees(direction)) return sum;
     throughput = throughput.cwiseProduct(scattered.weight);
     if (!(throughput.maxCoeff() > 0.0f)) return sum;
-    spread *= scattered.spread;
+    index_ratio_squared *= scattered.index_ratio_squared;
     if (bounce >= settings_.first_roulette_bounce) {
       // Radiance inside glass is larger by the index squared; that is no reason to end or keep a path.
-      const float survival = survival_probability(throughput.maxCoeff() * spread);
+      const float survival = survival_probability(throughput.maxCoeff() * index_ratio_squared);
       if (unit_float(numbers.sequence().single(sample, first_dimension + dimension::survive)) >= survival) return sum;
       throughput /= survival;
     }

@@ -22,7 +22,8 @@ struct BsdfSample {
   Eigen::Vector3f weight;  ///< f · |cos θ_in| / pdf
   float pdf;               ///< [1/sr]; of a sharp lobe the probability of its choice; 0 = the path ends here
   bool delta;              ///< sharp: no light can be sampled in this direction
-  float spread = 1.0f;     ///< (index on the side of `in` / index on the side of `out`)²: `weight` is divided by it
+  float index_ratio_squared =
+      1.0f;  ///< (index on the side of `in` / index on the side of `out`)²: `weight` is divided by it
 
   static BsdfSample absorbed() { return {Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), 0.0f, false, 1.0f}; }
 };

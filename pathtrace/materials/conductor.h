@@ -7,7 +7,7 @@ namespace sturm {
 ///
 /// f = F D G₂ / (4 cos θ_out cos θ_in), sampled by visible normals [Heitz2018]. Reciprocal. Light that would leave
 /// after more than one reflection among the facets is lost: a white metal reflects 1 at roughness 0 and the less the
-/// rougher it is (docs/theory.md §9.3).
+/// rougher it is (docs/theory.md#93-estimators).
 struct Conductor {
   Eigen::Vector3f eta{0.0f, 0.0f, 0.0f};    ///< real part of the index, per channel
   Eigen::Vector3f kappa{1.0f, 1.0f, 1.0f};  ///< extinction, per channel; η = 0 reflects everything

@@ -8,7 +8,7 @@ namespace sturm {
 /// f = f_coat + (1 − F(out)) (1 − F(in)) / (n² (1 − albedo F_i)) · albedo/π, with F_i the mean reflectance of the coat
 /// for diffuse light from inside, so that all orders of reflection between base and coat are summed. Reciprocal. With a
 /// smooth coat a white base reflects exactly 1. The base does not see the coat's roughness, so a rough coat is off by
-/// the coat's own loss (docs/theory.md §9.3).
+/// the coat's own loss (docs/theory.md#93-estimators).
 class Plastic {
  public:
   /// `index` > 1; `roughness` of the coat: 0, or from 0.01 to 1.

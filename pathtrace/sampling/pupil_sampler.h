@@ -12,7 +12,8 @@ struct WeightedPoint {
   double weight;
 };
 
-/// Spreads points over the pupil and weights them: sampling and Stiles–Crawford apodization (physics.md §5). Immutable.
+/// Spreads points over the pupil and weights them: sampling and Stiles–Crawford apodization
+/// (docs/theory.md#53-pupil-sampling). Immutable.
 class PupilSampler {
  public:
   /// Uniform, without apodization.

@@ -2,15 +2,22 @@
 
 #include <cstdio>
 
-#include "reports/markup/markup.h"
-
 namespace sturm {
 
-std::string svg_document(int width, int height, const std::string& label, const std::string& body) {
-  const std::string size = std::to_string(width) + "\" height=\"" + std::to_string(height);
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"" + escaped(label) + "\" viewBox=\"0 0 " +
-         std::to_string(width) + " " + std::to_string(height) + "\" width=\"" + size +
-         "\" font-family=\"sans-serif\" fill=\"#222\"><rect width=\"" + size + "\" fill=\"#fff\"/>" + body + "</svg>\n";
+std::string svg_document(int width, int height, const std::string& label, const Html& body) {
+  const std::string w = std::to_string(width), h = std::to_string(height);
+  const Html ground = empty_element("rect", {{"width", w}, {"height", h}, {"fill", "#fff"}});
+  return element("svg",
+                 {{"xmlns", "http://www.w3.org/2000/svg"},
+                  {"role", "img"},
+                  {"aria-label", label},
+                  {"viewBox", "0 0 " + w + " " + h},
+                  {"width", w},
+                  {"height", h},
+                  {"font-family", "sans-serif"},
+                  {"fill", "#222"}},
+                 ground + body)
+      .markup();
 }
 
 std::string coordinate(double value) {
@@ -19,11 +26,15 @@ std::string coordinate(double value) {
   return buffer;
 }
 
-std::string svg_text(double x, double y, const std::string& text, const char* anchor, int size,
-                     const std::string& colour) {
-  return "<text x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" text-anchor=\"" + anchor + "\" font-size=\"" +
-         std::to_string(size) + "\"" + (colour.empty() ? "" : " fill=\"" + colour + "\"") + ">" + escaped(text) +
-         "</text>\n";
+Html white_ground() {
+  return empty_element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "#ffffff"}}) + "\n"_html;
+}
+
+Html svg_text(double x, double y, const std::string& words, const char* anchor, int size, const std::string& colour) {
+  Attributes attributes = {
+      {"x", coordinate(x)}, {"y", coordinate(y)}, {"text-anchor", anchor}, {"font-size", std::to_string(size)}};
+  if (!colour.empty()) attributes.push_back({"fill", colour});
+  return element("text", attributes, text(words));
 }
 
 }  // namespace sturm

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "io/json/stored.h"
+#include "reports/markup/parts.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr const char* absent = "–";
 constexpr int smallest_fixed_exponent = -3, largest_fixed_exponent = 5;
 
 std::string formatted(const char* format, int precision, double value) {
@@ -37,58 +38,74 @@ std::string fixed(double value, int decimals) {
   return with_true_minus(formatted("%.*f", std::clamp(decimals, 0, 60), value));
 }
 
-std::string times_power_of_ten(int exponent) {
-  return " × 10<sup>" + with_true_minus(std::to_string(exponent)) + "</sup>";
+Html times_power_of_ten(int exponent) {
+  return " × 10"_html + inline_element("sup", text(with_true_minus(std::to_string(exponent))));
 }
 
 bool reads_well_in_fixed_notation(int exponent) {
   return exponent >= smallest_fixed_exponent && exponent <= largest_fixed_exponent;
 }
 
-}  // namespace
+/// A value and its uncertainty with the same decimals.
+struct Measured {
+  std::string value, uncertainty;
+  std::optional<int> exponent;  ///< of the power of ten that stands behind both, if any
+};
 
-std::string number_html(std::optional<double> value, int significant) {
-  if (!value || !std::isfinite(*value)) return absent;
-  if (*value == 0.0) return "0";
-  const int exponent = rounded_exponent(*value, significant);
-  if (reads_well_in_fixed_notation(exponent)) return fixed(*value, significant - 1 - exponent);
-  return fixed(*value / std::pow(10.0, exponent), significant - 1) + times_power_of_ten(exponent);
-}
-
-std::string exact_html(std::optional<double> value) {
-  if (!value || !std::isfinite(*value)) return absent;
-  const std::string text = formatted("%.*g", 12, *value);
-  const std::size_t e = text.find('e');
-  if (e == std::string::npos) return with_true_minus(text);
-  return with_true_minus(text.substr(0, e)) + times_power_of_ten(std::stoi(text.substr(e + 1)));
-}
-
-std::string measured_html(std::optional<double> value, std::optional<double> uncertainty, int significant) {
-  if (!value || !uncertainty || !std::isfinite(*value) || !std::isfinite(*uncertainty) || *uncertainty <= 0.0) {
-    return number_html(value, significant);
-  }
+/// None without a value or without a (positive) uncertainty.
+std::optional<Measured> measured(std::optional<double> value, std::optional<double> uncertainty) {
+  if (!value || !uncertainty || !std::isfinite(*value) || !std::isfinite(*uncertainty) || *uncertainty <= 0.0)
+    return std::nullopt;
   const int decimals = 1 - rounded_exponent(*uncertainty, 2);
   const int exponent = rounded_exponent(std::max(std::abs(*value), *uncertainty), 2);
   if (reads_well_in_fixed_notation(exponent) && decimals <= 7)
-    return fixed(*value, decimals) + " ± " + fixed(*uncertainty, decimals);
+    return Measured{fixed(*value, decimals), fixed(*uncertainty, decimals), std::nullopt};
   const double scale = std::pow(10.0, exponent);
-  std::string html = "(";
-  html.append(fixed(*value / scale, decimals + exponent))
-      .append(" ± ")
-      .append(fixed(*uncertainty / scale, decimals + exponent));
-  return html.append(")").append(times_power_of_ten(exponent));
+  return Measured{fixed(*value / scale, decimals + exponent), fixed(*uncertainty / scale, decimals + exponent),
+                  exponent};
 }
 
-std::string count_html(std::optional<double> value) {
-  if (!value || !std::isfinite(*value)) return absent;
+}  // namespace
+
+Html number_html(std::optional<double> value, int significant) {
+  if (!value || !std::isfinite(*value)) return absent_html();
+  if (*value == 0.0) return "0"_html;
+  const int exponent = rounded_exponent(*value, significant);
+  if (reads_well_in_fixed_notation(exponent)) return text(fixed(*value, significant - 1 - exponent));
+  return text(fixed(*value / std::pow(10.0, exponent), significant - 1)) + times_power_of_ten(exponent);
+}
+
+Html exact_html(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return absent_html();
+  const std::string digits = formatted("%.*g", 12, *value);
+  const std::size_t e = digits.find('e');
+  if (e == std::string::npos) return text(with_true_minus(digits));
+  return text(with_true_minus(digits.substr(0, e))) + times_power_of_ten(std::stoi(digits.substr(e + 1)));
+}
+
+Html measured_html(std::optional<double> value, std::optional<double> uncertainty, int significant) {
+  const std::optional<Measured> m = measured(value, uncertainty);
+  if (!m) return number_html(value, significant);
+  const Html both = text(m->value) + " ± "_html + text(m->uncertainty);
+  return m->exponent ? "("_html + both + ")"_html + times_power_of_ten(*m->exponent) : both;
+}
+
+Html stacked_html(std::optional<double> value, std::optional<double> uncertainty) {
+  const std::optional<Measured> m = measured(value, uncertainty);
+  if (!m || m->exponent) return measured_html(value, uncertainty);
+  return text(m->value) + small_html("± "_html + text(m->uncertainty));
+}
+
+Html count_html(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return absent_html();
   std::string digits = formatted("%.*f", 0, std::abs(*value));
   for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, "\u2009");
-  return digits.insert(0, *value < 0 ? "−" : "");
+  return text(digits.insert(0, *value < 0 ? "−" : ""));
 }
 
-std::string duration_html(std::optional<double> seconds) {
-  if (!seconds || !std::isfinite(*seconds)) return absent;
-  if (*seconds < 100.0) return number_html(seconds, 2) + "\u00a0s";
+Html duration_html(std::optional<double> seconds) {
+  if (!seconds || !std::isfinite(*seconds)) return absent_html();
+  if (*seconds < 100.0) return number_html(seconds, 2) + "\u00a0s"_html;
   const long long whole = std::llround(*seconds);
   char buffer[64];
   if (whole < 3600) {
@@ -96,11 +113,15 @@ std::string duration_html(std::optional<double> seconds) {
   } else {
     std::snprintf(buffer, sizeof buffer, "%lld\u00a0h\u00a0%02lld\u00a0min", whole / 3600, whole % 3600 / 60);
   }
-  return buffer;
+  return text(buffer);
 }
 
-std::string distance_html(const Json& distance_m) {
-  return distance_m == "inf" ? "∞" : exact_html(number_at(distance_m, ""));
+Html distance_html(const Json& distance_m) {
+  return distance_m == "inf" ? "∞"_html : exact_html(number_at(distance_m, ""));
+}
+
+Html distance_html(const std::optional<StoredDistance>& distance) {
+  return distance && distance->is_infinite() ? "∞"_html : exact_html(finite(distance));
 }
 
 }  // namespace sturm

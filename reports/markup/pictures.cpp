@@ -12,7 +12,6 @@
 #include "io/images/image_formats.h"
 #include "io/images/opencv_view.h"
 #include "reports/markup/false_colour.h"
-#include "reports/markup/markup.h"
 
 namespace sturm {
 
@@ -54,6 +53,14 @@ std::string data_uri(const Image& display) {
   return "data:image/png;base64," + base64(encode_png(display));
 }
 
+Html picture_html(const Image& display, const std::string& title) {
+  const Html picture = empty_element("img", {{"alt", title},
+                                             {"width", std::to_string(display.width)},
+                                             {"height", std::to_string(display.height)},
+                                             {"src", data_uri(display)}});
+  return element("figure", element("h4", text(title)) + picture + "\n"_html);
+}
+
 Image main_layer(const std::filesystem::path& file) {
   LayeredImage image = read_exr(file);
   const auto main = image.layers.find("");
@@ -84,19 +91,21 @@ Image shrunk(const Image& image, int factor) {
   return result;
 }
 
-std::string svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y,
-                        const std::string& css_class) {
+Html svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y,
+                 const std::string& css_class) {
   // SVG does not draw an ellipse without width; a focal line keeps this much, far below the line that is drawn around
   // it.
   constexpr double narrowest_px = 0.01;
   const std::string x = plain_number(centre_x), y = plain_number(centre_y);
-  std::string result = "<ellipse class=\"" + css_class + "\" cx=\"" + x + "\" cy=\"" + y + "\" rx=\"" +
-                       plain_number(std::max(narrowest_px, ellipse.semi_major * pixels_per_unit)) + "\" ry=\"" +
-                       plain_number(std::max(narrowest_px, ellipse.semi_minor * pixels_per_unit)) + "\"";
-  if (ellipse.orientation_deg) {
-    result += " transform=\"rotate(" + plain_number(0.0 - *ellipse.orientation_deg) + " " + x + " " + y + ")\"";
-  }
-  return result + "/>\n";
+  Attributes attributes = {{"class", css_class},
+                           {"cx", x},
+                           {"cy", y},
+                           {"rx", plain_number(std::max(narrowest_px, ellipse.semi_major * pixels_per_unit))},
+                           {"ry", plain_number(std::max(narrowest_px, ellipse.semi_minor * pixels_per_unit))}};
+  if (ellipse.orientation_deg)
+    attributes.push_back(
+        {"transform", "rotate(" + plain_number(0.0 - *ellipse.orientation_deg) + " " + x + " " + y + ")"});
+  return empty_element("ellipse", attributes) + "\n"_html;
 }
 
 double round_length_below(double longest) {
@@ -116,27 +125,32 @@ double round_length_above(double shortest) {
   return 10.0 * decade;
 }
 
-std::string colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, const std::string& title) {
+Html colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, const std::string& title) {
   constexpr int width = 360, height = 14, margin = 30, stops = 33;
   const std::string gradient = map == ColourMap::Sequential ? "sequential-colours" : "diverging-colours";
-  std::string body;
+  Html body;
   for (int i = 0; i < stops; ++i) {
     const double t = static_cast<double>(i) / (stops - 1);
     const DisplayColour colour = map == ColourMap::Sequential ? sequential_colour(t) : diverging_colour(2 * t - 1);
-    body += "<stop offset=\"" + plain_number(t) + "\" stop-color=\"" + hex_colour(colour) + "\"/>";
+    body += empty_element("stop", {{"offset", plain_number(t)}, {"stop-color", hex_colour(colour)}});
   }
-  body = element("linearGradient", "id=\"" + gradient + "\"", body);
-  body += "<rect x=\"" + std::to_string(margin) + "\" y=\"20\" width=\"" + std::to_string(width) + "\" height=\"" +
-          std::to_string(height) + "\" fill=\"url(#" + gradient + ")\"/>";
-  body += "<text x=\"" + std::to_string(margin) + "\" y=\"13\">" + escaped(title) + "</text>";
+  body = element("linearGradient", {{"id", gradient}}, body);
+  body += empty_element("rect", {{"x", std::to_string(margin)},
+                                 {"y", "20"},
+                                 {"width", std::to_string(width)},
+                                 {"height", std::to_string(height)},
+                                 {"fill", "url(#" + gradient + ")"}});
+  body += inline_element("text", {{"x", std::to_string(margin)}, {"y", "13"}}, text(title));
   for (const ColourTick& tick : ticks) {
     const std::string x = plain_number(margin + tick.position * width);
-    body += "<path class=\"tick\" d=\"M" + x + " 34v4\"/><text x=\"" + x + "\" y=\"51\" text-anchor=\"middle\">" +
-            escaped(tick.label) + "</text>";
+    body += empty_element("path", {{"class", "tick"}, {"d", "M" + x + " 34v4"}});
+    body += inline_element("text", {{"x", x}, {"y", "51"}, {"text-anchor", "middle"}}, text(tick.label));
   }
   return element("svg",
-                 "class=\"bar\" viewBox=\"0 0 " + std::to_string(width + 2 * margin) +
-                     " 56\" role=\"img\" aria-label=\"Colour bar: " + escaped(title) + "\"",
+                 {{"class", "bar"},
+                  {"viewBox", "0 0 " + std::to_string(width + 2 * margin) + " 56"},
+                  {"role", "img"},
+                  {"aria-label", "Colour bar: " + title}},
                  body);
 }
 

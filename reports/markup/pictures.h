@@ -5,11 +5,15 @@
 
 #include "io/images/image.h"
 #include "lensmodel/ellipse.h"
+#include "reports/markup/html.h"
 
 namespace sturm {
 
 /// A display-referred picture (1 or 3 channels, 0…1) as a "data:image/png;base64,…" address.
 std::string data_uri(const Image& display);
+
+/// A display-referred picture under its title.
+Html picture_html(const Image& display, const std::string& title);
 
 /// RFC 4648 base64 with padding.
 std::string base64(const std::vector<unsigned char>& bytes);
@@ -25,8 +29,8 @@ Image shrunk(const Image& image, int factor);
 
 /// An <ellipse> for a picture with y down of an ellipse whose orientation has y up (wearer frame): it is turned by
 /// −orientation. `pixels_per_unit` converts the ellipse's unit; (centre_x, centre_y) in pixels.
-std::string svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y,
-                        const std::string& css_class);
+Html svg_ellipse(const Ellipse& ellipse, double pixels_per_unit, double centre_x, double centre_y,
+                 const std::string& css_class);
 
 /// The longest of 1, 2, 5 × 10ⁿ that is not above `longest` > 0.
 double round_length_below(double longest);
@@ -43,6 +47,6 @@ struct ColourTick {
 
 /// A horizontal colour bar as an <svg> with labels below it; `title` says what the colours mean.
 /// Its gradient has an id, so a page can hold one bar of each map.
-std::string colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, const std::string& title);
+Html colour_bar_svg(ColourMap map, const std::vector<ColourTick>& ticks, const std::string& title);
 
 }  // namespace sturm

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "compare/studies/bench/measured_view.h"
-#include "io/json/stored.h"
+#include "io/files/formatted_text.h"
 #include "reports/page/bench_page.h"
 
 namespace sturm {
@@ -18,115 +17,104 @@ std::string column(std::optional<double> value, const char* format = "%10.4g") {
   return text;
 }
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
-  return text;
-}
-
-bool is_biased(const Json& method) {
-  return boolean_at(method, "biased").value_or(false);
-}
-
-std::string view_text(const Json& view) {
+std::string view_text(const BenchViewResult& view) {
   std::size_t width = 8;
-  for (const Json& method : array_at(view, "methods")) width = std::max(width, text_at(method, "id").size() + 2);
-  std::string text = text_at(view, "id") + "\n  " + padded("method", width) +
+  for (const BenchMethodResult& method : view.methods) width = std::max(width, method.id.size() + 2);
+  std::string text = view.id + "\n  " + padded("method", width) +
                      "   samples    time s Msample/s       RMSE rel. MSE   trimmed   1-SSIM\n";
-  for (const Json& method : array_at(view, "methods")) {
-    for (const Json& point : array_at(method, "points")) {
-      const auto rate = number_at(point, "samples_per_second");
-      text += "  " + padded(text_at(method, "id"), width) + column(number_at(point, "samples_per_pixel"), "%10.0f") +
-              column(number_at(point, "seconds/median"), "%10.3g") +
-              column(rate ? std::optional(1e-6 * *rate) : rate, "%10.3g") + " ";
-      for (const ErrorKind& kind : error_kinds)
-        text += column(number_at(point, "errors/" + std::string(kind.name) + "/value"), "%10.3g");
-      const std::string setting = text_at(point, "setting");
-      text += (setting.empty() ? "" : "  " + setting) + (is_biased(method) ? "  (filtered: biased)" : "") + "\n";
+  for (const BenchMethodResult& method : view.methods) {
+    for (const BenchPoint& point : method.points) {
+      const Number rate = point.samples_per_second;
+      text += "  " + padded(method.id, width) + column(point.samples_per_pixel, "%10.0f") +
+              column(point.seconds.median, "%10.3g") + column(rate ? std::optional(1e-6 * *rate) : rate, "%10.3g") +
+              " ";
+      for (const ErrorKind& kind : error_kinds) text += column(point.error(kind.name).value, "%10.3g");
+      text +=
+          (point.setting.empty() ? "" : "  " + point.setting) + (method.biased ? "  (filtered: biased)" : "") + "\n";
     }
-    const auto slope = number_at(method, "slopes/rmse/slope");
+    const auto [slope, error] = method.slope("rmse");
     if (slope) text += "  " + padded("", width) + "slope of RMSE" + column(slope, " %.4f");
-    if (const auto error = number_at(method, "slopes/rmse/standard_error"); slope && error)
-      text += column(error, " ± %.4f");
+    if (slope && error) text += column(error, " ± %.4f");
     if (slope) text += "\n";
-    for (const Json& time : array_at(method, "times"))
-      text += "  " + padded("", width) + text_at(time, "error") + column(number_at(time, "level"), " %g") + " in" +
-              column(number_at(time, "seconds"), " %.3g s") + " (" + text_at(time, "status") + ")\n";
+    for (const BenchTime& time : method.times)
+      text += "  " + padded("", width) + time.error + column(time.level, " %g") + " in" +
+              column(time.seconds, " %.3g s") + " (" + word_of(time.status) + ")\n";
   }
   return text;
 }
 
-std::string requirement_text(const Json& r) {
-  const auto low = number_at(r, "at_least"), high = number_at(r, "at_most"), error = number_at(r, "standard_error");
+std::string requirement_text(const BenchRequirementResult& r) {
   std::string bounds;
-  if (low) bounds += column(low, " >= %g");
-  if (high) bounds += column(high, " <= %g");
-  const std::string note = text_at(r, "note");
-  return std::string(boolean_at(r, "passed").value_or(false) ? "pass  " : "FAIL  ") + padded(text_at(r, "id"), 28) +
-         " " + padded(text_at(r, "view"), 14) + column(number_at(r, "value"), "%10.4g") +
-         (error ? column(error, " ± %.2g") : "") + bounds + (note.empty() ? "" : " (" + note + ")") + "\n";
+  if (r.at_least) bounds += column(r.at_least, " >= %g");
+  if (r.at_most) bounds += column(r.at_most, " <= %g");
+  return std::string(r.passed ? "pass  " : "FAIL  ") + padded(r.id, 28) + " " + padded(r.view, 14) +
+         column(r.value, "%10.4g") + (r.standard_error ? column(r.standard_error, " ± %.2g") : "") + bounds +
+         (r.note.empty() ? "" : " (" + r.note + ")") + "\n";
 }
 
-std::string machine_text(const Json& machine) {
+std::string machine_text(const BenchMachine& machine) {
   std::string load;
-  for (const Json& average : array_at(machine, "load_at_start")) load += column(number_at(average, ""), " %.2f");
-  return text_at(machine, "cpu") + "," + column(number_at(machine, "cores"), " %.0f cores,") +
-         column(number_at(machine, "threads"), " %.0f threads, load at the start") +
-         (load.empty() ? " unknown" : load) + "\n\n";
+  for (const double average : machine.load_at_start.value_or(std::vector<double>{})) load += column(average, " %.2f");
+  return machine.cpu + "," + column(machine.cores, " %.0f cores,") +
+         column(machine.threads, " %.0f threads, load at the start") + (load.empty() ? " unknown" : load) + "\n\n";
 }
 
 /// What a view's methods are held against: the first of them; null if there is none.
-const Json* baseline_of(const Json& view) {
-  const Json& methods = array_at(view, "methods");
-  const auto first = std::find_if_not(methods.begin(), methods.end(), is_biased);
-  return first == methods.end() ? nullptr : &*first;
+const BenchMethodResult* baseline_of(const BenchViewResult& view) {
+  const auto first = std::find_if(view.methods.begin(), view.methods.end(),
+                                  [](const BenchMethodResult& method) { return !method.biased; });
+  return first == view.methods.end() ? nullptr : &*first;
+}
+
+/// To the level number `index`; without numbers if there is none.
+BenchTime time_of(const BenchMethodResult& method, std::size_t index) {
+  return index < method.times.size() ? method.times[index] : BenchTime{};
 }
 
 /// The method that reaches level number `index` of a view first, biased ones left out; null if none does.
-const Json* first_to_reach(const Json& view, std::size_t index) {
-  const Json* first = nullptr;
-  const auto seconds = [index](const Json& method) {
-    return number_at(method, "times/" + std::to_string(index) + "/seconds");
-  };
-  for (const Json& method : array_at(view, "methods"))
-    if (!is_biased(method) && seconds(method) && (!first || *seconds(method) < *seconds(*first))) first = &method;
+const BenchMethodResult* first_to_reach(const BenchViewResult& view, std::size_t index) {
+  const BenchMethodResult* first = nullptr;
+  for (const BenchMethodResult& method : view.methods) {
+    const Number seconds = time_of(method, index).seconds;
+    if (!method.biased && seconds && (!first || *seconds < *time_of(*first, index).seconds)) first = &method;
+  }
   return first;
 }
 
 /// "1 − SSIM 0.05: ellipses in 0.02 s, sobol in 0.4 s", the second being the view's first method.
-std::string race_text(const Json& view, const Json& baseline, std::size_t index) {
-  const std::string time = "times/" + std::to_string(index);
-  const Json& level = value_at(baseline, time);
-  std::string text(error_kind(text_at(level, "error")).title);
-  text += column(number_at(level, "level"), " %g: ");
-  const auto entry = [&](const Json& method) {
-    const auto seconds = number_at(method, time + "/seconds");
-    const std::string bound = text_at(method, time + "/status") == "at_once" ? " within" : " in";
-    return text_at(method, "id") + (seconds ? bound + column(seconds, " %.3g s") : " never");
+std::string race_text(const BenchViewResult& view, const BenchMethodResult& baseline, std::size_t index) {
+  const BenchTime level = time_of(baseline, index);
+  std::string text(error_kind(level.error).title);
+  text += column(level.level, " %g: ");
+  const auto entry = [index](const BenchMethodResult& method) {
+    const BenchTime time = time_of(method, index);
+    const std::string bound = time.status == Reach::AtOnce ? " within" : " in";
+    return method.id + (time.seconds ? bound + column(time.seconds, " %.3g s") : " never");
   };
-  const Json* first = first_to_reach(view, index);
+  const BenchMethodResult* first = first_to_reach(view, index);
   if (!first) return text + "nobody";
   return text + entry(*first) + (first == &baseline ? "" : ", " + entry(baseline));
 }
 
 }  // namespace
 
-Json bench_sentence(const Json& section) {
+Json bench_sentence(const BenchFindings& found) {
   std::string text;
-  for (const Json& view : array_at(section, "views")) {
+  for (const BenchViewResult& view : found.views) {
     std::string races;
-    if (const Json* baseline = baseline_of(view))
-      for (std::size_t i = 0; i < array_at(*baseline, "times").size(); ++i)
+    if (const BenchMethodResult* baseline = baseline_of(view))
+      for (std::size_t i = 0; i < baseline->times.size(); ++i)
         races += (races.empty() ? "" : "; ") + race_text(view, *baseline, i);
-    if (!races.empty()) text += (text.empty() ? "" : " ") + text_at(view, "id") + ": " + races + ".";
+    if (!races.empty()) text += (text.empty() ? "" : " ") + view.id + ": " + races + ".";
   }
   return text.empty() ? Json(nullptr) : Json("First to reach an error, and the view's first method. " + text);
 }
 
-std::string bench_report_text(const Json& report) {
-  std::string text = machine_text(value_at(report, "machine"));
-  for (const Json& view : array_at(report, "views")) text += view_text(view) + "\n";
-  for (const Json& r : array_at(report, "requirements")) text += requirement_text(r);
-  return text + text_at(report, "verdict/sentence") + "\n";
+std::string bench_report_text(const BenchFindings& found) {
+  std::string text = machine_text(found.machine);
+  for (const BenchViewResult& view : found.views) text += view_text(view) + "\n";
+  for (const BenchRequirementResult& r : found.requirements) text += requirement_text(r);
+  return text + found.verdict.sentence + "\n";
 }
 
 }  // namespace sturm

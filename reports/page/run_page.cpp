@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
-#include "reports/sections/sections.h"
+#include "reports/markup/html.h"
 #include "reports/viewer/html_page.h"
 #include "reports/viewer/viewer.h"
 
@@ -13,36 +12,28 @@ namespace sturm {
 namespace {
 
 struct Part {
-  std::string id, name, html;
+  const ReportSection& section;
+  Html html;
 };
 
-std::string navigation(const std::vector<Part>& parts) {
-  std::string items;
+Html navigation(const std::vector<Part>& parts) {
+  Html items;
   for (const Part& part : parts) {
-    if (!part.html.empty()) items += element("li", "", "<a href=\"#" + part.id + "\">" + part.name + "</a>");
+    if (!part.html.empty())
+      items +=
+          element("li", inline_element("a", {{"href", "#" + std::string(part.section.id)}}, text(part.section.title)));
   }
-  return items.empty() ? "" : element("nav", "aria-label=\"Contents\"", element("ol", "", items));
+  return items.empty() ? Html() : element("nav", {{"aria-label", "Contents"}}, element("ol", items));
 }
 
 }  // namespace
 
-std::string render_report_html(const Json& report, const std::filesystem::path& run_folder) {
+std::string render_report_html(const Json& report, const std::filesystem::path& run_folder,
+                               std::span<const ReportSection> sections) {
   ViewerPayload payload;
-  const std::vector<Part> parts = {{"gates", "Gates", gates_section(report)},
-                                   {"gate_power", "What the gates can see", gate_power_section(report)},
-                                   {"cases", "Cases", case_section(report)},
-                                   {"sin2", "sin²", sin2_section(report)},
-                                   {"sin2_study", "sin² study", sin2_study_section(report, run_folder, payload)},
-                                   {"lens_study", "Spectacles", lens_study_section(report, run_folder)},
-                                   {"sampling_study", "Pupil samplings", sampling_section(report, run_folder)},
-                                   {"bench", "Run time against error", bench_section(report, run_folder)},
-                                   {"figures", "Figures", figure_section(report, run_folder)},
-                                   {"psfs", "Point-spread functions", psf_section(report, run_folder, payload)},
-                                   {"images", "Images", image_section(report, run_folder, payload)},
-                                   {"agreement", "Predictions", agreement_section(report, run_folder, payload)},
-                                   {"ellipses", "All ellipses", ellipse_section(report)},
-                                   {"provenance", "Provenance", provenance_section(report)}};
-  std::string body = verdict_section(report) + navigation(parts);
+  std::vector<Part> parts;
+  for (const ReportSection& section : sections) parts.push_back({section, section.draw(report, run_folder, payload)});
+  Html body = verdict_section(report) + navigation(parts);
   for (const Part& part : parts) body += part.html;
   body += payload.html();
   const std::string title = text_at(report, "title");

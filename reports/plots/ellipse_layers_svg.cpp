@@ -27,6 +27,10 @@ std::string degrees(int angle) {
   return (angle < 0 ? "−" : "") + std::to_string(std::abs(angle)) + "°";
 }
 
+Html grid_line(const std::string& path) {
+  return empty_element("path", {{"d", path}, {"stroke", "#e3e3e3"}});
+}
+
 std::string title_of(const EllipseLayer& layer) {
   return std::isinf(layer.distance_m) ? "∞" : plain_number(100.0 * layer.distance_m, 4) + " cm";
 }
@@ -37,31 +41,40 @@ std::string ellipse_layers_svg(const std::vector<EllipseLayer>& layers, double h
                                double drawn_scale, const std::string& label) {
   const double scale = 0.5 * panel_width / half_width;  // pixels per tangent
   const int panel_height = std::max(40, static_cast<int>(std::lround(2.0 * half_height * scale)));
-  std::string body;
+  Html body;
   for (std::size_t n = 0; n < layers.size(); ++n) {
     const double x0 = left + static_cast<double>(n) * (panel_width + gap), cx = x0 + 0.5 * panel_width,
                  cy = top + 0.5 * panel_height;
     const std::string clip = "layer" + std::to_string(n);
-    const std::string frame = "x=\"" + coordinate(x0) + "\" y=\"" + std::to_string(top) + "\" width=\"" +
-                              std::to_string(panel_width) + "\" height=\"" + std::to_string(panel_height) + "\"";
-    body += "<clipPath id=\"" + clip + "\"><rect " + frame + "/></clipPath>" +
+    Attributes frame = {{"x", coordinate(x0)},
+                        {"y", std::to_string(top)},
+                        {"width", std::to_string(panel_width)},
+                        {"height", std::to_string(panel_height)}};
+    body += inline_element("clipPath", {{"id", clip}}, empty_element("rect", frame)) +
             svg_text(cx, top - 14, title_of(layers[n]), "middle", 15);
     for (const int angle : angle_ticks(half_width)) {
       const double x = cx + scale * std::tan(radians_per_degree * angle);
-      body += "<path d=\"M" + coordinate(x) + " " + std::to_string(top) + "v" + std::to_string(panel_height) +
-              "\" stroke=\"#e3e3e3\"/>" + svg_text(x, top + panel_height + 17, degrees(angle));
+      body += grid_line("M" + coordinate(x) + " " + std::to_string(top) + "v" + std::to_string(panel_height)) +
+              svg_text(x, top + panel_height + 17, degrees(angle));
     }
     for (const int angle : angle_ticks(half_height)) {
       const double y = cy - scale * std::tan(radians_per_degree * angle);
-      body += "<path d=\"M" + coordinate(x0) + " " + coordinate(y) + "h" + std::to_string(panel_width) +
-              "\" stroke=\"#e3e3e3\"/>";
+      body += grid_line("M" + coordinate(x0) + " " + coordinate(y) + "h" + std::to_string(panel_width));
       if (n == 0) body += svg_text(x0 - 6, y + 4, degrees(angle), "end");
     }
-    body += "<g clip-path=\"url(#" + clip +
-            ")\" fill=\"#2b6cb0\" fill-opacity=\"0.35\" stroke=\"#1a4f8b\" stroke-width=\"0.8\">";
+    Html ellipses;
     for (const PlacedEllipse& e : layers[n].ellipses)
-      body += svg_ellipse(e.ellipse, scale * drawn_scale, cx + scale * e.centre.x(), cy - scale * e.centre.y(), "blur");
-    body += "</g><rect " + frame + " fill=\"none\" stroke=\"#555\"/>";
+      ellipses +=
+          svg_ellipse(e.ellipse, scale * drawn_scale, cx + scale * e.centre.x(), cy - scale * e.centre.y(), "blur");
+    body += inline_element("g",
+                           {{"clip-path", "url(#" + clip + ")"},
+                            {"fill", "#2b6cb0"},
+                            {"fill-opacity", "0.35"},
+                            {"stroke", "#1a4f8b"},
+                            {"stroke-width", "0.8"}},
+                           ellipses);
+    frame.insert(frame.end(), {{"fill", "none"}, {"stroke", "#555"}});
+    body += empty_element("rect", frame);
   }
   const int width = left + static_cast<int>(layers.size()) * (panel_width + gap) - gap + 14,
             height = top + panel_height + bottom;

@@ -4,7 +4,7 @@
 
 #include "io/files/text_file.h"
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/parts.h"
 #include "reports/markup/pictures.h"
 
 namespace sturm {
@@ -27,21 +27,21 @@ bool is_svg_file(std::string_view text) {
          tag.find("'http://www.w3.org/2000/svg'") != std::string_view::npos;
 }
 
-std::string figure_html(const Json& figure, const std::filesystem::path& run_folder) {
+Html figure_html(const Json& figure, const std::filesystem::path& run_folder) {
   const std::string title = text_at(figure, "title"), name = text_at(figure, "file");
   const auto svg = file_contents(run_folder / name);
-  std::string html = element("h3", "", text_html(title));
+  Html html = element("h3", text_or_dash(title));
   if (svg && is_svg_file(*svg)) {
     const std::string address = "data:image/svg+xml;base64," + base64({svg->begin(), svg->end()});
-    html += "<img class=\"figure\" alt=\"" + escaped(title) + "\" src=\"" + address + "\"/>\n";
+    html += empty_element("img", {{"class", "figure"}, {"alt", title}, {"src", address}}) + "\n"_html;
   } else {
-    html += element("p", "class=\"missing\"",
-                    "No picture: " + escaped(name) + (svg ? " is not an SVG file." : " is not there."));
+    html +=
+        missing_html("No picture: "_html + text(name) + (svg ? " is not an SVG file."_html : " is not there."_html));
   }
-  std::string caption = escaped(text_at(figure, "caption")) + "<small>File: <code>" + escaped(name) + "</code></small>";
+  Html caption = text(text_at(figure, "caption")) + small_html("File: "_html + inline_element("code", text(name)));
   if (const std::string command = text_at(figure, "command"); !command.empty())
-    caption += "<small>Drawn by: <code>" + escaped(command) + "</code></small>";
-  return element("figure", "", html + element("figcaption", "", caption));
+    caption += small_html("Drawn by: "_html + inline_element("code", text(command)));
+  return element("figure", html + element("figcaption", caption));
 }
 
 std::vector<Json> figures_of(const Json& report, std::string_view section) {

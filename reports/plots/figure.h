@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/json/json.h"
+#include "reports/markup/html.h"
 
 namespace sturm {
 
@@ -26,9 +27,9 @@ Json figure_json(const Figure& figure);
 /// Whether a text is an SVG file that a page can show as a picture: an <svg> element in SVG's namespace.
 bool is_svg_file(std::string_view text);
 
-/// An entry of the report's list "figures" as HTML. The picture stands in the page as a data address, so that neither
-/// styles nor ids nor scripts of the file can reach the page. A file that cannot be read leaves a note.
-std::string figure_html(const Json& figure, const std::filesystem::path& run_folder);
+/// An entry of the report's list "figures" on the page. The picture stands in the page as a data address, so that
+/// neither styles nor ids nor scripts of the file can reach the page. A file that cannot be read leaves a note.
+Html figure_html(const Json& figure, const std::filesystem::path& run_folder);
 
 /// The report's figures that belong to `section` ("": to none), in their order.
 std::vector<Json> figures_of(const Json& report, std::string_view section);

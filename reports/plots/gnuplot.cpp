@@ -13,7 +13,7 @@
 #include <regex>
 
 #include "io/files/error.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/escaped.h"
 
 extern char** environ;
 
@@ -74,7 +74,7 @@ std::string run_gnuplot(std::string_view script) {
 }
 
 /// The picture's own element, without what only a free-standing SVG file needs.
-std::string for_inline_use(std::string svg, const PlotFrame& frame) {
+Html for_inline_use(std::string svg, const PlotFrame& frame) {
   const std::size_t start = svg.find("<svg");
   const std::size_t end = svg.rfind("</svg>");
   if (start == std::string::npos || end == std::string::npos) throw RuntimeFailure("gnuplot wrote no SVG picture");
@@ -89,7 +89,8 @@ std::string for_inline_use(std::string svg, const PlotFrame& frame) {
   svg = std::regex_replace(svg, std::regex(R"re(url\(#)re"), "url(#" + frame.id + "-");
   svg = std::regex_replace(svg, std::regex("<title>gnuplot_plot_[^<]*</title>"), "");
   svg = std::regex_replace(svg, std::regex("<title>Gnuplot</title>\\s*<desc>[^<]*</desc>"), "");
-  return svg.insert(4, " class=\"plot\" role=\"img\" aria-label=\"" + escaped(frame.label) + "\"") + "\n";
+  svg.insert(4, " class=\"plot\" role=\"img\" aria-label=\"" + escaped(frame.label) + "\"");
+  return Html::trusted(svg + "\n");
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ std::string gnuplot_file(std::string_view script, const PlotFrame& frame) {
   return run_gnuplot(setup + std::string(script) + "\n");
 }
 
-std::string gnuplot_svg(std::string_view script, const PlotFrame& frame) {
+Html gnuplot_svg(std::string_view script, const PlotFrame& frame) {
   return for_inline_use(gnuplot_file(script, frame), frame);
 }
 

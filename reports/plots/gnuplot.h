@@ -2,6 +2,8 @@
 #include <string>
 #include <string_view>
 
+#include "reports/markup/html.h"
+
 namespace sturm {
 
 struct PlotFrame {
@@ -13,7 +15,7 @@ struct PlotFrame {
 /// Runs gnuplot on `script` (which must not set a terminal or output) and returns its plot as an <svg> element for an
 /// HTML page: no XML prolog, no namespace addresses, no fixed fonts. Throws RuntimeFailure if gnuplot is missing or
 /// complains.
-std::string gnuplot_svg(std::string_view script, const PlotFrame& frame);
+Html gnuplot_svg(std::string_view script, const PlotFrame& frame);
 
 /// The same picture as an SVG file of its own.
 std::string gnuplot_file(std::string_view script, const PlotFrame& frame);

@@ -1,12 +1,10 @@
 #include "reports/plots/lens_convergence_figure.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "compare/studies/lens/lens_study_errors.h"
 #include "compare/studies/lens/lens_study_views.h"
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 #include "lensmodel/units.h"
 #include "reports/plots/gnuplot.h"
 
@@ -16,31 +14,31 @@ namespace {
 
 /// ‖C_method − C_rays‖_F [arcmin²] at one pupil: the relative error times the norm of the real rays' covariance, whose
 /// eigenvalues are the squares of half the semi-axes.
-std::optional<double> absolute_error(const Json& pupil, const char* method) {
-  const auto relative = number_at(value_at(pupil, method), "relative_frobenius");
-  const auto major = number_at(pupil, "real_semi_axes_arcmin/0"), minor = number_at(pupil, "real_semi_axes_arcmin/1");
-  if (!relative || !major || !minor) return std::nullopt;
+Number absolute_error(const LensPupil& pupil, std::optional<MethodError> LensPupil::*method) {
+  const Number relative = pupil.*method ? (pupil.*method)->relative_frobenius : std::nullopt;
+  if (!relative || !pupil.real_semi_axes_arcmin) return std::nullopt;
+  const auto& [major, minor] = *pupil.real_semi_axes_arcmin;
+  if (!major || !minor) return std::nullopt;
   return *relative * 0.25 * std::hypot(*major * *major, *minor * *minor);
 }
 
-std::string rows_of(const Json& view, const char* method) {
+std::string rows_of(const LensStudyView& view, std::optional<MethodError> LensPupil::*method) {
   std::string rows;
-  for (const Json& pupil : array_at(view, "pupils")) {
-    const auto error = absolute_error(pupil, method), diameter = number_at(pupil, "pupil_mm");
-    if (error && diameter && *error > 0.0) rows += plain_number(*diameter, 9) + " " + plain_number(*error, 9) + "\n";
+  for (const LensPupil& pupil : view.pupils) {
+    const Number error = absolute_error(pupil, method);
+    if (error && pupil.pupil_mm && *error > 0.0)
+      rows += plain_number(*pupil.pupil_mm, 9) + " " + plain_number(*error, 9) + "\n";
   }
   return rows;
 }
 
 /// The oblique view of a lens in which ray transfer errs most at the smallest pupil; null if there is none.
-const Json* worst_view(const Json& section, const std::string& lens) {
-  const Json* worst = nullptr;
+const LensStudyView* worst_view(const LensFindings& found, const std::string& lens) {
+  const LensStudyView* worst = nullptr;
   double largest = 0.0;
-  for (const Json& view : array_at(section, "views")) {
-    const Json& pupils = array_at(view, "pupils");
-    if (text_at(view, "lens") != lens || pupils.empty() || !(number_at(view, "eccentricity_deg").value_or(0.0) > 0.0))
-      continue;
-    const double error = absolute_error(pupils.front(), "ray_transfer").value_or(0.0);
+  for (const LensStudyView& view : found.views) {
+    if (view.lens != lens || view.pupils.empty() || !(view.eccentricity_deg.value_or(0.0) > 0.0)) continue;
+    const double error = absolute_error(view.pupils.front(), &LensPupil::ray_transfer).value_or(0.0);
     if (error > largest) {
       largest = error;
       worst = &view;
@@ -49,8 +47,8 @@ const Json* worst_view(const Json& section, const std::string& lens) {
   return worst;
 }
 
-double published_error(const Json& view) {
-  return number_at(view, "first_order/published/defocus_D").value_or(0.0);
+double published_error(const LensStudyView& view) {
+  return defocus_of(view.first_order.published).value_or(0.0);
 }
 
 constexpr const char* colours[] = {"#08519c", "#3182bd", "#6baed6", "#238b45", "#74c476", "#54278f",
@@ -58,7 +56,7 @@ constexpr const char* colours[] = {"#08519c", "#3182bd", "#6baed6", "#238b45", "
 
 }  // namespace
 
-std::optional<Figure> convergence_figure(const Json& section) {
+std::optional<Figure> convergence_figure(const LensFindings& found) {
   std::string blocks, plots, guide_anchor;
   std::size_t count = 0;
   const auto add = [&](const std::string& rows, const std::string& look, const std::string& title) {
@@ -68,10 +66,10 @@ std::optional<Figure> convergence_figure(const Json& section) {
     plots += (plots.empty() ? "plot " : ", ") + name + " with linespoints " + look + " title \"" + title + "\"";
   };
   std::size_t number = 0;
-  const Json* shown = nullptr;  // the view in which eq. 11 errs most
+  const LensStudyView* shown = nullptr;  // the view in which eq. 11 errs most
   double largest_published = 0.0;
-  for (const Json& lens : array_at(section, "lenses")) {
-    const Json* view = worst_view(section, text_at(lens, "id"));
+  for (const LensFacts& lens : found.lenses) {
+    const LensStudyView* view = worst_view(found, lens.id);
     if (!view) continue;
     const double published = published_error(*view);
     if (!shown || published > largest_published) {
@@ -79,14 +77,14 @@ std::optional<Figure> convergence_figure(const Json& section) {
       largest_published = published;
     }
     const char* colour = colours[number++ % std::size(colours)];
-    add(rows_of(*view, "ray_transfer"), std::string("pt 7 ps 0.5 lw 1.6 lc rgb '") + colour + "'", text_at(lens, "id"));
+    add(rows_of(*view, &LensPupil::ray_transfer), std::string("pt 7 ps 0.5 lw 1.6 lc rgb '") + colour + "'", lens.id);
   }
   if (!shown) return std::nullopt;
-  add(rows_of(*shown, "published"), "pt 5 ps 0.6 lw 1.6 dt 2 lc rgb '#b2182b'",
-      "as published, " + text_at(*shown, "lens"));
-  add(rows_of(*shown, "previous"), "pt 9 ps 0.7 lw 1.6 dt 3 lc rgb '#b8860b'", "previous, " + text_at(*shown, "lens"));
-  const double start = absolute_error(array_at(*shown, "pupils").front(), "ray_transfer").value_or(1e-6),
-               pupil = number_at(array_at(*shown, "pupils").front(), "pupil_mm").value_or(1.0);
+  add(rows_of(*shown, &LensPupil::published), "pt 5 ps 0.6 lw 1.6 dt 2 lc rgb '#b2182b'",
+      "as published, " + shown->lens);
+  add(rows_of(*shown, &LensPupil::previous), "pt 9 ps 0.7 lw 1.6 dt 3 lc rgb '#b8860b'", "previous, " + shown->lens);
+  const double start = absolute_error(shown->pupils.front(), &LensPupil::ray_transfer).value_or(1e-6),
+               pupil = shown->pupils.front().pupil_mm.value_or(1.0);
   const std::string script = "set xrange [" + plain_number(0.8 * pupil) + ":*]" + R"(
 set border 3 lc rgb '#666666'
 set tics nomirror out

@@ -7,7 +7,6 @@
 #include "io/files/formatted_text.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/false_colour.h"
-#include "reports/markup/markup.h"
 
 namespace sturm {
 
@@ -28,17 +27,20 @@ std::string number_text(double defocus_D) {
   return text;
 }
 
-std::string cell(double x, double y, const WorstError& worst) {
+Html cell(double x, double y, const WorstError& worst) {
   const bool matters = worst.defocus_D && *worst.defocus_D > defocus_that_matters_D;
   const double inset = matters ? 1.0 : 0.0;
-  std::string svg = "<rect x=\"" + plain_number(x + inset) + "\" y=\"" + plain_number(y + inset) + "\" width=\"" +
-                    plain_number(cell_width - 2.0 * inset) + "\" height=\"" + plain_number(cell_height - 2.0 * inset) +
-                    "\" fill=\"" + (worst.defocus_D ? fill_of(*worst.defocus_D) : "#eceff2") + "\"" +
-                    (matters ? " stroke=\"#000000\" stroke-width=\"2\"" : "") + "/>\n";
+  Attributes square = {{"x", plain_number(x + inset)},
+                       {"y", plain_number(y + inset)},
+                       {"width", plain_number(cell_width - 2.0 * inset)},
+                       {"height", plain_number(cell_height - 2.0 * inset)},
+                       {"fill", worst.defocus_D ? fill_of(*worst.defocus_D) : "#eceff2"}};
+  if (matters) square.insert(square.end(), {{"stroke", "#000000"}, {"stroke-width", "2"}});
   const bool dark = worst.defocus_D && position_on(scale, *worst.defocus_D) > 0.42;
-  return svg + svg_text(x + 0.5 * cell_width, y + 0.5 * cell_height + 4.0,
-                        worst.defocus_D ? number_text(*worst.defocus_D) + (worst.without > 0 ? "*" : "") : "–",
-                        "middle", 12, dark ? "#ffffff" : "#1f2328");
+  return empty_element("rect", square) + "\n"_html +
+         svg_text(x + 0.5 * cell_width, y + 0.5 * cell_height + 4.0,
+                  worst.defocus_D ? number_text(*worst.defocus_D) + (worst.without > 0 ? "*" : "") : "–", "middle", 12,
+                  dark ? "#ffffff" : "#1f2328");
 }
 
 }  // namespace
@@ -48,7 +50,7 @@ Figure heat_map(const LensStudyErrors& errors, const std::string& lens) {
   const double panel = cell_width * static_cast<double>(pupils.size()),
                height = top + cell_height * static_cast<double>(gazes.size()) + 40.0;
   const double width = left + std::size(study_methods) * (panel + gap);
-  std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  Html body = white_ground();
   for (std::size_t m = 0; m < std::size(study_methods); ++m) {
     const double x0 = left + static_cast<double>(m) * (panel + gap);
     body += svg_text(x0, 16.0, study_methods[m].name, "start", 14);

@@ -16,7 +16,7 @@ namespace {
 constexpr int panel_width = 470, panel_height = 450;  // [px]
 constexpr double most_contours = 60;
 
-std::string text(double value) {
+std::string number_text(double value) {
   return plain_number(value, 7);
 }
 
@@ -49,7 +49,9 @@ std::string palette(bool signed_scale) {
 /// Millimetres of a place in grid coordinates.
 struct Scale {
   double rim, step;
-  std::string at(const Eigen::Vector2d& p) const { return text(-rim + step * p.x()) + " " + text(-rim + step * p.y()); }
+  std::string at(const Eigen::Vector2d& p) const {
+    return number_text(-rim + step * p.x()) + " " + number_text(-rim + step * p.y());
+  }
 };
 
 std::string lines_at(const Eigen::MatrixXd& values, double level, const Scale& scale) {
@@ -71,7 +73,8 @@ std::string panel(const LensMap& map, double limit, int number) {
   for (Eigen::Index row = 0; row < map.values.rows(); ++row)
     for (Eigen::Index column = 0; column < map.values.cols(); ++column) {
       const double value = map.values(row, column);
-      places += scale.at({double(column), double(row)}) + " " + (std::isfinite(value) ? text(value) : "NaN") + "\n";
+      places +=
+          scale.at({double(column), double(row)}) + " " + (std::isfinite(value) ? number_text(value) : "NaN") + "\n";
     }
   const double step = map.contour_step * std::ceil(2.0 * limit / map.contour_step / most_contours);
   const int last = static_cast<int>(std::floor(limit / step + 1e-9));
@@ -91,12 +94,13 @@ std::string panel(const LensMap& map, double limit, int number) {
     add("limit", rows, "lw 3.2 lc rgb '#007a33'");
   }
   script += palette(map.signed_scale) + "set title \"" + map.title + "\"\nset cblabel \"" + map.unit +
-            "\"\nset cbrange [" + text(map.signed_scale ? -limit : 0.0) + ":" + text(limit) + "]\nset xrange [" +
-            text(-1.05 * rim) + ":" + text(1.05 * rim) + "]\nset yrange [" + text(-1.05 * rim) + ":" +
-            text(1.05 * rim) + "]\n";
-  return script + "plot " + curves + ", [t=0:2*pi] '+' using (" + text(rim) + "*cos($1)):(" + text(rim) +
-         "*sin($1)) with lines lw 1.5 lc rgb '#000000' notitle, '+' using (" + text(map.fitting_cross_mm.x()) + "):(" +
-         text(map.fitting_cross_mm.y()) + ") every 1000 with points pt 1 ps 1.6 lw 2 lc rgb '#000000' notitle\n";
+            "\"\nset cbrange [" + number_text(map.signed_scale ? -limit : 0.0) + ":" + number_text(limit) +
+            "]\nset xrange [" + number_text(-1.05 * rim) + ":" + number_text(1.05 * rim) + "]\nset yrange [" +
+            number_text(-1.05 * rim) + ":" + number_text(1.05 * rim) + "]\n";
+  return script + "plot " + curves + ", [t=0:2*pi] '+' using (" + number_text(rim) + "*cos($1)):(" + number_text(rim) +
+         "*sin($1)) with lines lw 1.5 lc rgb '#000000' notitle, '+' using (" + number_text(map.fitting_cross_mm.x()) +
+         "):(" + number_text(map.fitting_cross_mm.y()) +
+         ") every 1000 with points pt 1 ps 1.6 lw 2 lc rgb '#000000' notitle\n";
 }
 
 PlotFrame frame_of(std::span<const LensMap> maps, const std::string& id) {
@@ -125,12 +129,12 @@ set multiplot layout 1,)" +
   return script + "unset multiplot\n";
 }
 
-std::string lens_map_svg(std::span<const LensMap> maps, const std::string& id) {
+Html lens_map_svg(std::span<const LensMap> maps, const std::string& id) {
   return gnuplot_svg(lens_map_script(maps), frame_of(maps, id));
 }
 
 std::string lens_map_svg_file(std::span<const LensMap> maps) {
-  std::string svg = lens_map_svg(maps, "map");
+  std::string svg = lens_map_svg(maps, "map").markup();
   svg.insert(
       4,
       " xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" font-family=\"sans-serif\"");

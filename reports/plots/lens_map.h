@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include "reports/markup/html.h"
+
 namespace sturm {
 
 /// A quantity over a lens, as the wearer looks through it. Coordinates: mm on the lens about its back vertex, x to the
@@ -25,8 +27,8 @@ struct LensMap {
 std::string lens_map_script(std::span<const LensMap> maps);
 
 /// The maps as an <svg> element for an HTML page (reports/plots/gnuplot.h). `id`: unique on the page.
-std::string lens_map_svg(std::span<const LensMap> maps, const std::string& id);
-inline std::string lens_map_svg(const LensMap& map, const std::string& id) {
+Html lens_map_svg(std::span<const LensMap> maps, const std::string& id);
+inline Html lens_map_svg(const LensMap& map, const std::string& id) {
   return lens_map_svg(std::span(&map, 1), id);
 }
 

@@ -6,7 +6,7 @@
 
 #include "io/files/formatted_text.h"
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/parts.h"
 #include "reports/plots/gnuplot.h"
 
 namespace sturm {
@@ -47,13 +47,13 @@ struct RatioPlot {
   std::string key, axis_label, closed_form, range;
 };
 
-std::string ratio_plot(const Json& table, const RatioPlot& plot) {
+Html ratio_plot(const Json& table, const RatioPlot& plot) {
   std::string rows;
   for (const Json& row : table) {
     const auto t = ratio_of_vergences(row), ratio = number_at(row, plot.key);
     if (t && ratio && *ratio > 0.0) rows += point(*t, *ratio);
   }
-  if (rows.empty()) return "";
+  if (rows.empty()) return {};
   const std::string script =
       std::string(style) + ratio_axis + plot.range + data_block("measured", rows) + "set ylabel \"" + plot.axis_label +
       "\"\nplot 1 with lines lw 2 lc rgb '#2166ac' title 'wavefront theory: 1', " + plot.closed_form +
@@ -103,7 +103,7 @@ std::string closed_form_differences(const Json& cases) {
 
 }  // namespace
 
-std::string sin2_ratio_plots(const Json& report) {
+Html sin2_ratio_plots(const Json& report) {
   const Json& table = array_at(report, "sin2/table");
   return ratio_plot(table, {.key = "ratio_major",
                             .axis_label = "major semi-axis, sin² ÷ true",
@@ -115,7 +115,7 @@ std::string sin2_ratio_plots(const Json& report) {
                             .range = "set logscale y\nset yrange [0.5:*<1000]\nset key top right\n"});
 }
 
-std::string difference_plot(const Json& report) {
+Html difference_plot(const Json& report) {
   const Json& cases = array_at(report, "ellipses/cases");
   struct Series {
     std::string name, title, look, rows;
@@ -132,7 +132,7 @@ std::string difference_plot(const Json& report) {
     plots += std::string(plots.empty() ? "plot " : ", ") + "$" + series.name + " with points " + series.look +
              " title '" + series.title + "'";
   }
-  if (plots.empty()) return "";
+  if (plots.empty()) return {};
   const std::string script = std::string(style) + R"(
 set xlabel "|cylinder| of the prescription [D]"
 set ylabel "relative difference of the covariance from the conoid"

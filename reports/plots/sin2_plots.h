@@ -1,16 +1,16 @@
 #pragma once
-#include <string>
-
 #include "io/json/json.h"
+#include "reports/markup/html.h"
 
 namespace sturm {
 
-/// Measured ÷ true semi-axes of sin² rays against t = V₂/V₁, |V₁| ≥ |V₂|, over the closed forms of physics.md §4.1: two
-/// <svg> plots, major and minor axis. "" where the report has no such case.
-std::string sin2_ratio_plots(const Json& report);
+/// Measured ÷ true semi-axes of sin² rays against t = V₂/V₁, |V₁| ≥ |V₂|, over the closed forms of
+/// docs/theory.md#61-second-moments-in-closed-form: two <svg> plots, major and minor axis; nothing where the report has
+/// no such case.
+Html sin2_ratio_plots(const Json& report);
 
 /// Relative difference of the covariances of rays and conoid (Frobenius norm) against the size of the cylinder, one
-/// <svg>; "" likewise.
-std::string difference_plot(const Json& report);
+/// <svg>; nothing likewise.
+Html difference_plot(const Json& report);
 
 }  // namespace sturm

@@ -54,7 +54,8 @@ struct View {
   }
 };
 
-std::string section(const SturmConoid& c, const View& view, double distance, const std::string& style) {
+/// Cross section of the conoid, drawn with `style`.
+Html section(const SturmConoid& c, const View& view, double distance, const Attributes& style) {
   constexpr int points = 72;
   std::string path;
   for (int i = 0; i < points; ++i) {
@@ -63,10 +64,12 @@ std::string section(const SturmConoid& c, const View& view, double distance, con
         (i ? "L" : "M") +
         view.at(distance, map_at(c, distance) * (c.pupil_radius_m * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
   }
-  return "<path d=\"" + path + "Z\" " + style + "/>";
+  Attributes attributes = {{"d", path + "Z"}};
+  attributes.insert(attributes.end(), style.begin(), style.end());
+  return empty_element("path", attributes);
 }
 
-std::string rays(const SturmConoid& c, const View& view) {
+Html rays(const SturmConoid& c, const View& view) {
   constexpr int count = 24;
   std::string path;
   for (int i = 0; i < count; ++i) {
@@ -74,7 +77,7 @@ std::string rays(const SturmConoid& c, const View& view) {
     const Eigen::Vector2d p = c.pupil_radius_m * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     path += "M" + view.at(0.0, c.offset * p) + "L" + view.at(c.end_m, map_at(c, c.end_m) * p);
   }
-  return "<path d=\"" + path + "\" fill=\"none\" stroke=\"#9bb4cf\" stroke-width=\"0.7\"/>";
+  return empty_element("path", {{"d", path}, {"fill", "none"}, {"stroke", "#9bb4cf"}, {"stroke-width", "0.7"}});
 }
 
 }  // namespace
@@ -94,22 +97,25 @@ std::string sturm_conoid_svg(const SturmConoid& c, const std::string& label) {
   for (const double d : {0.0, c.end_m})
     largest = std::max(largest, Ellipse::image_of_disc(map_at(c, d), c.pupil_radius_m).semi_major);
   const View view{(width - left - right) / c.end_m, 0.3 * height / largest, 0.46 * height};
-  std::string body = "<path d=\"M" + view.at(0.0, {0.0, 0.0}) + "L" + view.at(c.end_m, {0.0, 0.0}) +
-                     "\" stroke=\"#888\" stroke-dasharray=\"6 4\"/>" + rays(c, view);
+  Html body = empty_element("path", {{"d", "M" + view.at(0.0, {0.0, 0.0}) + "L" + view.at(c.end_m, {0.0, 0.0})},
+                                     {"stroke", "#888"},
+                                     {"stroke-dasharray", "6 4"}}) +
+              rays(c, view);
   constexpr int sections = 16;
   for (int i = 0; i <= sections; ++i)
     body += section(c, view, c.end_m * i / sections,
-                    "fill=\"#2b6cb0\" fill-opacity=\"0.07\" stroke=\"#2b6cb0\" stroke-width=\"0.8\"");
-  body += section(c, view, 0.0, "fill=\"none\" stroke=\"#111\" stroke-width=\"2.2\"");
+                    {{"fill", "#2b6cb0"}, {"fill-opacity", "0.07"}, {"stroke", "#2b6cb0"}, {"stroke-width", "0.8"}});
+  body += section(c, view, 0.0, {{"fill", "none"}, {"stroke", "#111"}, {"stroke-width", "2.2"}});
 
   const double text_y = height - 62;
   const auto mark = [&](double distance, const std::string& name, const char* colour, double lift) {
     const double x = left + view.along * distance;
     body += section(c, view, distance,
-                    std::string("fill=\"") + colour + "\" fill-opacity=\"0.25\" stroke=\"" + colour +
-                        "\" stroke-width=\"3\"") +
-            "<path d=\"M" + coordinate(x) + " " + coordinate(view.baseline) + "V" + coordinate(text_y - 14 - lift) +
-            "\" stroke=\"" + colour + "\" stroke-dasharray=\"2 3\"/>" +
+                    {{"fill", colour}, {"fill-opacity", "0.25"}, {"stroke", colour}, {"stroke-width", "3"}}) +
+            empty_element("path", {{"d", "M" + coordinate(x) + " " + coordinate(view.baseline) + "V" +
+                                             coordinate(text_y - 14 - lift)},
+                                   {"stroke", colour},
+                                   {"stroke-dasharray", "2 3"}}) +
             svg_text(x, text_y - lift, name + " " + plain_number(distance, 4) + " m");
   };
   const ConoidPlaces places = places_of(c);

@@ -9,7 +9,7 @@
 #include "io/images/tone_map.h"
 #include "io/json/stored.h"
 #include "reports/markup/false_colour.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/parts.h"
 #include "reports/markup/pictures.h"
 #include "reports/viewer/viewer.h"
 
@@ -76,41 +76,35 @@ Pictures load(const Json& entry, const std::filesystem::path& run_folder) {
   return result;
 }
 
-std::string still(const Image& display, const std::string& title) {
-  return element("figure", "",
-                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) +
-                     "\" height=\"" + std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
-}
-
-std::string stills(const Pictures& pictures, double budget) {
+Html stills(const Pictures& pictures, double budget) {
   const double pixels = pictures.pixels() * (1.0 + 2.0 * static_cast<double>(pictures.predictions.size()));
   const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels * bytes_per_still_pixel / budget))));
-  std::string html = still(shrunk(pictures.display, factor), "Path traced");
+  Html html = picture_html(shrunk(pictures.display, factor), "Path traced");
   for (const Prediction& p : pictures.predictions)
-    html += still(shrunk(p.display, factor), "Predicted, " + escaped(p.kind)) +
-            still(diverging_false_colour(shrunk(p.difference, factor), error_limit),
-                  escaped(p.kind) + " − path traced, ±0.1");
-  return element("div", "class=\"three stills\"", html);
+    html += picture_html(shrunk(p.display, factor), "Predicted, " + p.kind) +
+            picture_html(diverging_false_colour(shrunk(p.difference, factor), error_limit),
+                         p.kind + " − path traced, ±0.1");
+  return element("div", {{"class", "three stills"}}, html);
 }
 
 /// The maps of a prediction; none but the difference where pictures are too small for metrics or hold numbers that are
 /// not finite.
-std::vector<ViewerCase::Map> maps_of(const Prediction& p, const Image& traced, std::size_t most) {
+std::vector<ViewerSet::Map> maps_of(const Prediction& p, const Image& traced, std::size_t most) {
   std::vector<ImageMetric> metrics;
   try {
     metrics = measure_images(p.linear, traced, {});
   } catch (const InputError&) {
     metrics.clear();
   }
-  std::vector<ViewerCase::Map> maps = maps_of_images(p.difference, error_limit, metrics, most);
-  for (ViewerCase::Map& map : maps) map.of = p.kind;
+  std::vector<ViewerSet::Map> maps = maps_of_images(p.difference, error_limit, metrics, most);
+  for (ViewerSet::Map& map : maps) map.of = p.kind;
   return maps;
 }
 
 /// Gives maps of one kind one scale, so that the predictions can be compared with each other.
-void share_scales(std::vector<ViewerCase::Map>& maps) {
-  for (ViewerCase::Map& map : maps)
-    for (const ViewerCase::Map& other : maps)
+void share_scales(std::vector<ViewerSet::Map>& maps) {
+  for (ViewerSet::Map& map : maps)
+    for (const ViewerSet::Map& other : maps)
       if (other.key == map.key) map.end = std::max(map.end, other.end);
 }
 
@@ -131,43 +125,44 @@ Fit fit_of(const std::vector<Pictures>& all) {
   return {maps, std::max(1, static_cast<int>(std::ceil(std::sqrt(bytes(maps) / viewer_byte_budget))))};
 }
 
-std::string viewer_place(const std::string& id, const Pictures& pictures, const Fit& fit, ViewerPayload& payload) {
-  if (pictures.linear.channels != 3 || pictures.predictions.empty()) return "";
-  ViewerCase shown;
+Html place_of(const std::string& id, const Pictures& pictures, const Fit& fit, ViewerPayload& payload) {
+  if (pictures.linear.channels != 3 || pictures.predictions.empty()) return {};
+  ViewerSet shown;
   shown.title = id;
   shown.factor = fit.factor;
   shown.quantity = viewer_radiance;
   shown.pictures = {{"path_traced", "Path traced", pictures.file}};
   payload.add_picture(pictures.file, pictures.linear, fit.factor);
-  std::string files = file_link(pictures.file);
+  Html files = file_link(pictures.file);
   for (const Prediction& p : pictures.predictions) {
     payload.add_picture(p.file, p.linear, fit.factor);
     shown.pictures.push_back({p.kind, "Predicted, " + p.kind, p.file});
-    for (ViewerCase::Map& map : maps_of(p, pictures.linear, fit.maps)) shown.maps.push_back(std::move(map));
-    files += ", " + file_link(p.file);
+    for (ViewerSet::Map& map : maps_of(p, pictures.linear, fit.maps)) shown.maps.push_back(std::move(map));
+    add_item(files, file_link(p.file));
   }
   share_scales(shown.maps);
   const bool all_maps = fit.maps > viewer_maps().size();
-  return element("div", "class=\"viewer\" data-case=\"" + std::to_string(payload.add_case(shown)) + "\"", "") +
-         element("p", "class=\"made-by\"",
-                 "Files: " + files + ". " + (all_maps ? "Maps" : "These and more maps") +
-                     " by <code>sturm compare PREDICTED " + escaped(pictures.file) +
-                     " --maps maps</code> in the run's folder.");
+  return viewer_place(payload.add_set(shown)) +
+         element("p", {{"class", "made-by"}},
+                 "Files: "_html + files + ". "_html + (all_maps ? "Maps"_html : "These and more maps"_html) +
+                     " by "_html +
+                     inline_element("code", text("sturm compare PREDICTED " + pictures.file + " --maps maps")) +
+                     " in the run's folder."_html);
 }
 
 }  // namespace
 
-std::vector<std::string> agreement_pictures(const Json& entries, const std::filesystem::path& run_folder,
-                                            ViewerPayload& payload) {
+std::vector<Html> agreement_pictures(const Json& entries, const std::filesystem::path& run_folder,
+                                     ViewerPayload& payload) {
   std::vector<Pictures> all;
   for (const Json& entry : entries) all.push_back(load(entry, run_folder));
   const Fit fit = fit_of(all);
   const double still_budget = still_byte_budget / static_cast<double>(std::max<std::size_t>(1, all.size()));
-  std::vector<std::string> html;
+  std::vector<Html> html;
   for (std::size_t i = 0; i < all.size(); ++i)
     html.push_back(all[i].problem.empty()
-                       ? viewer_place(text_at(entries[i], "id"), all[i], fit, payload) + stills(all[i], still_budget)
-                       : element("p", "class=\"missing\"", "No pictures: " + escaped(all[i].problem)));
+                       ? place_of(text_at(entries[i], "id"), all[i], fit, payload) + stills(all[i], still_budget)
+                       : missing_html("No pictures: "_html + text(all[i].problem)));
   return html;
 }
 

@@ -1,12 +1,11 @@
 #pragma once
-#include <string>
-
 #include "io/json/json.h"
+#include "reports/markup/html.h"
 
 namespace sturm {
 
-/// "Made by: sturm run EXPERIMENT --seed N" as HTML, from the report's provenance; "" where the report names no
+/// "Made by: sturm run EXPERIMENT --seed N", from the report's provenance; nothing where the report names no
 /// experiment.
-std::string made_by(const Json& report);
+Html made_by(const Json& report);
 
 }  // namespace sturm

@@ -2,10 +2,12 @@
 #include <map>
 #include <vector>
 
+#include "compare/statistics/median.h"
 #include "io/json/stored.h"
 #include "lensmodel/units.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
+#include "reports/markup/parts.h"
 #include "reports/sections/sections.h"
 
 namespace sturm {
@@ -77,58 +79,51 @@ std::vector<double> sorted_numbers(const std::vector<Row>& rows, std::string_vie
   return numbers;
 }
 
-std::optional<double> median(const std::vector<double>& sorted) {
-  if (sorted.empty()) return std::nullopt;
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
-}
-
 std::optional<double> largest(const std::vector<double>& sorted) {
   return sorted.empty() ? std::nullopt : std::optional(sorted.back());
 }
 
-std::string summary_table(const std::vector<std::pair<std::string, std::vector<Row>>>& groups) {
+Html summary_table(const std::vector<std::pair<std::string, std::vector<Row>>>& groups) {
   HtmlTable table("Ray models against the conoid, over all cases", "",
-                  {{"Ray model", false},
-                   {"What it is", false},
-                   {"Cases"},
-                   {"Without result"},
-                   {"Relative difference from the conoid, median"},
-                   {"Relative difference from the conoid, largest"},
-                   {"Largest |z| from the conoid [σ]"},
-                   {"Largest |z| from its closed form [σ]"}});
+                  {{"Ray model"_html, false},
+                   {"What it is"_html, false},
+                   {"Cases"_html},
+                   {"Without result"_html},
+                   {"Relative difference from the conoid, median"_html},
+                   {"Relative difference from the conoid, largest"_html},
+                   {"Largest |z| from the conoid [σ]"_html},
+                   {"Largest |z| from its closed form [σ]"_html}});
   for (const auto& [model, rows] : groups) {
     const auto without = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return undefined(*row.rays); });
     const auto differences = sorted_numbers(rows, "against_conoid/relative_frobenius");
-    table.add_row({"<code>" + text_html(model) + "</code>", escaped(what_it_is(model)),
-                   count_html(static_cast<double>(rows.size())), count_html(static_cast<double>(without)),
-                   number_html(median(differences), 3), number_html(largest(differences), 3),
+    table.add_row({code_html(model), text(what_it_is(model)), count_html(static_cast<double>(rows.size())),
+                   count_html(static_cast<double>(without)), number_html(median(differences), 3),
+                   number_html(largest(differences), 3),
                    number_html(largest(sorted_numbers(rows, "against_conoid/z_max")), 3),
                    number_html(largest(sorted_numbers(rows, "against_closed_form/z_max")), 3)});
   }
   return table.html();
 }
 
-std::string semi_axes_html(const Json& ellipse) {
+Html semi_axes_html(const Json& ellipse) {
   const auto axis = [&](const char* path) {
     const auto radians = number_at(ellipse, path);
     return radians ? std::optional(*radians * arcminutes_per_radian) : std::nullopt;
   };
   const auto major = axis("semi_axes_rad/0"), minor = axis("semi_axes_rad/1");
-  return major && minor ? number_html(major) + " × " + number_html(minor) : "–";
+  return major && minor ? number_html(major) + " × "_html + number_html(minor) : absent_html();
 }
 
-std::string degrees_html(const Json& json, const char* path) {
-  const auto degrees = number_at(json, path);
-  return degrees ? number_html(degrees, 3) : "–";
+Html degrees_html(const Json& json, const char* path) {
+  return number_html(number_at(json, path), 3);
 }
 
-std::string status_html(const Json& rays) {
-  std::string html = text_html(text_at(rays, "status"));
+Html status_html(const Json& rays) {
+  Html html = text_or_dash(text_at(rays, "status"));
   for (const auto& [key, name] :
        {std::pair("dropped", "dropped"), std::pair("negative_focus", "with negative focus")}) {
     const auto count = number_at(rays, std::string("counters/") + key);
-    if (count && *count > 0.0) html += "<small>" + count_html(count) + " " + name + "</small>";
+    if (count && *count > 0.0) html += small_html(count_html(count) + " "_html + text(name));
   }
   return html;
 }
@@ -137,27 +132,28 @@ Cell sortable(std::optional<double> value, int significant) {
   return {number_html(value, significant), value};
 }
 
-std::string case_table(const std::string& model, const std::vector<Row>& rows) {
+Html case_table(const std::string& model, const std::vector<Row>& rows) {
   const bool closed_form = std::any_of(
       rows.begin(), rows.end(), [](const Row& r) { return value_at(*r.rays, "against_closed_form").is_object(); });
-  std::vector<Column> columns = {{"Case", false},
-                                 {"Conoid, semi-axes [arcmin]"},
-                                 {"Conoid, orientation [°]"},
-                                 {"Rays, semi-axes [arcmin]"},
-                                 {"Rays, orientation [°]"},
-                                 {"Relative difference"},
-                                 {"Largest |z| [σ]"},
-                                 {"Minor-axis error [arcmin]"},
-                                 {"Orientation error [°]"},
-                                 {"Bures–Wasserstein [arcmin]"}};
+  std::vector<Column> columns = {{"Case"_html, false},
+                                 {"Conoid, semi-axes [arcmin]"_html},
+                                 {"Conoid, orientation [°]"_html},
+                                 {"Rays, semi-axes [arcmin]"_html},
+                                 {"Rays, orientation [°]"_html},
+                                 {"Relative difference"_html},
+                                 {"Largest |z| [σ]"_html},
+                                 {"Minor-axis error [arcmin]"_html},
+                                 {"Orientation error [°]"_html},
+                                 {"Bures–Wasserstein [arcmin]"_html}};
   if (closed_form)
-    columns.insert(columns.end(), {{"Relative difference from closed form"}, {"Largest |z| from closed form [σ]"}});
-  columns.push_back({"Status", false});
+    columns.insert(columns.end(),
+                   {{"Relative difference from closed form"_html}, {"Largest |z| from closed form [σ]"_html}});
+  columns.push_back({"Status"_html, false});
   HtmlTable table("Ellipses of " + model + " rays against the conoid, worst first", "sortable filterable", columns);
   for (const Row& row : rows) {
     const Json &item = *row.item, &rays = *row.rays;
     std::vector<Cell> cells = {
-        text_html(text_at(item, "id")),
+        text_or_dash(text_at(item, "id")),
         {semi_axes_html(value_at(item, "conoid")), number_at(item, "conoid/semi_axes_rad/0")},
         {degrees_html(item, "conoid/orientation_deg"), number_at(item, "conoid/orientation_deg")},
         {semi_axes_html(rays), number_at(rays, "semi_axes_rad/0")},
@@ -177,40 +173,39 @@ std::string case_table(const std::string& model, const std::vector<Row>& rows) {
   return table.html();
 }
 
-std::string reference_table(const Json& reference) {
+Html reference_table(const Json& reference) {
   HtmlTable table("Conoid and closed form against independent numbers", "compact",
-                  {{"Quantity", false}, {"Largest relative error"}});
+                  {{"Quantity"_html, false}, {"Largest relative error"_html}});
   const Json& errors = value_at(reference, "max_relative_error");
-  if (!errors.is_object()) return "";
-  for (const auto& [name, error] : errors.items()) table.add_row({escaped(name), number_html(number_at(error, ""), 2)});
-  return element("p", "",
-                 "Both were compared with " + count_html(number_at(reference, "cases")) +
-                     " cases that other programs computed (<code>" + text_html(text_at(reference, "file")) +
-                     "</code>).") +
+  if (!errors.is_object()) return {};
+  for (const auto& [name, error] : errors.items()) table.add_row({text(name), number_html(number_at(error, ""), 2)});
+  return element("p", "Both were compared with "_html + count_html(number_at(reference, "cases")) +
+                          " cases that other programs computed ("_html + code_html(text_at(reference, "file")) +
+                          ")."_html) +
          table.html();
 }
 
 }  // namespace
 
-std::string ellipse_section(const Json& report) {
+Html ellipse_section(const Json& report) {
   const Json& cases = array_at(report, "ellipses/cases");
-  const std::string reference = reference_table(value_at(report, "reference"));
-  if (cases.empty() && reference.empty()) return "";
-  std::string html = element("h2", "", "All ellipses");
+  const Html reference = reference_table(value_at(report, "reference"));
+  if (cases.empty() && reference.empty()) return {};
+  Html html = element("h2", "All ellipses"_html);
   if (!cases.empty()) {
     const auto groups = by_ray_model(cases);
-    html += element("p", "",
+    html += element("p",
                     "Every prescription, distance and pupil. Semi-axes are major × minor, for rays 2 × standard "
                     "deviation; orientations are of the "
-                    "major axis as the wearer sees it. Standard error: " +
-                        text_html(text_at(report, "ellipses/conditions/standard_error")) + ".") +
+                    "major axis as the wearer sees it. Standard error: "_html +
+                        text_or_dash(text_at(report, "ellipses/conditions/standard_error")) + "."_html) +
             summary_table(groups);
     for (const auto& [model, rows] : groups) {
-      html += folded("<code>" + text_html(model) + "</code>: " + std::to_string(rows.size()) + " cases, worst first",
+      html += folded(code_html(model) + ": "_html + text(std::to_string(rows.size())) + " cases, worst first"_html,
                      case_table(model, rows));
     }
   }
-  return element("section", "id=\"ellipses\"", html + reference);
+  return element("section", {{"id", "ellipses"}}, html + reference);
 }
 
 }  // namespace sturm

@@ -9,8 +9,9 @@
 #include "io/images/tone_map.h"
 #include "io/json/stored.h"
 #include "reports/markup/false_colour.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
+#include "reports/markup/parts.h"
 #include "reports/markup/pictures.h"
 #include "reports/sections/command.h"
 #include "reports/sections/sections.h"
@@ -86,20 +87,21 @@ std::vector<ImageMetric> maps_of(const Pair& pair) {
   }
 }
 
-/// Gives the case to the viewer; its place on the page as HTML.
-std::string viewer_place(const Json& entry, const Pair& pair, double limit, std::size_t cases, ViewerPayload& payload) {
+/// Gives the case to the viewer; its place on the page.
+Html place_of(const Json& entry, const Pair& pair, double limit, std::size_t cases, ViewerPayload& payload) {
   const std::string traced = text_at(entry, "files/path_traced"), predicted = text_at(entry, "files/predicted");
-  if (pair.linear_traced.channels != 3) return "";
+  if (pair.linear_traced.channels != 3) return {};
   const int factor = shrink_factor(pair.linear_traced, cases, viewer_bytes_per_pixel, viewer_byte_budget);
   payload.add_picture(traced, pair.linear_traced, factor);
   payload.add_picture(predicted, pair.linear_predicted, factor);
   const std::size_t number =
-      payload.add_case(case_of_images(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
-                                      pair.difference, limit, maps_of(pair), factor));
-  return element("div", "class=\"viewer\" data-case=\"" + std::to_string(number) + "\"", "") +
-         element("p", "class=\"made-by\"",
-                 "Files: " + file_link(traced) + ", " + file_link(predicted) + ". Maps by <code>sturm compare " +
-                     escaped(predicted) + " " + escaped(traced) + " --maps maps</code> in the run's folder.");
+      payload.add_set(set_of_images(text_at(entry, "id") + " · " + text_at(entry, "ray_model"), traced, predicted,
+                                    pair.difference, limit, maps_of(pair), factor));
+  return viewer_place(number) +
+         element("p", {{"class", "made-by"}},
+                 "Files: "_html + file_link(traced) + ", "_html + file_link(predicted) + ". Maps by "_html +
+                     inline_element("code", text("sturm compare " + predicted + " " + traced + " --maps maps")) +
+                     " in the run's folder."_html);
 }
 
 /// encode_png refuses numbers that are not finite; the picture shows them in the colour that stands for them.
@@ -111,52 +113,46 @@ Image with_visible_defects(Image display) {
   return display;
 }
 
-std::string picture(const Image& display, const std::string& title) {
-  return element("figure", "",
-                 element("h4", "", title) + "<img alt=\"" + title + "\" width=\"" + std::to_string(display.width) +
-                     "\" height=\"" + std::to_string(display.height) + "\" src=\"" + data_uri(display) + "\"/>\n");
-}
-
-std::string floor_html(const Json& entry, const std::string& metric) {
+Html floor_html(const Json& entry, const std::string& metric) {
   const auto floor = number_at(entry, "noise_floor/" + metric);
-  return floor ? "<small>floor " + number_html(floor, 3) + "</small>" : "";
+  return floor ? small_html("floor "_html + number_html(floor, 3)) : Html();
 }
 
-std::string metric_html(const Json& entry, const std::string& metric) {
+Html metric_html(const Json& entry, const std::string& metric) {
   const Json& value = value_at(entry, "metrics/" + metric);
-  const std::string html = value.is_object() ? measured_html(number_at(value, "value"), number_at(value, "uncertainty"))
-                                             : number_html(number_at(value, ""), 3);
+  const Html html = value.is_object() ? measured_html(number_at(value, "value"), number_at(value, "uncertainty"))
+                                      : number_html(number_at(value, ""), 3);
   return html + floor_html(entry, metric);
 }
 
-std::string speed_up_html(const Json& entry) {
+Html speed_up_html(const Json& entry) {
   const auto slow = number_at(entry, "seconds/path_traced"), fast = number_at(entry, "seconds/predicted_total");
-  return slow && fast && *fast > 0.0 ? "× " + number_html(*slow / *fast, 2) : "–";
+  return slow && fast && *fast > 0.0 ? "× "_html + number_html(*slow / *fast, 2) : absent_html();
 }
 
-std::string predicted_seconds_html(const Json& entry) {
+Html predicted_seconds_html(const Json& entry) {
   const auto sharp = number_at(entry, "seconds/sharp_view"), spreading = number_at(entry, "seconds/spreading");
-  std::string html = number_html(number_at(entry, "seconds/predicted_total"), 3);
+  Html html = number_html(number_at(entry, "seconds/predicted_total"), 3);
   if (sharp && spreading)
-    html += "<small>sharp view " + number_html(sharp, 2) + "</small><small>spreading " + number_html(spreading, 2) +
-            "</small>";
+    html += small_html("sharp view "_html + number_html(sharp, 2)) +
+            small_html("spreading "_html + number_html(spreading, 2));
   return html;
 }
 
-std::string metrics_table(const Json& images) {
+Html metrics_table(const Json& images) {
   HtmlTable table("Path traced against predicted", "metrics",
-                  {{"Image", false},
-                   {"Ray model", false},
-                   {"SSIM, display"},
-                   {"SSIM, linear"},
-                   {"PSNR, display [dB]"},
-                   {"RMSE, linear"},
-                   {"Relative MSE"},
-                   {"Path traced [s]"},
-                   {"Predicted [s]"},
-                   {"Faster"}});
+                  {{"Image"_html, false},
+                   {"Ray model"_html, false},
+                   {"SSIM, display"_html},
+                   {"SSIM, linear"_html},
+                   {"PSNR, display [dB]"_html},
+                   {"RMSE, linear"_html},
+                   {"Relative MSE"_html},
+                   {"Path traced [s]"_html},
+                   {"Predicted [s]"_html},
+                   {"Faster"_html}});
   for (const Json& entry : images) {
-    table.add_row({text_html(text_at(entry, "id")), "<code>" + text_html(text_at(entry, "ray_model")) + "</code>",
+    table.add_row({text_or_dash(text_at(entry, "id")), code_html(text_at(entry, "ray_model")),
                    metric_html(entry, "ssim_display"), metric_html(entry, "ssim_linear"),
                    metric_html(entry, "psnr_display_dB"), metric_html(entry, "rmse_linear"),
                    metric_html(entry, "relative_mse"), number_html(number_at(entry, "seconds/path_traced"), 3),
@@ -165,50 +161,50 @@ std::string metrics_table(const Json& images) {
   return table.html();
 }
 
-std::string article(const Json& entry, const Pair& pair, double limit, std::size_t cases, ViewerPayload& payload) {
-  std::string heading = text_html(text_at(entry, "id")) + " · <code>" + text_html(text_at(entry, "ray_model")) +
-                        "</code> <small>" + text_html(text_at(entry, "scene")) + " · " +
-                        text_html(text_at(entry, "prescription")) + " · pupil " +
-                        exact_html(number_at(entry, "pupil_mm")) + " mm · " +
-                        count_html(number_at(entry, "samples_per_pixel")) + " samples per pixel";
-  std::string body;
+Html article(const Json& entry, const Pair& pair, double limit, std::size_t cases, ViewerPayload& payload) {
+  Html conditions = text_or_dash(text_at(entry, "scene")) + " · "_html + text_or_dash(text_at(entry, "prescription")) +
+                    " · pupil "_html + exact_html(number_at(entry, "pupil_mm")) + " mm · "_html +
+                    count_html(number_at(entry, "samples_per_pixel")) + " samples per pixel"_html;
+  Html body;
   if (pair.problem.empty()) {
     const int factor = shrink_factor(pair.path_traced, 3 * cases, bytes_per_pixel, byte_budget);
-    if (factor > 1) heading += " · shown at 1/" + std::to_string(factor) + " of its size";
-    body =
-        viewer_place(entry, pair, limit, cases, payload) +
-        element("div", "class=\"three stills\"",
-                picture(with_visible_defects(shrunk(pair.path_traced, factor)), "Path traced") +
-                    picture(with_visible_defects(shrunk(pair.predicted, factor)), "Predicted") +
-                    picture(diverging_false_colour(shrunk(pair.difference, factor), limit), "Predicted − path traced"));
+    if (factor > 1) conditions += " · shown at 1/"_html + text(std::to_string(factor)) + " of its size"_html;
+    body = place_of(entry, pair, limit, cases, payload) +
+           element("div", {{"class", "three stills"}},
+                   picture_html(with_visible_defects(shrunk(pair.path_traced, factor)), "Path traced") +
+                       picture_html(with_visible_defects(shrunk(pair.predicted, factor)), "Predicted") +
+                       picture_html(diverging_false_colour(shrunk(pair.difference, factor), limit),
+                                    "Predicted − path traced"));
   } else {
-    body = element("p", "class=\"missing\"", "No pictures: " + escaped(pair.problem));
+    body = missing_html("No pictures: "_html + text(pair.problem));
   }
-  return element("article", "", element("h3", "", heading + "</small>") + body);
+  const Html heading = text_or_dash(text_at(entry, "id")) + " · "_html + code_html(text_at(entry, "ray_model")) +
+                       " "_html + small_html(conditions);
+  return element("article", element("h3", heading) + body);
 }
 
 }  // namespace
 
-std::string image_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
+Html image_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   const Json& images = array_at(report, "images");
-  if (images.empty()) return "";
+  if (images.empty()) return {};
   std::vector<Pair> pairs;
   for (const Json& entry : images) pairs.push_back(load_pair(entry, run_folder));
   const double limit = error_limit(pairs);
   const std::string end = plain_number(limit), half = plain_number(0.5 * limit);
-  std::string html =
-      element("h2", "", "Images") +
-      element("p", "",
+  Html html =
+      element("h2", "Images"_html) +
+      element("p",
               "The same view, path traced through the eye and predicted from one sharp view. <i>Floor</i> is the same "
               "metric between the "
               "two halves of the path-traced replicates, each with half of the samples: the path tracer against its "
               "own noise. Display "
-              "means sRGB, clamped to 0 … 1.") +
+              "means sRGB, clamped to 0 … 1."_html) +
       metrics_table(images) +
       colour_bar_svg(ColourMap::Diverging, {{0.0, "−" + end}, {0.25, "−" + half}, {0.5, "0"}, {0.75, half}, {1.0, end}},
                      "Predicted − path traced, luma in display space (one scale for all)");
   for (std::size_t i = 0; i < images.size(); ++i) html += article(images[i], pairs[i], limit, images.size(), payload);
-  return element("section", "id=\"images\"", html + made_by(report));
+  return element("section", {{"id", "images"}}, html + made_by(report));
 }
 
 }  // namespace sturm

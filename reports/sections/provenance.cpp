@@ -1,6 +1,7 @@
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
+#include "reports/markup/parts.h"
 #include "reports/sections/sections.h"
 
 namespace sturm {
@@ -8,47 +9,46 @@ namespace sturm {
 namespace {
 
 /// A scalar of the provenance as text; "" for what is no scalar.
-std::string scalar_html(const Json& value) {
-  if (value.is_string()) return text_html(value.get<std::string>());
+Html scalar_html(const Json& value) {
+  if (value.is_string()) return text_or_dash(value.get<std::string>());
   if (value.is_number()) return exact_html(number_at(value, ""));
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  return "";
+  if (value.is_boolean()) return value.get<bool>() ? "yes"_html : "no"_html;
+  return {};
 }
 
-std::string facts(const Json& provenance) {
-  std::string html;
+Html facts(const Json& provenance) {
+  Html html;
   for (const auto& [name, value] : provenance.items()) {
     std::string words = name;
     for (char& c : words) c = c == '_' ? ' ' : c;
-    if (const std::string text = scalar_html(value); !text.empty()) {
-      html += element("div", "", element("dt", "", escaped(words)) + element("dd", "", text));
-    }
+    if (const Html known = scalar_html(value); !known.empty())
+      html += element("div", element("dt", text(words)) + element("dd", known));
   }
-  return html.empty() ? "" : element("dl", "class=\"facts\"", html);
+  return html.empty() ? Html() : fact_list(html);
 }
 
-std::string input_table(const Json& inputs) {
-  if (inputs.empty()) return "";
-  HtmlTable table("Input files", "", {{"File", false}, {"SHA-256", false}});
+Html input_table(const Json& inputs) {
+  if (inputs.empty()) return {};
+  HtmlTable table("Input files", "", {{"File"_html, false}, {"SHA-256"_html, false}});
   for (const Json& input : inputs) {
-    table.add_row({"<code>" + text_html(text_at(input, "file")) + "</code>",
-                   "<code class=\"hash\">" + text_html(text_at(input, "sha256")) + "</code>"});
+    table.add_row({code_html(text_at(input, "file")),
+                   inline_element("code", {{"class", "hash"}}, text_or_dash(text_at(input, "sha256")))});
   }
   return table.html();
 }
 
 }  // namespace
 
-std::string provenance_section(const Json& report) {
+Html provenance_section(const Json& report) {
   const Json& provenance = value_at(report, "provenance");
   const Json& spec = value_at(report, "spec");
-  std::string html;
+  Html html;
   if (provenance.is_object()) html += facts(provenance) + input_table(array_at(provenance, "inputs"));
   if (!spec.is_null()) {
-    html += folded("The experiment with every default spelt out",
-                   element("pre", "tabindex=\"0\"", escaped(spec.dump(2, ' ', false, Json::error_handler_t::replace))));
+    html += folded("The experiment with every default spelt out"_html,
+                   element("pre", {{"tabindex", "0"}}, text(spec.dump(2, ' ', false, Json::error_handler_t::replace))));
   }
-  return html.empty() ? "" : element("section", "id=\"provenance\"", element("h2", "", "Provenance") + html);
+  return html.empty() ? Html() : element("section", {{"id", "provenance"}}, element("h2", "Provenance"_html) + html);
 }
 
 }  // namespace sturm

@@ -1,9 +1,10 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "compare/studies/samplings/sampling_findings.h"
+#include "compare/studies/stored_words.h"
+#include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
+#include "reports/markup/parts.h"
 #include "reports/plots/figure.h"
 #include "reports/sections/sections.h"
 
@@ -11,8 +12,8 @@ namespace sturm {
 
 namespace {
 
-std::string relative_html(const std::optional<double>& value, const std::optional<double>& whole) {
-  return value && whole && *whole > 0.0 ? number_html(*value / *whole, 3) : "–";
+Html relative_html(const std::optional<double>& value, const std::optional<double>& whole) {
+  return value && whole && *whole > 0.0 ? number_html(*value / *whole, 3) : absent_html();
 }
 
 /// The root of the mean square bias with its sign: an estimate below zero means that none was seen.
@@ -20,56 +21,53 @@ std::optional<double> signed_root(const std::optional<double>& square) {
   return square ? std::optional(std::copysign(std::sqrt(std::abs(*square)), *square)) : std::nullopt;
 }
 
-std::string table_of(const Json& section) {
+Html table_of(const SamplingFindings& found) {
   HtmlTable table("Bias and noise of pupil samplings", "sortable",
-                  {{"Configuration", false},
-                   {"Ray model", false},
-                   {"Sampling", false},
-                   {"Sampler", false},
-                   {"RMS pupil radius"},
-                   {"Mean square bias"},
-                   {"RMS bias"},
-                   {"z"},
-                   {"Noise"},
-                   {"Time [s]"}});
-  for (const Json& entry : array_at(section, "entries")) {
-    const auto brightness = number_at(entry, "mean_radiance"), square = number_at(entry, "mean_square_bias"),
-               noise = number_at(entry, "noise");
-    table.add_row({text_html(text_at(entry, "configuration")),
-                   "<code>" + text_html(text_at(entry, "ray_model")) + "</code>",
-                   "<code>" + text_html(text_at(entry, "sampling")) + "</code>",
-                   text_html(text_at(entry, "sampler")),
-                   {number_html(number_at(entry, "pupil_rms_ratio"), 4), number_at(entry, "pupil_rms_ratio")},
-                   {measured_html(square, number_at(entry, "mean_square_bias_standard_error")), square},
-                   {relative_html(signed_root(square), brightness), square},
-                   {number_html(number_at(entry, "z"), 3), number_at(entry, "z")},
-                   {relative_html(noise, brightness), noise},
-                   {number_html(number_at(entry, "seconds"), 3), number_at(entry, "seconds")}});
-  }
+                  {{"Configuration"_html, false},
+                   {"Ray model"_html, false},
+                   {"Sampling"_html, false},
+                   {"Sampler"_html, false},
+                   {"RMS pupil radius"_html},
+                   {"Mean square bias"_html},
+                   {"RMS bias"_html},
+                   {"z"_html},
+                   {"Noise"_html},
+                   {"Time [s]"_html}});
+  for (const SamplingEntry& entry : found.entries)
+    table.add_row(
+        {text_or_dash(entry.configuration),
+         code_html(word_of(entry.ray_model)),
+         code_html(word_of(entry.sampling)),
+         text_or_dash(word_of(entry.sampler)),
+         {number_html(entry.pupil_rms_ratio, 4), entry.pupil_rms_ratio},
+         {measured_html(entry.mean_square_bias, entry.mean_square_bias_standard_error), entry.mean_square_bias},
+         {relative_html(signed_root(entry.mean_square_bias), entry.mean_radiance), entry.mean_square_bias},
+         {number_html(entry.z, 3), entry.z},
+         {relative_html(entry.noise, entry.mean_radiance), entry.noise},
+         {number_html(entry.seconds, 3), entry.seconds}});
   return table.html();
 }
 
 }  // namespace
 
-std::string sampling_section(const Json& report, const std::filesystem::path& run_folder) {
-  const Json& section = value_at(report, "sampling_study");
-  if (!section.is_object()) return "";
-  std::string html =
-      element("h2", "", "Spread of rays over the pupil") +
-      element("p", "",
-              "One view of " + text_html(text_at(section, "conditions/scene")) + ", pupil " +
-                  exact_html(number_at(section, "conditions/pupil_mm")) + " mm, " +
-                  count_html(number_at(section, "conditions/replicates")) + " independent pictures of " +
-                  count_html(number_at(section, "conditions/samples_per_pixel")) +
+Html sampling_section(const Json& report, const std::filesystem::path& run_folder) {
+  const std::optional<SamplingFindings> found = sampling_findings(report);
+  if (!found) return {};
+  Html html =
+      element("h2", "Spread of rays over the pupil"_html) +
+      element("p",
+              "One view of "_html + text_or_dash(found->conditions.scene) + ", pupil "_html +
+                  exact_html(found->conditions.pupil_mm) + " mm, "_html + count_html(found->conditions.replicates) +
+                  " independent pictures of "_html + count_html(found->conditions.samples_per_pixel) +
                   " samples per pixel each, against as many by the uniform disc. The mean square bias [radiance²] is "
                   "unbiased "
                   "itself, so it may come out negative; z compares it with the error that it has where there is no "
                   "bias. RMS bias "
                   "(with the sign of its square) and noise (RMS deviation of one picture) are relative to the mean "
                   "radiance. RMS "
-                  "pupil radius: of the points, relative to a uniform disc's, from the sampling's closed form.");
+                  "pupil radius: of the points, relative to a uniform disc's, from the sampling's closed form."_html);
   for (const Json& figure : figures_of(report, "sampling_study")) html += figure_html(figure, run_folder);
-  return element("section", "id=\"sampling_study\"", html + table_of(section));
+  return element("section", {{"id", "sampling_study"}}, html + table_of(*found));
 }
 
 }  // namespace sturm

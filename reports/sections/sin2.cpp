@@ -1,8 +1,9 @@
 #include <cmath>
 
 #include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
+#include "reports/markup/parts.h"
 #include "reports/plots/sin2_plots.h"
 #include "reports/sections/sections.h"
 
@@ -10,11 +11,11 @@ namespace sturm {
 
 namespace {
 
-std::string pair_html(const Json& pair) {
-  return number_html(number_at(pair, "0")) + " × " + number_html(number_at(pair, "1"));
+Html pair_html(const Json& pair) {
+  return number_html(number_at(pair, "0")) + " × "_html + number_html(number_at(pair, "1"));
 }
 
-std::string explanation() {
+Html explanation() {
   return R"(<p>A ray that is bent by <i>P</i>(φ) = <i>S</i> + <i>C</i> sin²(φ − α) stays in its own meridian. The wavefront also
 turns rays sideways, by <i>r C</i> sin(φ − α) cos(φ − α); sin² leaves that out. With <i>V</i><sub>1</sub>, <i>V</i><sub>2</sub> the
 principal vergence errors at the target and <i>a</i> the pupil's radius, the second moments of a uniform pupil give the semi-axes</p>
@@ -23,38 +24,38 @@ principal vergence errors at the target and <i>a</i> the pupil's radius, the sec
 <tr><th scope="row">sin²</th><td><i>a</i> √((5<i>V</i><sub>1</sub>² + 2<i>V</i><sub>1</sub><i>V</i><sub>2</sub> + <i>V</i><sub>2</sub>²) / 8)</td>
 <td><i>a</i> √((<i>V</i><sub>1</sub>² + 2<i>V</i><sub>1</sub><i>V</i><sub>2</sub> + 5<i>V</i><sub>2</sub>²) / 8)</td></tr></tbody></table>
 <p>The closed forms are computed without any ray, the measured values from traced rays; neither is fitted to the other.</p>
-)";
+)"_html;
 }
 
-std::string headline(const Json& sin2) {
+Html headline(const Json& sin2) {
   const Json& ratio = value_at(sin2, "ratio_of_difference_of_principal_variances");
   const Json& lost = value_at(sin2, "lost_total_variance");
   HtmlTable table("What sin² rays lose, measured against prediction", "compact",
-                  {{"Quantity", false}, {"Measured (median)"}, {"Predicted"}, {"Worst deviation"}});
-  table.add_row({"difference of the principal variances, sin² ÷ true",
+                  {{"Quantity"_html, false}, {"Measured (median)"_html}, {"Predicted"_html}, {"Worst deviation"_html}});
+  table.add_row({"difference of the principal variances, sin² ÷ true"_html,
                  number_html(number_at(ratio, "measured_median"), 6), exact_html(number_at(ratio, "predicted")),
                  number_html(number_at(ratio, "worst_deviation"), 2)});
-  table.add_row({"total variance lost ÷ (<i>a</i>²<i>C</i>²/16)", "–", "1",
+  table.add_row({"total variance lost ÷ (<i>a</i>²<i>C</i>²/16)"_html, absent_html(), "1"_html,
                  number_html(number_at(lost, "worst_deviation_relative"), 2)});
-  return element("p", "", "Cases with a cylinder: " + count_html(number_at(sin2, "cases_with_cylinder")) + ".") +
+  return element("p", "Cases with a cylinder: "_html + count_html(number_at(sin2, "cases_with_cylinder")) + "."_html) +
          table.html();
 }
 
-std::string case_table(const Json& rows) {
+Html case_table(const Json& rows) {
   HtmlTable table("Semi-axes (2 × standard deviation) of the blur, major × minor", "sortable",
-                  {{"Case", false},
-                   {"V<sub>1</sub> [D]"},
-                   {"V<sub>2</sub> [D]"},
-                   {"True [arcmin]"},
-                   {"sin² rays, measured [arcmin]"},
-                   {"sin², closed form [arcmin]"},
-                   {"Major, sin² ÷ true"},
-                   {"Minor, sin² ÷ true"}});
+                  {{"Case"_html, false},
+                   {"V<sub>1</sub> [D]"_html},
+                   {"V<sub>2</sub> [D]"_html},
+                   {"True [arcmin]"_html},
+                   {"sin² rays, measured [arcmin]"_html},
+                   {"sin², closed form [arcmin]"_html},
+                   {"Major, sin² ÷ true"_html},
+                   {"Minor, sin² ÷ true"_html}});
   for (const Json& row : rows) {
     const auto v1 = number_at(row, "V1_D"), v2 = number_at(row, "V2_D");
     const auto major = number_at(row, "ratio_major"), minor = number_at(row, "ratio_minor");
     table.add_row(
-        {text_html(text_at(row, "case")),
+        {text_or_dash(text_at(row, "case")),
          {number_html(v1), v1},
          {number_html(v2), v2},
          {pair_html(value_at(row, "true_semi_axes_arcmin")), number_at(row, "true_semi_axes_arcmin/0")},
@@ -64,37 +65,37 @@ std::string case_table(const Json& rows) {
          {number_html(minor), minor}});
   }
   constexpr std::size_t rows_that_stay_open = 12;
-  return folded("All " + std::to_string(rows.size()) + " cases with their semi-axes", table.html(),
+  return folded("All "_html + text(std::to_string(rows.size())) + " cases with their semi-axes"_html, table.html(),
                 rows.size() <= rows_that_stay_open);
 }
 
 }  // namespace
 
-std::string sin2_section(const Json& report) {
+Html sin2_section(const Json& report) {
   const Json& sin2 = value_at(report, "sin2");
-  const std::string by_cylinder = difference_plot(report);
-  if (!sin2.is_object() && by_cylinder.empty()) return "";
-  std::string html = element("h2", "", "sin² against its closed form") + explanation();
+  const Html by_cylinder = difference_plot(report);
+  if (!sin2.is_object() && by_cylinder.empty()) return {};
+  Html html = element("h2", "sin² against its closed form"_html) + explanation();
   if (sin2.is_object()) html += headline(sin2);
-  if (const std::string plots = sin2_ratio_plots(report); !plots.empty()) {
-    html += element("figure", "",
-                    element("div", "class=\"two\"", plots) +
-                        element("figcaption", "",
+  if (const Html plots = sin2_ratio_plots(report); !plots.empty()) {
+    html += element("figure",
+                    element("div", {{"class", "two"}}, plots) +
+                        element("figcaption",
                                 "Every case with a cylinder. Left of t = 0 the target lies between the two "
-                                "focal lines. A focal line has no true width, so its minor ratio is not shown."));
+                                "focal lines. A focal line has no true width, so its minor ratio is not shown."_html));
   }
   if (!by_cylinder.empty()) {
     html += element(
-        "figure", "",
+        "figure",
         by_cylinder +
-            element("figcaption", "",
+            element("figcaption",
                     "‖rays − conoid‖ / ‖conoid‖ of the covariance matrices. Power-matrix rays differ only by their "
                     "sampling noise; sin² and spherical-equivalent rays differ by physics. A difference of zero has no "
                     "place on a "
-                    "logarithmic axis."));
+                    "logarithmic axis."_html));
   }
   if (const Json& rows = array_at(sin2, "table"); !rows.empty()) html += case_table(rows);
-  return element("section", "id=\"sin2\"", html);
+  return element("section", {{"id", "sin2"}}, html);
 }
 
 }  // namespace sturm

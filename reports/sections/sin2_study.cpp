@@ -1,9 +1,9 @@
-#include <nlohmann/json.hpp>
-
 #include "compare/studies/sin2/shown_checks.h"
-#include "io/json/stored.h"
-#include "reports/markup/markup.h"
+#include "compare/studies/sin2/sin2_findings.h"
+#include "compare/studies/stored_words.h"
+#include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
+#include "reports/markup/parts.h"
 #include "reports/plots/figure.h"
 #include "reports/sections/sections.h"
 #include "reports/sections/spreads.h"
@@ -12,11 +12,10 @@ namespace sturm {
 
 namespace {
 
-std::string explanation(const Json& conditions) {
-  const auto count = [&](const char* key) { return count_html(number_at(conditions, key)); };
-  return "<p>" + count("grid_eyes") + " constructed and " + count("real_eyes") +
-         " real prescriptions, each at every distance, pupil and state; " + count("radial") + " × " +
-         count("azimuthal") +
+Html explanation(const Sin2Conditions& conditions) {
+  return "<p>"_html + count_html(conditions.grid_eyes) + " constructed and "_html + count_html(conditions.real_eyes) +
+         " real prescriptions, each at every distance, pupil and state; "_html + count_html(conditions.radial) +
+         " × "_html + count_html(conditions.azimuthal) +
          R"( rays per case by quadrature. The error is the largest difference of the blur's half-width
 from wavefront theory in any direction, divided by the pupil's radius: the defocus [D] that would blur as much. Closed forms are the check;
 the numbers come from traced rays. With <i>V</i><sub>1</sub>, <i>V</i><sub>2</sub> the principal values of <i>I</i>/<i>d</i> + <i>F</i> − <i>A I</i>:</p>
@@ -24,137 +23,130 @@ the numbers come from traced rays. With <i>V</i><sub>1</sub>, <i>V</i><sub>2</su
 <tr><th scope="row">wavefront theory</th><td><i>a</i>|<i>V</i><sub>1</sub>|, <i>a</i>|<i>V</i><sub>2</sub>|</td></tr>
 <tr><th scope="row">sin²</th><td><i>a</i>√((5<i>V</i><sub>1</sub>² + 2<i>V</i><sub>1</sub><i>V</i><sub>2</sub> + <i>V</i><sub>2</sub>²)/8),
 <i>a</i>√((<i>V</i><sub>1</sub>² + 2<i>V</i><sub>1</sub><i>V</i><sub>2</sub> + 5<i>V</i><sub>2</sub>²)/8)</td></tr></tbody></table>
-)";
+)"_html;
 }
 
-std::string check_table(const Json& section) {
+Html check_table(const Sin2Findings& found) {
   HtmlTable table("What was measured, against what theory says of it", "compact",
-                  {{"Quantity", false}, {"Measured"}, {"Cases"}, {"Where", false}});
+                  {{"Quantity"_html, false}, {"Measured"_html}, {"Cases"_html}, {"Where"_html, false}});
   for (const ShownCheck& check : shown_checks) {
-    const Json& entry = value_at(section, std::string("checks/") + check.key);
-    if (!number_at(entry, "value")) continue;
-    table.add_row({check.what, number_html(number_at(entry, "value"), 3), count_html(number_at(entry, "cases")),
-                   text_html(text_at(entry, "worst_case"))});
+    const Sin2Check* entry = found.check(check.key);
+    if (!entry || !entry->value) continue;
+    table.add_row({text(check.what), number_html(entry->value, 3), count_html(entry->cases),
+                   text_or_dash(entry->worst_case.value_or(""))});
   }
   return table.html();
 }
 
-std::string model_table(const Json& section) {
+Html model_table(const Sin2Findings& found) {
   HtmlTable table("Cases and rays", "compact",
-                  {{"Ray model", false},
-                   {"Cases"},
-                   {"Undefined"},
-                   {"Pole in the pupil"},
-                   {"Rays"},
-                   {"Dropped"},
-                   {"Focus behind the eye"},
-                   {"Largest error [D]"},
-                   {"Where", false}});
-  for (const Json& row : array_at(section, "models")) {
-    const auto count = [&](const char* key) { return count_html(number_at(row, key)); };
-    table.add_row({text_html(text_at(row, "title")), count("cases"), count("undefined"), count("pole"), count("rays"),
-                   count("rays_dropped"), count("rays_negative_focus"), number_html(number_at(row, "largest_error_D")),
-                   text_html(text_at(row, "largest_error_case"))});
-  }
+                  {{"Ray model"_html, false},
+                   {"Cases"_html},
+                   {"Undefined"_html},
+                   {"Pole in the pupil"_html},
+                   {"Rays"_html},
+                   {"Dropped"_html},
+                   {"Focus behind the eye"_html},
+                   {"Largest error [D]"_html},
+                   {"Where"_html, false}});
+  for (const Sin2ModelRow& row : found.models)
+    table.add_row({text_or_dash(row.title), count_html(row.cases), count_html(row.undefined), count_html(row.pole),
+                   count_html(row.rays), count_html(row.rays_dropped), count_html(row.rays_negative_focus),
+                   number_html(row.largest_error_D), text_or_dash(row.largest_error_case.value_or(""))});
   return table.html();
 }
 
-std::string triple(const Json& row, const char* key) {
-  std::string html;
-  for (const char* rank : {"median", "p90", "max"})
-    html += (html.empty() ? "" : " / ") + number_html(number_at(row, std::string(key) + "/" + rank), 3);
-  return html;
+Html triple(const Distribution& d) {
+  return number_html(d.median, 3) + " / "_html + number_html(d.p90, 3) + " / "_html + number_html(d.max, 3);
 }
 
 /// Everyone's worst view first, then view by view.
-std::string population_table(const Json& section, bool all_views) {
+Html population_table(const Sin2Findings& found, bool all_views) {
   HtmlTable table(all_views ? "Real eyes, view by view" : "Real eyes, each in its worst view", "sortable",
-                  {{"Ray model", false},
-                   {"State", false},
-                   {"Target"},
-                   {"Error [D]"},
-                   {"Error [arcmin]"},
-                   {"Error [%]"},
-                   {"Above 0.25 D"},
-                   {"Pole in the pupil"},
-                   {"Eyes"}});
-  for (const Json& row : array_at(section, "population")) {
-    if (value_at(row, "accommodation").is_null() == all_views) continue;
-    const auto count = [&](const char* key) { return Cell(count_html(number_at(row, key)), number_at(row, key)); };
-    table.add_row({text_html(text_at(row, "ray_model")),
-                   all_views ? text_html(text_at(row, "accommodation")) : "any",
-                   all_views ? distance_html(value_at(row, "distance_m")) : "any",
-                   {triple(row, "error_D"), number_at(row, "error_D/median")},
-                   {triple(row, "error_arcmin"), number_at(row, "error_arcmin/median")},
-                   {triple(row, "error_percent"), number_at(row, "error_percent/median")},
-                   count("noticeable"),
-                   count("pole"),
-                   count("eyes")});
+                  {{"Ray model"_html, false},
+                   {"State"_html, false},
+                   {"Target"_html},
+                   {"Error [D]"_html},
+                   {"Error [arcmin]"_html},
+                   {"Error [%]"_html},
+                   {"Above 0.25 D"_html},
+                   {"Pole in the pupil"_html},
+                   {"Eyes"_html}});
+  for (const Sin2PopulationRow& row : found.population) {
+    if (row.accommodation.has_value() != all_views) continue;
+    const auto count = [](const Count& number) { return Cell(count_html(number), number); };
+    table.add_row({text_or_dash(word_of(row.ray_model)),
+                   all_views ? text_or_dash(*row.accommodation) : "any"_html,
+                   all_views ? distance_html(row.distance_m) : "any"_html,
+                   {triple(row.error_D), row.error_D.median},
+                   {triple(row.error_arcmin), row.error_arcmin.median},
+                   {triple(row.error_percent), row.error_percent.median},
+                   count(row.noticeable),
+                   count(row.pole),
+                   count(row.eyes)});
   }
   return table.html();
 }
 
-std::string gallery_table(const Json& section) {
-  if (array_at(section, "gallery").empty()) return "";
+Html gallery_table(const Sin2Findings& found) {
+  if (found.gallery.empty()) return {};
   HtmlTable table("Point-spread functions against wavefront theory", "compact",
-                  {{"View", false},
-                   {"Model", false},
-                   {"Total variation"},
-                   {"… over that of two runs of theory"},
-                   {"Radius of 50 % [arcmin]"},
-                   {"Radius of 80 % [arcmin]"}});
-  for (const Json& view : array_at(section, "gallery"))
-    for (const Json& psf : array_at(view, "models"))
-      table.add_row({text_html(text_at(view, "title")), text_html(text_at(psf, "model")),
-                     number_html(number_at(psf, "total_variation"), 3),
-                     number_html(number_at(psf, "total_variation_over_noise"), 3),
-                     number_html(number_at(psf, "radius_50_arcmin")), number_html(number_at(psf, "radius_80_arcmin"))});
+                  {{"View"_html, false},
+                   {"Model"_html, false},
+                   {"Total variation"_html},
+                   {"… over that of two runs of theory"_html},
+                   {"Radius of 50 % [arcmin]"_html},
+                   {"Radius of 80 % [arcmin]"_html}});
+  for (const Sin2GalleryEntry& view : found.gallery)
+    for (const Sin2Spread& psf : view.models)
+      table.add_row({text_or_dash(view.title), text_or_dash(psf.model), number_html(psf.total_variation, 3),
+                     number_html(psf.total_variation_over_noise, 3), number_html(psf.radius_50_arcmin),
+                     number_html(psf.radius_80_arcmin)});
   return table.html();
 }
 
 /// The densities of the gallery, view by view; the first model of each is wavefront theory.
-std::string gallery_viewers(const Json& section, const std::filesystem::path& run_folder, ViewerPayload& payload) {
+Html gallery_viewers(const Sin2Findings& found, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   std::vector<SpreadGroup> groups;
-  for (const Json& view : array_at(section, "gallery")) {
+  for (const Sin2GalleryEntry& view : found.gallery) {
     SpreadGroup group;
-    group.title = text_at(view, "title");
+    group.title = view.title;
     group.quantity = "share of the light per square arcminute";
-    if (const auto half = number_at(view, "half_side_arcmin")) group.side_arcmin = 2.0 * *half;
-    for (const Json& psf : array_at(view, "models")) {
-      const std::string model = text_at(psf, "model");
-      const SpreadGroup::Spread spread{model, model, text_at(psf, "file")};
-      if (model == "wavefront")
+    if (view.half_side_arcmin) group.side_arcmin = 2.0 * *view.half_side_arcmin;
+    for (const Sin2Spread& psf : view.models) {
+      const SpreadGroup::Spread spread{psf.model, psf.model, psf.file};
+      if (psf.model == "wavefront")
         group.truth = spread;
       else
         group.spreads.push_back(spread);
     }
     groups.push_back(std::move(group));
   }
-  const std::vector<std::string> places = spread_viewers(groups, run_folder, payload);
-  std::string html;
+  const std::vector<Html> places = spread_viewers(groups, run_folder, payload);
+  Html html;
   for (std::size_t i = 0; i < groups.size(); ++i)
-    if (!places[i].empty()) html += element("article", "", element("h4", "", text_html(groups[i].title)) + places[i]);
-  return html.empty() ? "" : folded("The densities, value by value", html);
+    if (!places[i].empty()) html += element("article", element("h4", text_or_dash(groups[i].title)) + places[i]);
+  return html.empty() ? Html() : folded("The densities, value by value"_html, html);
 }
 
 }  // namespace
 
-std::string sin2_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
-  const Json& section = value_at(report, "sin2_study");
-  if (!section.is_object()) return "";
-  std::string html = element("h2", "", "What sin² does, and what it means") +
-                     explanation(value_at(section, "conditions")) + check_table(section) + model_table(section);
+Html sin2_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
+  const std::optional<Sin2Findings> found = sin2_study_findings(report);
+  if (!found) return {};
+  Html html = element("h2", "What sin² does, and what it means"_html) + explanation(found->conditions) +
+              check_table(*found) + model_table(*found);
   for (const Json& figure : figures_of(report, "sin2_study")) html += figure_html(figure, run_folder);
-  html += element("h3", "", "What it means for real eyes") +
-          element("p", "",
-                  "Median / 90 % / largest over the uncorrected eyes, pupil " +
-                      exact_html(number_at(section, "conditions/reference_pupil_mm")) +
-                      " mm. Eyes with the pole of the printed formula within the pupil have no error that could be "
-                      "told; they are "
-                      "counted apart. In percent: of the true major semi-axis.") +
-          population_table(section, false) + folded("View by view", population_table(section, true)) +
-          gallery_table(section) + gallery_viewers(section, run_folder, payload);
-  return element("section", "id=\"sin2_study\"", html);
+  html +=
+      element("h3", "What it means for real eyes"_html) +
+      element("p", "Median / 90 % / largest over the uncorrected eyes, pupil "_html +
+                       exact_html(found->conditions.reference_pupil_mm) +
+                       " mm. Eyes with the pole of the printed formula within the pupil have no error that could be "
+                       "told; they are "
+                       "counted apart. In percent: of the true major semi-axis."_html) +
+      population_table(*found, false) + folded("View by view"_html, population_table(*found, true)) +
+      gallery_table(*found) + gallery_viewers(*found, run_folder, payload);
+  return element("section", {{"id", "sin2_study"}}, html);
 }
 
 }  // namespace sturm

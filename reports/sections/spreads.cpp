@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
-#include "reports/markup/markup.h"
+#include "reports/markup/parts.h"
 #include "reports/markup/pictures.h"
 #include "reports/viewer/viewer.h"
 
@@ -64,44 +64,43 @@ Image minus(Image a, const Image& b) {
 }
 
 /// The differences on one scale, so that they can be compared with each other.
-std::vector<ViewerCase::Map> differences(const std::vector<Loaded>& pictures, int factor) {
-  std::vector<ViewerCase::Map> maps;
+std::vector<ViewerSet::Map> differences(const std::vector<Loaded>& pictures, int factor) {
+  std::vector<ViewerSet::Map> maps;
   float largest = 0.0f;
   for (std::size_t i = 1; i < pictures.size(); ++i) {
     Image difference = minus(pictures[i].density, pictures[0].density);
     largest = std::max(largest, largest_of(shrunk(difference, factor)));
     maps.push_back({"difference_" + pictures[i].spread.key, pictures[i].spread.title + " − " + pictures[0].spread.title,
-                    std::move(difference), 1.0, ViewerCase::Map::Scale::Signed});
+                    std::move(difference), 1.0, ViewerSet::Map::Scale::Signed});
   }
-  for (ViewerCase::Map& map : maps) map.end = largest > 0.0f ? round_length_above(largest) : 1.0;
+  for (ViewerSet::Map& map : maps) map.end = largest > 0.0f ? round_length_above(largest) : 1.0;
   return maps;
 }
 
-std::string place_of(const SpreadGroup& group, const LoadedGroup& loaded, int factor, ViewerPayload& payload) {
-  if (loaded.pictures.empty()) return "";
-  ViewerCase shown;
+Html place_of(const SpreadGroup& group, const LoadedGroup& loaded, int factor, ViewerPayload& payload) {
+  if (loaded.pictures.empty()) return {};
+  ViewerSet shown;
   shown.title = group.title;
-  shown.kind = ViewerCase::Kind::Density;
+  shown.kind = ViewerSet::Kind::Density;
   shown.factor = factor;
   shown.quantity = group.quantity;
   if (group.side_arcmin) shown.pixel_arcmin = *group.side_arcmin / loaded.pictures[0].density.width;
-  std::string files;
+  Html files;
   for (const Loaded& picture : loaded.pictures) {
     payload.add_picture(picture.spread.file, picture.density, factor);
     shown.pictures.push_back({picture.spread.key, picture.spread.title, picture.spread.file});
     shown.peak = std::max(shown.peak, static_cast<double>(largest_of(shrunk(picture.density, factor))));
-    files += (files.empty() ? "" : ", ") + file_link(picture.spread.file);
+    add_item(files, file_link(picture.spread.file));
   }
   if (!(shown.peak > 0.0)) shown.peak = 1.0;  // all black
   if (loaded.has_truth) shown.maps = differences(loaded.pictures, factor);
-  return element("div", "class=\"viewer\" data-case=\"" + std::to_string(payload.add_case(shown)) + "\"", "") +
-         element("p", "class=\"made-by\"", "Files: " + files + ".");
+  return viewer_place(payload.add_set(shown)) + element("p", {{"class", "made-by"}}, "Files: "_html + files + "."_html);
 }
 
 }  // namespace
 
-std::vector<std::string> spread_viewers(const std::vector<SpreadGroup>& groups, const std::filesystem::path& run_folder,
-                                        ViewerPayload& payload) {
+std::vector<Html> spread_viewers(const std::vector<SpreadGroup>& groups, const std::filesystem::path& run_folder,
+                                 ViewerPayload& payload) {
   std::vector<LoadedGroup> all;
   double numbers = 0.0;
   for (const SpreadGroup& group : groups) {
@@ -109,7 +108,7 @@ std::vector<std::string> spread_viewers(const std::vector<SpreadGroup>& groups, 
     numbers += all.back().numbers();
   }
   const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(numbers * bytes_per_number / byte_budget))));
-  std::vector<std::string> places;
+  std::vector<Html> places;
   for (std::size_t i = 0; i < groups.size(); ++i) places.push_back(place_of(groups[i], all[i], factor, payload));
   return places;
 }

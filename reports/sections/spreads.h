@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/markup/html.h"
+
 namespace sturm {
 
 class ViewerPayload;
@@ -22,10 +24,10 @@ struct SpreadGroup {
   std::optional<double> side_arcmin;  ///< of the whole picture, from its left to its right rim
 };
 
-/// Gives the groups of one section to the viewer; the place of each on the page as HTML, in the same order. Files that
-/// are missing, unreadable or of another size than the first are left out; "" for a group without any. All numbers of a
-/// section take 3 MB of the page at most; beyond that they are means over blocks of pixels.
-std::vector<std::string> spread_viewers(const std::vector<SpreadGroup>& groups, const std::filesystem::path& run_folder,
-                                        ViewerPayload& payload);
+/// Gives the groups of one section to the viewer; the place of each on the page, in the same order. Files that
+/// are missing, unreadable or of another size than the first are left out; nothing for a group without any. All numbers
+/// of a section take 3 MB of the page at most; beyond that they are means over blocks of pixels.
+std::vector<Html> spread_viewers(const std::vector<SpreadGroup>& groups, const std::filesystem::path& run_folder,
+                                 ViewerPayload& payload);
 
 }  // namespace sturm

@@ -1,5 +1,6 @@
 #include "reports/text/csv.h"
 
+#include <array>
 #include <string_view>
 
 #include "compare/studies/lens/lens_study_errors.h"
@@ -57,31 +58,6 @@ constexpr CsvColumn ray_columns[] = {{"ray_model", "ray_model"},
                                      {"closed_form_z_max", "against_closed_form/z_max"},
                                      {"closed_form_relative_frobenius", "against_closed_form/relative_frobenius"}};
 
-constexpr CsvColumn view_columns[] = {{"lens", "lens"},
-                                      {"eccentricity_deg", "eccentricity_deg"},
-                                      {"direction_deg", "direction_deg"},
-                                      {"distance_m", "distance_m"},
-                                      {"blur_major_D", "blur_D/0"},
-                                      {"blur_minor_D", "blur_D/1"},
-                                      {"order", "order"},
-                                      {"relative_order", "relative_order"},
-                                      {"limit_relative", "limit_relative"},
-                                      {"previous_unscaled_error", "previous_unscaled_error"}};
-
-constexpr CsvColumn pupil_columns[] = {{"pupil_mm", "pupil_mm"},
-                                       {"rays_lost", "rays_lost"},
-                                       {"real_semi_major_arcmin", "real_semi_axes_arcmin/0"},
-                                       {"real_semi_minor_arcmin", "real_semi_axes_arcmin/1"}};
-
-constexpr CsvColumn first_order_columns[] = {{"first_order_relative_frobenius", "relative_frobenius"},
-                                             {"first_order_defocus_D", "defocus_D"}};
-
-constexpr CsvColumn error_columns[] = {{"relative_frobenius", "relative_frobenius"},
-                                       {"semi_major_error_arcmin", "semi_axes_arcmin/0"},
-                                       {"semi_minor_error_arcmin", "semi_axes_arcmin/1"},
-                                       {"half_width_error_arcmin", "half_width_arcmin"},
-                                       {"defocus_error_D", "defocus_D"}};
-
 template <std::size_t N>
 void add_headings(CsvWriter& csv, const CsvColumn (&columns)[N]) {
   for (const CsvColumn& column : columns) csv.text(column.heading);
@@ -91,40 +67,86 @@ template <std::size_t N>
 void add_fields(CsvWriter& csv, const Json& json, const CsvColumn (&columns)[N]) {
   for (const CsvColumn& column : columns) {
     if (const auto number = number_at(json, column.path)) {
-      csv.number(*number);
+      csv.number(number);
     } else {
       csv.text(text_at(json, column.path));
     }
   }
 }
 
+constexpr std::array view_headings{"lens",           "eccentricity_deg",
+                                   "direction_deg",  "distance_m",
+                                   "blur_major_D",   "blur_minor_D",
+                                   "order",          "relative_order",
+                                   "limit_relative", "previous_unscaled_error",
+                                   "status"};
+constexpr std::array method_headings{"pupil_mm",
+                                     "rays_lost",
+                                     "real_semi_major_arcmin",
+                                     "real_semi_minor_arcmin",
+                                     "method",
+                                     "first_order_relative_frobenius",
+                                     "first_order_defocus_D",
+                                     "relative_frobenius",
+                                     "semi_major_error_arcmin",
+                                     "semi_minor_error_arcmin",
+                                     "half_width_error_arcmin",
+                                     "defocus_error_D"};
+
+void add_distance(CsvWriter& csv, const std::optional<StoredDistance>& distance) {
+  if (distance && distance->is_infinite()) {
+    csv.text("inf");
+  } else {
+    csv.number(finite(distance));
+  }
+}
+
+void add_view(CsvWriter& csv, const LensStudyView& view, std::string_view status) {
+  csv.text(view.lens);
+  csv.number(view.eccentricity_deg);
+  csv.number(view.direction_deg);
+  add_distance(csv, view.distance_m);
+  for (const Number& number : {view.blur_D[0], view.blur_D[1], view.order, view.relative_order, view.limit_relative,
+                               view.previous_unscaled_error})
+    csv.number(number);
+  csv.text(status);
+}
+
+void add_method(CsvWriter& csv, const LensStudyView& view, const LensPupil& pupil, const StudyMethod& method) {
+  const auto axes = pupil.real_semi_axes_arcmin.value_or(std::array<Number, 2>{});
+  for (const Number& number : {pupil.pupil_mm, pupil.rays_lost, axes[0], axes[1]}) csv.number(number);
+  csv.text(method.key);
+  const FirstOrderError first_order =
+      method.first_order ? (view.first_order.*method.first_order).value_or(FirstOrderError{}) : FirstOrderError{};
+  const MethodError error = (pupil.*method.error).value_or(MethodError{});
+  for (const Number& number :
+       {first_order.relative_frobenius, first_order.defocus_D, error.relative_frobenius, error.semi_axes_arcmin[0],
+        error.semi_axes_arcmin[1], error.half_width_arcmin, error.defocus_D})
+    csv.number(number);
+}
+
 }  // namespace
 
-std::string lens_study_csv(const Json& section) {
+std::string lens_study_csv(const LensFindings& found) {
   CsvWriter csv;
-  add_headings(csv, view_columns);
-  csv.text("status");
-  add_headings(csv, pupil_columns);
-  csv.text("method");
-  add_headings(csv, first_order_columns);
-  add_headings(csv, error_columns);
+  for (const char* heading : view_headings) csv.text(heading);
+  for (const char* heading : method_headings) csv.text(heading);
   csv.end_row();
-  for (const Json& view : array_at(section, "views"))
-    for (const Json& pupil : array_at(view, "pupils"))
+  for (const LensStudyView& view : found.views)
+    for (const LensPupil& pupil : view.pupils)
       for (const StudyMethod& method : study_methods) {
-        add_fields(csv, view, view_columns);
-        csv.text("ok");
-        add_fields(csv, pupil, pupil_columns);
-        csv.text(method.key);
-        add_fields(csv, value_at(view, std::string("first_order/") + method.key), first_order_columns);
-        add_fields(csv, value_at(pupil, method.key), error_columns);
+        add_view(csv, view, "ok");
+        add_method(csv, view, pupil, method);
         csv.end_row();
       }
-  for (const Json& gaze : array_at(section, "gazes")) {
-    if (text_at(gaze, "status") == "ok") continue;
-    add_fields(csv, gaze, view_columns);
-    csv.text(text_at(gaze, "status"));
-    csv.empty(std::size(pupil_columns) + 1 + std::size(first_order_columns) + std::size(error_columns));
+  for (const LensGaze& gaze : found.gazes) {
+    if (gaze.status == "ok") continue;
+    LensStudyView place;
+    place.lens = gaze.lens;
+    place.eccentricity_deg = gaze.eccentricity_deg;
+    place.direction_deg = gaze.direction_deg;
+    add_view(csv, place, gaze.status);
+    csv.empty(method_headings.size());
     csv.end_row();
   }
   return csv.table();

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "compare/studies/lens/lens_findings.h"
 #include "io/json/json.h"
 
 namespace sturm {
@@ -11,6 +12,6 @@ std::string ellipses_csv(const Json& report);
 
 /// The section "lens_study" in the same way, one row per view, pupil and method; a line of sight that gives no view has
 /// one row with its status.
-std::string lens_study_csv(const Json& section);
+std::string lens_study_csv(const LensFindings& found);
 
 }  // namespace sturm

@@ -4,44 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json/stored.h"
+#include "reports/markup/escaped.h"
 
 namespace sturm {
 
 namespace {
 
-/// Text for an XML attribute or element.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&apos;";
-        break;
-      case '\t':
-      case '\n':
-      case '\r':
-        out += "&#" + std::to_string(static_cast<int>(c)) + ";";
-        break;  // a bare one becomes a space in an attribute
-      default:
-        if (static_cast<unsigned char>(c) < 0x20)
-          out += "\xEF\xBF\xBD";
-        else
-          out += c;
-    }
-  }
-  return out;
+std::string xml(const std::string& text) {
+  return escaped(text, Dialect::Xml);
 }
 
 std::string number_text(const Json& gate, const char* name) {
@@ -53,7 +23,7 @@ std::string number_text(const Json& gate, const char* name) {
 }
 
 std::string attribute(const char* name, const std::string& value) {
-  return std::string(" ") + name + "=\"" + escaped(value) + "\"";
+  return std::string(" ") + name + "=\"" + xml(value) + "\"";
 }
 
 std::string failure_of(const Json& gate) {
@@ -62,7 +32,7 @@ std::string failure_of(const Json& gate) {
                               number_text(gate, "value") + (unit.empty() ? "" : " " + unit) + ", bound " +
                               number_text(gate, "bound") + " (" + text_at(gate, "kind") + ")";
   return "    <failure" + attribute("type", text_at(gate, "kind")) + attribute("message", message) + ">" +
-         escaped("worst case: " + text_at(gate, "worst_case") + "\n" + text_at(gate, "reason")) + "</failure>\n";
+         xml("worst case: " + text_at(gate, "worst_case") + "\n" + text_at(gate, "reason")) + "</failure>\n";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "io/files/formatted_text.h"
 #include "io/json/stored.h"
+#include "io/specs/experiment/gate_kind.h"
 
 namespace sturm {
 
@@ -33,9 +34,10 @@ std::string number(const Json& gate, const char* key) {
 }
 
 std::string bound(const Json& gate) {
-  const std::string kind = text_at(gate, "kind"), unit = text_at(gate, "unit");
-  const bool from_below = kind == "must_differ" || kind == "lower_bound" || kind == "must_fail";
-  return std::string(from_below ? "≥ " : "≤ ") + number(gate, "bound") + (unit.empty() ? "" : " " + cell(unit));
+  const std::string unit = text_at(gate, "unit");
+  const GateKindEntry* kind = gate_kind_in_report(text_at(gate, "kind"));
+  return (kind ? std::string(sign_of(kind->passing)) + " " : "") + number(gate, "bound") +
+         (unit.empty() ? "" : " " + cell(unit));
 }
 
 bool passed(const Json& gate) {

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "reports/markup/markup.h"
-
 namespace sturm {
 
 /// Generated from reports/viewer/assets by the build.
@@ -35,14 +33,14 @@ std::string script() {
 
 }  // namespace
 
-std::string html_page(std::string_view title, std::string_view body_html) {
-  const std::string head =
-      "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
-      element("title", "", escaped(title)) + element("style", "", asset("report.css"));
-  return "<!DOCTYPE html>\n" +
-         element("html", "lang=\"en\"",
-                 element("head", "", head) +
-                     element("body", "", element("main", "", body_html) + element("script", "", script())));
+std::string html_page(std::string_view title, const Html& body) {
+  const Html head = empty_element("meta", {{"charset", "utf-8"}}) + "\n"_html +
+                    empty_element("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}}) +
+                    "\n"_html + element("title", text(title)) + element("style", Html::trusted(asset("report.css")));
+  const Html page = element(
+      "html", {{"lang", "en"}},
+      element("head", head) + element("body", element("main", body) + element("script", Html::trusted(script()))));
+  return "<!DOCTYPE html>\n" + page.markup();
 }
 
 }  // namespace sturm

@@ -107,7 +107,7 @@ std::string described(const SharpVergences& sharp) {
 ViewPlan plan_view(const RenderSpec& spec, const WornEye& worn, const CameraPose& pose, const SceneDescription& scene,
                    const std::string& view, WorkPlan& items) {
   ViewPlan plan;
-  const RayModel model = *ray_model_named(spec.ray_model);
+  const RayModel model = spec.ray_model.value();  // plan_render asks for views of the path tracer alone
   WorkPlan own{model_item(spec.skip, model, worn.eye, plan.model), refraction_item(spec, worn)};
   plan.naked = own.back().left_out();
   own.push_back(pupil_item(spec, worn.eye, model, plan.naked));

@@ -1,4 +1,4 @@
-"""Vectors and frames for the tests, written down from physics.md and independent of the program (no shared code)."""
+"""Vectors and frames for the tests, written down from docs/theory.md#1-frames-signs-units and independent of the program (no shared code)."""
 import math
 
 
@@ -28,7 +28,10 @@ def difference(a, b):
 
 
 def correction(sphere, cylinder, axis_deg):
-    """F [D] at the cornea, wearer frame, [xx, xy, yy] (physics.md 2): mean sphere, J0 and J45, the last with the wearer's sign."""
+    """F [D] at the cornea, wearer frame, [xx, xy, yy]: mean sphere, J0 and J45, the last with the wearer's sign.
+
+    docs/theory.md#2-from-a-prescription-to-a-power-matrix
+    """
     j0, j45 = -0.5 * cylinder * math.cos(math.radians(2 * axis_deg)), -0.5 * cylinder * math.sin(math.radians(2 * axis_deg))
     mean = sphere + 0.5 * cylinder
     return [mean + j0, -j45, mean - j0]

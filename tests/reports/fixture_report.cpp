@@ -130,7 +130,7 @@ Json ray_entry(const std::string& model, const Matrix2d& V, double a, const Matr
   return entry;
 }
 
-/// physics.md §4.1 in the frame of V's principal directions.
+/// docs/theory.md#61-second-moments-in-closed-form in the frame of V's principal directions.
 Matrix2d sin2_closed_form(const PrincipalValues& v, double a) {
   const Vector2d e1 = v.high_direction, e2(-e1.y(), e1.x());
   const double first = a * a / 32.0 * (5.0 * v.high * v.high + 2.0 * v.high * v.low + v.low * v.low);

@@ -1,8 +1,10 @@
 #include "compare/studies/bench/measured_view.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "compare/statistics/median.h"
 
 namespace sturm {
 
@@ -40,9 +42,7 @@ ErrorEstimate estimate(const MeasuredSetting& setting, const PictureErrors& nois
 double median_seconds(const MeasuredSetting& setting) {
   std::vector<double> seconds;
   for (const BenchSample& round : setting.rounds) seconds.push_back(round.seconds);
-  std::sort(seconds.begin(), seconds.end());
-  const std::size_t n = seconds.size();
-  return 0.5 * (seconds[(n - 1) / 2] + seconds[n / 2]);
+  return median(std::move(seconds)).value();
 }
 
 double mean_samples(const MeasuredSetting& setting) {

@@ -2,17 +2,11 @@
 #include <optional>
 #include <string>
 
+#include "compare/studies/bench/bench_findings.h"
 #include "compare/studies/bench/measured_view.h"
 #include "io/specs/experiment/bench_spec.h"
 
 namespace sturm {
-
-/// A statistic of one view. No value where an error drowned in the reference's noise or was never reached; the note
-/// says so.
-struct StatisticValue {
-  std::optional<double> value, standard_error;
-  std::string note;
-};
 
 StatisticValue statistic_of(const BenchRequirement& requirement, const MeasuredView& view);
 

@@ -1,10 +1,8 @@
 #include "compare/studies/lens/lens_study_errors.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "compare/studies/lens/lens_study_views.h"
-#include "io/json/stored.h"
 
 namespace sturm {
 
@@ -26,22 +24,19 @@ void raise(WorstError& worst, const std::optional<double>& defocus_D, const std:
 
 }  // namespace
 
-LensStudyErrors::LensStudyErrors(const Json& section) {
-  for (const Json& lens : array_at(section, "lenses")) lenses_.push_back(text_at(lens, "id"));
-  for (const Json& view : array_at(section, "views")) {
-    const auto eccentricity = number_at(view, "eccentricity_deg");
-    if (!eccentricity) continue;
-    add_new(eccentricities_, *eccentricity);
-    for (const Json& pupil : array_at(view, "pupils")) {
-      const auto diameter = number_at(pupil, "pupil_mm");
-      if (!diameter) continue;
-      add_new(pupils_, *diameter);
+LensStudyErrors::LensStudyErrors(const LensFindings& found) {
+  for (const LensFacts& lens : found.lenses) lenses_.push_back(lens.id);
+  for (const LensStudyView& view : found.views) {
+    if (!view.eccentricity_deg) continue;
+    add_new(eccentricities_, *view.eccentricity_deg);
+    for (const LensPupil& pupil : view.pupils) {
+      if (!pupil.pupil_mm) continue;
+      add_new(pupils_, *pupil.pupil_mm);
       for (const StudyMethod& method : study_methods) {
-        WorstError& worst = cells_[{text_at(view, "lens"), method.key, *eccentricity, *diameter}];
-        const Json& error = value_at(pupil, method.key);
-        const auto defocus = number_at(error, "defocus_D");
-        if (!defocus) ++worst.without;
-        raise(worst, defocus, number_at(error, "half_width_arcmin"), view_name(view));
+        WorstError& worst = cells_[{view.lens, method.key, *view.eccentricity_deg, *pupil.pupil_mm}];
+        const std::optional<MethodError>& error = pupil.*method.error;
+        if (!defocus_of(error)) ++worst.without;
+        if (error) raise(worst, error->defocus_D, error->half_width_arcmin, view_name(view));
       }
     }
   }

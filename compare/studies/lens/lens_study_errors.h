@@ -4,16 +4,28 @@
 #include <string>
 #include <vector>
 
-#include "io/json/json.h"
+#include "compare/studies/lens/lens_findings.h"
 
 namespace sturm {
 
-/// The methods of the accuracy study, in reading order: their keys in report.json and what they are called.
+/// A method of the accuracy study.
 struct StudyMethod {
-  const char *key, *name;
+  const char *key, *name;  ///< its word in tables for programs, and what readers see
+  std::optional<MethodError> LensPupil::*error;
+  std::optional<FirstOrderError> FirstOrderErrors::*first_order;  ///< null for the one that is the exact first order
 };
+
+/// In reading order.
 inline constexpr StudyMethod study_methods[] = {
-    {"ray_transfer", "ray transfer"}, {"published", "as published (eq. 11)"}, {"previous", "previous (Table 1)"}};
+    {"ray_transfer", "ray transfer", &LensPupil::ray_transfer, nullptr},
+    {"published", "as published (eq. 11)", &LensPupil::published, &FirstOrderErrors::published},
+    {"previous", "previous (Table 1)", &LensPupil::previous, &FirstOrderErrors::previous}};
+
+/// The defocus [D] of an error that may be missing.
+template <class Error>
+Number defocus_of(const std::optional<Error>& error) {
+  return error ? error->defocus_D : std::nullopt;
+}
 
 /// Above these an error of a blur ellipse matters to somebody who looks through the lens: a fifth of the smallest step
 /// that lenses are ordered in, and the resolution of a healthy eye.
@@ -27,10 +39,10 @@ struct WorstError {
   int without = 0;           ///< views in which the method has no ellipse, or real rays were lost
 };
 
-/// The errors against real rays of a report's section "lens_study".
+/// The errors against real rays of the accuracy study.
 class LensStudyErrors {
  public:
-  explicit LensStudyErrors(const Json& section);
+  explicit LensStudyErrors(const LensFindings& found);
 
   const std::vector<std::string>& lenses() const { return lenses_; }
   const std::vector<double>& eccentricities_deg() const { return eccentricities_; }

@@ -1,28 +1,22 @@
 #include "compare/studies/lens/lens_study_views.h"
 
-#include <nlohmann/json.hpp>
-#include <set>
-
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 
 namespace sturm {
 
-std::set<std::string> spline_lenses(const Json& section) {
+std::set<std::string> spline_lenses(const LensFindings& found) {
   std::set<std::string> ids;
-  for (const Json& lens : array_at(section, "lenses"))
-    if (!boolean_at(lens, "analytic_surfaces").value_or(true)) ids.insert(text_at(lens, "id"));
+  for (const LensFacts& lens : found.lenses)
+    if (!lens.analytic_surfaces.value_or(true)) ids.insert(lens.id);
   return ids;
 }
 
-std::string view_name(const Json& view) {
-  const auto number = [&](const char* path) {
-    const auto value = number_at(view, path);
-    return value ? plain_number(*value) : std::string("–");
-  };
-  std::string name = text_at(view, "lens") + "|" + number("eccentricity_deg") + "°";
-  if (number_at(view, "direction_deg")) name += " " + number("direction_deg") + "°";
-  return name + "|" + (value_at(view, "distance_m") == "inf" ? "inf" : number("distance_m") + " m");
+std::string view_name(const LensStudyView& view) {
+  const auto text = [](const Number& value) { return value ? plain_number(*value) : std::string("–"); };
+  std::string name = view.lens + "|" + text(view.eccentricity_deg) + "°";
+  if (view.direction_deg) name += " " + text(view.direction_deg) + "°";
+  const bool infinite = view.distance_m && view.distance_m->is_infinite();
+  return name + "|" + (infinite ? "inf" : text(view.finite_distance_m()) + " m");
 }
 
 }  // namespace sturm

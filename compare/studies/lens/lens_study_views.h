@@ -2,7 +2,7 @@
 #include <set>
 #include <string>
 
-#include "io/json/json.h"
+#include "compare/studies/lens/lens_findings.h"
 
 namespace sturm {
 
@@ -10,10 +10,10 @@ namespace sturm {
 /// means anything.
 inline constexpr double least_blur_D = 0.5;
 
-/// Ids of the lenses with a spline surface, where orders hold only roughly. A section that does not say has none.
-std::set<std::string> spline_lenses(const Json& section);
+/// Ids of the lenses with a spline surface, where orders hold only roughly. A report that does not say has none.
+std::set<std::string> spline_lenses(const LensFindings& found);
 
 /// "P195-OD|20° 45°|0.25 m": lens, eccentricity and direction of the gaze, distance.
-std::string view_name(const Json& view);
+std::string view_name(const LensStudyView& view);
 
 }  // namespace sturm

@@ -1,11 +1,12 @@
 #include "compare/studies/sin2/study_case.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/files/csv.h"
 #include "io/files/formatted_text.h"
-#include "io/json/json_numbers.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
@@ -46,33 +47,22 @@ std::string length_text(double metres) {
 constexpr int digits_in_csv = 9;
 
 /// What the checks on wrong inputs read is no finding about a case.
-constexpr std::size_t quantities_in_csv = static_cast<std::size_t>(Quantity::mutant_repaired_as_sin2);
+constexpr std::size_t quantities_in_csv = static_cast<std::size_t>(StudyQuantity::mutant_repaired_as_sin2);
 
 }  // namespace
 
-std::string name_of(StudyModel model) {
-  switch (model) {
-    case StudyModel::metalstigmatism:
-      return "metalstigmatism";
-    case StudyModel::sin2_radial:
-      return "sin2_radial";
-    default:
-      return "power_matrix";
-  }
-}
-
-const char* title_of(StudyModel model) {
-  switch (model) {
-    case StudyModel::metalstigmatism:
+const char* title_of(RayModel study_model) {
+  switch (study_model) {
+    case RayModel::metalstigmatism:
       return "focal distances added, as printed";
-    case StudyModel::sin2_radial:
+    case RayModel::sin2_radial:
       return "sin², vergences added";
     default:
       return "wavefront theory";
   }
 }
 
-const char* name_of(Quantity quantity) {
+const char* name_of(StudyQuantity quantity) {
   return quantity_names[static_cast<std::size_t>(quantity)];
 }
 
@@ -92,7 +82,8 @@ double relative_deviation(const Eigen::Matrix2d& is, const Eigen::Matrix2d& shou
 }
 
 Json row_of(const StudyCase& c) {
-  Json row = {c.eye, c.distance, c.pupil, c.accommodation, static_cast<int>(c.model), static_cast<int>(c.status)};
+  const auto model = std::find(study_models.begin(), study_models.end(), c.model) - study_models.begin();
+  Json row = {c.eye, c.distance, c.pupil, c.accommodation, model, static_cast<int>(c.status)};
   for (const auto& value : c.values) row.push_back(number_or_null(value));
   return row;
 }
@@ -103,7 +94,7 @@ StudyCase case_of(const Json& row) {
   c.distance = row.at(1);
   c.pupil = row.at(2);
   c.accommodation = row.at(3);
-  c.model = static_cast<StudyModel>(row.at(4).get<int>());
+  c.model = study_models.at(row.at(4).get<std::size_t>());
   c.status = static_cast<StudyStatus>(row.at(5).get<int>());
   constexpr std::size_t first_number = 6;
   for (std::size_t i = 0; i < quantity_count; ++i)
@@ -143,13 +134,7 @@ std::string sin2_study_csv(const std::vector<StudyCase>& cases, const Sin2StudyS
     csv.text(label_of(spec.accommodations.at(c.accommodation)));
     csv.text(name_of(c.model));
     csv.text(name_of(c.status));
-    for (std::size_t i = 0; i < quantities_in_csv; ++i) {
-      if (c.values[i]) {
-        csv.number(*c.values[i], digits_in_csv);
-      } else {
-        csv.empty();
-      }
-    }
+    for (std::size_t i = 0; i < quantities_in_csv; ++i) csv.number(c.values[i], digits_in_csv);
     csv.end_row();
   }
   return csv.table();

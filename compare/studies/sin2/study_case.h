@@ -8,18 +8,18 @@
 
 #include "io/json/json.h"
 #include "io/specs/experiment/sin2_study_spec.h"
+#include "lensmodel/ray_model.h"
 
 namespace sturm {
 
 /// The ray models of the study.
-enum class StudyModel { metalstigmatism, sin2_radial, power_matrix };
-inline constexpr std::array study_models{StudyModel::metalstigmatism, StudyModel::sin2_radial,
-                                         StudyModel::power_matrix};
-std::string name_of(StudyModel model);
-const char* title_of(StudyModel model);
+inline constexpr std::array study_models{RayModel::metalstigmatism, RayModel::sin2_radial, RayModel::power_matrix};
+
+/// What one of them is, in a few words.
+const char* title_of(RayModel study_model);
 
 /// What a case has in numbers.
-enum class Quantity {
+enum class StudyQuantity {
   high_D,             ///< larger principal value V₁ of I/d + F − A·I
   low_D,              ///< smaller one, V₂
   true_major_arcmin,  ///< semi-axes of wavefront theory
@@ -48,10 +48,10 @@ enum class Quantity {
   mutant_sin2_as_matrix,     ///< sin2_radial from wavefront theory
   count
 };
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::count);
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(StudyQuantity::count);
 
 /// Names of the quantities in stored parts and in sin2_study.csv, in their order.
-const char* name_of(Quantity quantity);
+const char* name_of(StudyQuantity quantity);
 
 enum class StudyStatus {
   ok,
@@ -64,19 +64,19 @@ const char* name_of(StudyStatus status);
 /// One prescription × distance × pupil × accommodation × ray model; indices into the spec's lists.
 struct StudyCase {
   std::size_t eye = 0, distance = 0, pupil = 0, accommodation = 0;
-  StudyModel model = StudyModel::power_matrix;
+  RayModel model = RayModel::power_matrix;  ///< one of study_models
   StudyStatus status = StudyStatus::ok;
   std::array<std::optional<double>, quantity_count> values{};
 
-  std::optional<double>& operator[](Quantity q) { return values[static_cast<std::size_t>(q)]; }
-  const std::optional<double>& operator[](Quantity q) const { return values[static_cast<std::size_t>(q)]; }
+  std::optional<double>& operator[](StudyQuantity q) { return values[static_cast<std::size_t>(q)]; }
+  const std::optional<double>& operator[](StudyQuantity q) const { return values[static_cast<std::size_t>(q)]; }
 };
 
 /// ‖is − should‖_F/(‖should‖_F + a²/4·(1 D)²): relative, except where there is less than a dioptre of blur, so that an
 /// image in focus has a deviation, too. Covariances in rad², `a` in metres.
 double relative_deviation(const Eigen::Matrix2d& is, const Eigen::Matrix2d& should, double a);
 
-/// A case as an array of numbers, and back.
+/// A case as an array of numbers, its model by the place in study_models, and back.
 Json row_of(const StudyCase& c);
 StudyCase case_of(const Json& row);
 

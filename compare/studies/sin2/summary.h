@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "compare/studies/sin2/sin2_findings.h"
 #include "compare/studies/sin2/study_case.h"
 
 namespace sturm {
@@ -10,13 +11,14 @@ inline constexpr double noticeable_defocus_D = 0.25;
 
 /// The section "sin2_study" of a report (configs/schemas/report.schema.json) from all cases; `gallery` is put in as it
 /// is.
-Json summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases, const Json& gallery);
+Sin2Findings summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases,
+                                   std::vector<Sin2GalleryEntry> gallery);
 
 /// Its parts: what each model did, the checks that gates read, the distribution over the real eyes, and what the
 /// figures show.
-Json model_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
-Json study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
-Json population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
-Json reference_views(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
+std::vector<Sin2ModelRow> model_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
+Sin2Checks study_checks(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
+std::vector<Sin2PopulationRow> population_table(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
+Sin2ReferenceView reference_views(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases);
 
 }  // namespace sturm

@@ -28,7 +28,7 @@ AgreementCase read_case(const Json& value, const Source& where) {
   append(c.input_files, worn.input_files);
   c.worn = worn.worn;
   const bool foveal = c.camera.gaze == Gaze::Foveal;
-  if (!foveal) require_camera_accommodation(c.worn.eye.accommodation, "power_matrix", where / "eye" / "accommodation");
+  if (!foveal) require_camera_accommodation(c.worn.eye.accommodation, std::nullopt, where / "eye" / "accommodation");
   const Json& kinds = value["predictions"];
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     Json one = {{"prediction", kinds[i]}, {"oversampling", value.value("oversampling", 1)}};

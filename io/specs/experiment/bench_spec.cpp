@@ -1,27 +1,20 @@
 #include "io/specs/experiment/bench_spec.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
 
 #include "io/files/error.h"
 #include "io/json/named_file.h"
 #include "io/json/schema.h"
 #include "io/json/suggest.h"
 #include "io/json/unique_ids.h"
+#include "io/specs/words.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr std::array<std::pair<BenchStatistic, const char*>, 5> statistic_names = {
-    {{BenchStatistic::Slope, "slope"},
-     {BenchStatistic::Error, "error"},
-     {BenchStatistic::ErrorRatio, "error_ratio"},
-     {BenchStatistic::TimeRatio, "time_ratio"},
-     {BenchStatistic::CostRatio, "cost_ratio"}}};
 constexpr int smallest_side = 11;  // the window of SSIM
 
 std::vector<std::string> ids_of(const Json& list, const Source& where) {
@@ -150,8 +143,7 @@ BenchRequirement read_requirement(const Json& value, const Source& where, const 
   r.id = value["id"].get<std::string>();
   r.title = value["title"].get<std::string>();
   r.reason = value["reason"].get<std::string>();
-  for (const auto& [statistic, word] : statistic_names)
-    if (value["statistic"] == word) r.statistic = statistic;
+  r.statistic = read_word(value["statistic"], where / "statistic", bench_statistic_words);
   r.error = value["error"].get<std::string>();
   require_known(value["method"], methods, where / "method");
   r.method = value["method"].get<std::string>();
@@ -191,12 +183,6 @@ void require_measured(const BenchSpec& spec, const BenchRequirement& requirement
 }
 
 }  // namespace
-
-std::string to_string(BenchStatistic statistic) {
-  for (const auto& [known, word] : statistic_names)
-    if (known == statistic) return word;
-  throw std::logic_error("statistic without a name");
-}
 
 BenchSpec read_bench(const Json& document, const std::string& file) {
   return read_bench(document, Source{file, ""});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/specs/render_spec.h"
+#include "lensmodel/words.h"
 
 namespace sturm {
 
@@ -49,6 +50,17 @@ enum class BenchStatistic {
   CostRatio    ///< of squared error × seconds, each at its last setting
 };
 
+inline constexpr Words<BenchStatistic, 5> bench_statistic_words{{{BenchStatistic::Slope, "slope"},
+                                                                 {BenchStatistic::Error, "error"},
+                                                                 {BenchStatistic::ErrorRatio, "error_ratio"},
+                                                                 {BenchStatistic::TimeRatio, "time_ratio"},
+                                                                 {BenchStatistic::CostRatio, "cost_ratio"}}};
+
+/// The word for a statistic as it stands in a benchmark's "require".
+inline std::string name_of(BenchStatistic statistic) {
+  return std::string(bench_statistic_words.word_of(statistic));
+}
+
 /// A bound on a statistic; in each of its views it has to hold.
 struct BenchRequirement {
   std::string id, title, reason;
@@ -78,8 +90,5 @@ BenchSpec read_bench(const Json& document, const std::string& file);
 
 /// The same for a benchmark that stands inside of another document, at `root`.
 BenchSpec read_bench(const Json& document, const Source& root);
-
-/// The word for a statistic as it stands in a benchmark's "require".
-std::string to_string(BenchStatistic statistic);
 
 }  // namespace sturm

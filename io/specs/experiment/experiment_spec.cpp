@@ -8,6 +8,7 @@
 #include "io/json/schema.h"
 #include "io/json/suggest.h"
 #include "io/json/unique_ids.h"
+#include "io/specs/words.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -17,6 +18,10 @@ namespace {
 Accommodation accommodation_of(const Json& value, const Source& where) {
   return value.contains("accommodation") ? read_accommodation(value["accommodation"], where / "accommodation")
                                          : Accommodation{};
+}
+
+std::vector<RayModel> ray_models_of(const Json& value, const Source& where) {
+  return read_words(value["ray_models"], where / "ray_models", ray_model_words);
 }
 
 EllipseExperiment read_ellipses(const Json& value, const Source& where) {
@@ -31,7 +36,7 @@ EllipseExperiment read_ellipses(const Json& value, const Source& where) {
   for (const Json& diameter_mm : value["pupil_diameters_mm"])
     ellipses.pupil_diameters_m.push_back(metres_per_millimetre * diameter_mm.get<double>());
   ellipses.accommodation = accommodation_of(value, where);
-  ellipses.ray_models = value["ray_models"].get<std::vector<std::string>>();
+  ellipses.ray_models = ray_models_of(value, where);
   ellipses.rays = read_ray_bundle(value.value("rays", Json()), where / "rays", 0.0);
   return ellipses;
 }
@@ -56,7 +61,9 @@ PsfExperiment read_psf(const Json& value, const Source& where, const std::option
       make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
                metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
   psf.distance_m = read_distance(value["distance_m"], where / "distance_m");
-  psf.ray_models = value["ray_models"].get<std::vector<std::string>>();
+  psf.ray_models = ray_models_of(value, where);
+  for (const RayModel ray_model : psf.ray_models)
+    require_rays(ray_model, psf.eye.accommodation, where / "accommodation");
   psf.resolution = value["resolution"].get<int>();
   psf.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   return psf;
@@ -74,8 +81,8 @@ ImageExperiment read_image_experiment(const Json& value, const Source& where,
   image.eye =
       make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
                metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
-  image.ray_models = value["ray_models"].get<std::vector<std::string>>();
-  for (const std::string& ray_model : image.ray_models)
+  image.ray_models = ray_models_of(value, where);
+  for (const RayModel ray_model : image.ray_models)
     require_camera_accommodation(image.eye.accommodation, ray_model, where / "accommodation");
   image.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   image.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", image.samples_per_pixel);
@@ -127,6 +134,7 @@ BenchSpec read_bench_section(const Json& value, const Source& where, std::uint64
 ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   validate(document, "experiment", file);
   const Source root{file, ""};
+  Json resolved = resolved_experiment(document);
   ExperimentSpec spec;
   spec.title = document["title"].get<std::string>();
   spec.seed = document.value("seed", spec.seed);
@@ -149,12 +157,12 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   }
   if (document.contains("lens_study")) {
     require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");
-    spec.lens_study = read_lens_study(document["lens_study"], root / "lens_study");
+    spec.lens_study = read_lens_study(resolved["lens_study"], root / "lens_study");
     add_files(spec.input_files, spec.lens_study->input_files);
   }
   if (document.contains("sin2_study")) {
-    require_unique_ids(document["sin2_study"].value("gallery", Json::array()), root / "sin2_study" / "gallery");
-    spec.sin2_study = read_sin2_study(document["sin2_study"], root / "sin2_study");
+    require_unique_ids(resolved["sin2_study"]["gallery"], root / "sin2_study" / "gallery");
+    spec.sin2_study = read_sin2_study(resolved["sin2_study"], root / "sin2_study");
     add_files(spec.input_files, spec.sin2_study->input_files);
   }
   if (document.contains("sampling_study")) {
@@ -180,7 +188,6 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.images.push_back(read_image_experiment(images[i], root / "images" / i, spec.ellipses));
     add_files(spec.input_files, spec.images.back().scene.input_files);
   }
-  Json resolved = resolved_experiment(document);
   if (spec.bench) resolved["bench"] = *spec.bench->resolved;
   spec.resolved = std::make_shared<const Json>(std::move(resolved));
   spec.share_views = (*spec.resolved)["skip"]["same_views"].get<bool>();

@@ -30,7 +30,7 @@ struct EllipseExperiment {
   std::vector<double> distances_m;               ///< > 0, ∞ allowed
   std::vector<double> pupil_diameters_m;
   Accommodation accommodation;
-  std::vector<std::string> ray_models;
+  std::vector<RayModel> ray_models;
   RayBundleSpec rays;  ///< count × replicates
 };
 
@@ -40,7 +40,7 @@ struct PsfExperiment {
   std::string prescription;  ///< id
   Eye eye;
   double distance_m = 0.0;  ///< > 0, ∞ allowed
-  std::vector<std::string> ray_models;
+  std::vector<RayModel> ray_models;
   int resolution = 0;  ///< [px], square
   std::uint64_t samples_per_pixel = 0;
 };
@@ -53,7 +53,7 @@ struct ImageExperiment {
   CameraSpec camera;
   std::string prescription;  ///< id
   Eye eye;                   ///< accommodation relaxed or fixed
-  std::vector<std::string> ray_models;
+  std::vector<RayModel> ray_models;
   std::uint64_t samples_per_pixel = 0;
   std::uint64_t sharp_samples_per_pixel = 0;  ///< of the prediction's sharp view
   int replicates = 0;                         ///< independently seeded path-traced images, ≥ 2

@@ -41,7 +41,8 @@ class FigureReader {
 
  private:
   static double rotation_center(const Json& drawing) {
-    return metres_per_millimetre * drawing.value("rotation_center_mm", 13.5);
+    const auto stated = drawing.find("rotation_center_mm");
+    return stated == drawing.end() ? mean_rotation_center_m : metres_per_millimetre * stated->get<double>();
   }
 
   void add_inputs(const std::vector<std::string>& files) {

@@ -30,14 +30,14 @@ struct SturmConoidFigure {
 /// Maps of mean power error and cylinder of a lens as worn.
 struct LensMapsFigure {
   SpectaclesSpec lens;  ///< it has a lens
-  double rotation_center_m = 13.5e-3;
+  double rotation_center_m = mean_rotation_center_m;
 };
 
 /// What an eye lacks behind each of some lenses for targets at one distance.
 struct DefocusMapsFigure {
   std::vector<SpectaclesSpec> lenses;
   std::vector<std::string> names;  ///< of the lenses, for the titles
-  double rotation_center_m = 13.5e-3;
+  double rotation_center_m = mean_rotation_center_m;
   double distance_m = 0.4;  ///< > 0, ∞ allowed
   double amplitude_D = 0.0;
 };

@@ -1,37 +1,25 @@
 #include "io/specs/experiment/gate_spec.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
 
-#include "io/json/json_numbers.h"
 #include "io/json/schema.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
 namespace {
-constexpr std::array<std::pair<Comparison, const char*>, 5> comparison_names = {{{Comparison::AtMost, "at_most"},
-                                                                                 {Comparison::AtLeast, "at_least"},
-                                                                                 {Comparison::Differs, "differs"},
-                                                                                 {Comparison::Baseline, "baseline"},
-                                                                                 {Comparison::MustFail, "must_fail"}}};
 
-Comparison comparison_of(const Json& name) {
-  for (const auto& [comparison, word] : comparison_names)
-    if (name == word) return comparison;
+GateKind kind_in_file(const Json& word) {
+  if (const GateKindEntry* entry = gate_kind_in_file(word.get<std::string>())) return entry->kind;
   throw std::logic_error("the schema of gates allows a comparison that is not known");
 }
+
 std::optional<double> number_or_none(const Json& value) {
   return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
-}  // namespace
 
-std::string to_string(Comparison comparison) {
-  for (const auto& [known, word] : comparison_names)
-    if (known == comparison) return word;
-  throw std::logic_error("comparison without a name");
-}
+}  // namespace
 
 Json calibration_json(const GateSpec& gate) {
   if (!gate.calibration) return Json::object();
@@ -67,7 +55,7 @@ std::vector<GateSpec> read_gates(const Json& document, const std::string& file) 
     if (!ids.insert(gate.id).second) (where / "id").fail(value["id"], "an id that no other gate has");
     gate.title = value["title"].get<std::string>();
     gate.statistic = value["statistic"].get<std::string>();
-    gate.comparison = comparison_of(value["comparison"]);
+    gate.kind = kind_in_file(value["comparison"]);
     gate.bound = value["bound"].get<double>();
     gate.unit = value.value("unit", "");
     gate.reason = value["reason"].get<std::string>();

@@ -4,16 +4,9 @@
 #include <vector>
 
 #include "io/json/json.h"
+#include "io/specs/experiment/gate_kind.h"
 
 namespace sturm {
-
-enum class Comparison {
-  AtMost,    ///< passes when the statistic is ≤ bound
-  AtLeast,   ///< passes when the statistic is ≥ bound
-  Differs,   ///< passes when the statistic is ≥ bound: two things that must not agree
-  Baseline,  ///< passes when the statistic is not lower than in the committed baseline by more than bound
-  MustFail,  ///< passes when the statistic, computed from a mutated input, exceeds bound
-};
 
 /// How much of the way from perfect agreement to the bound is left for what is no chance, in the gate's unit.
 struct GateTolerance {
@@ -40,12 +33,12 @@ struct GateCalibration {
 struct GateSpec {
   std::string id, title;
   std::string statistic;
-  Comparison comparison = Comparison::AtMost;
+  GateKind kind = GateKind::AtMost;
   double bound = 0.0;
   std::string unit;
   std::string reason;  ///< where the bound comes from
 
-  std::optional<GateCalibration> calibration;  ///< none: the gate states none
+  std::optional<GateCalibration> calibration{};  ///< none: the gate states none
 };
 
 /// Validates and reads a document of format sturm.gates/1; ids are unique, a calibration is there as a whole or not at
@@ -61,8 +54,5 @@ Json calibration_json(const GateSpec& gate);
 
 /// Reads them back from a gate that follows the schema of gates or of reports; none unless all are there.
 std::optional<GateCalibration> read_calibration(const Json& gate);
-
-/// The word for a comparison as it stands in a gates file.
-std::string to_string(Comparison comparison);
 
 }  // namespace sturm

@@ -22,7 +22,7 @@ StudyLens read_lens(const Json& value, const Source& where, const LensStudySpec&
                     std::vector<std::string>& input_files) {
   StudyLens lens;
   lens.id = value["id"].get<std::string>();
-  lens.note = value.value("note", "");
+  lens.note = value["note"].get<std::string>();
   lens.prescription = read_prescription(value["prescription"], where / "prescription");
   const Eye eye =
       make_eye(lens.prescription, study.pupil_diameters_m.front(), study.accommodation, where / "prescription");
@@ -45,18 +45,18 @@ std::size_t lens_named(const Json& id, const Source& where, const std::vector<St
                    one_of(ids) + " (ids of the lenses)");
 }
 
-FieldStudy read_field(const Json& value, const Source& where, const std::vector<StudyLens>& lenses) {
-  FieldStudy field;
-  field.lens = lens_named(value["lens"], where / "lens", lenses);
-  field.azimuths_deg = ascending(value["azimuths_deg"], where / "azimuths_deg");
-  field.distance_m = read_distance(value["distance_m"], where / "distance_m");
-  field.pupil_diameter_m = metres_per_millimetre * value["pupil_diameter_mm"].get<double>();
-  return field;
+WideGaze read_wide_gaze(const Json& value, const Source& where, const std::vector<StudyLens>& lenses) {
+  WideGaze gaze;
+  gaze.lens = lens_named(value["lens"], where / "lens", lenses);
+  gaze.azimuths_deg = ascending(value["azimuths_deg"], where / "azimuths_deg");
+  gaze.distance_m = read_distance(value["distance_m"], where / "distance_m");
+  gaze.pupil_diameter_m = metres_per_millimetre * value["pupil_diameter_mm"].get<double>();
+  return gaze;
 }
 
 /// The two pupils between which orders are fitted; both must be among those that are traced.
 void read_order_pupils(const Json& value, const Source& where, LensStudySpec& study) {
-  const Json pair = value.value("order_pupil_diameters_mm", Json{0.5, 1.0});
+  const Json& pair = value["order_pupil_diameters_mm"];
   const std::vector<double> mm = ascending(pair, where / "order_pupil_diameters_mm");
   for (std::size_t i = 0; i < mm.size(); ++i) {
     const Json& all = value["pupil_diameters_mm"];
@@ -71,7 +71,7 @@ void read_order_pupils(const Json& value, const Source& where, LensStudySpec& st
 
 LensStudySpec read_lens_study(const Json& value, const Source& where) {
   LensStudySpec study;
-  study.rotation_center_m = metres_per_millimetre * value.value("rotation_center_mm", 13.5);
+  study.rotation_center_m = metres_per_millimetre * value["rotation_center_mm"].get<double>();
   study.eccentricities_deg = ascending(value["eccentricities_deg"], where / "eccentricities_deg");
   study.directions_deg = value["directions_deg"].get<std::vector<double>>();
   for (std::size_t i = 0; i < value["distances_m"].size(); ++i)
@@ -79,19 +79,18 @@ LensStudySpec read_lens_study(const Json& value, const Source& where) {
   for (const double mm : ascending(value["pupil_diameters_mm"], where / "pupil_diameters_mm"))
     study.pupil_diameters_m.push_back(metres_per_millimetre * mm);
   read_order_pupils(value, where, study);
-  if (value.contains("accommodation"))
-    study.accommodation = read_accommodation(value["accommodation"], where / "accommodation");
+  study.accommodation = read_accommodation(value["accommodation"], where / "accommodation");
   if (std::holds_alternative<BestAccommodation>(study.accommodation))
     (where / "accommodation")
         .fail(value["accommodation"],
               "\"relaxed\" or \"fixed\": methods that accommodate differently cannot be told from methods that trace "
               "differently");
-  const Json rule = value.value("quadrature", Json::object());
-  study.quadrature = {rule.value("radial", 10), rule.value("azimuthal", 40)};
+  const Json& rule = value["quadrature"];
+  study.quadrature = {rule["radial"].get<int>(), rule["azimuthal"].get<int>()};
   const Json& lenses = value["lenses"];
   for (std::size_t i = 0; i < lenses.size(); ++i)
     study.lenses.push_back(read_lens(lenses[i], where / "lenses" / i, study, study.input_files));
-  if (value.contains("field")) study.field = read_field(value["field"], where / "field", study.lenses);
+  if (value.contains("field")) study.wide_gaze = read_wide_gaze(value["field"], where / "field", study.lenses);
   return study;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/specs/words.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -14,7 +15,7 @@ SamplingConfiguration read_configuration(const Json& value, double pupil_diamete
   SamplingConfiguration configuration;
   configuration.id = value["id"].get<std::string>();
   configuration.note = value.value("note", "");
-  configuration.ray_model = value["ray_model"].get<std::string>();
+  configuration.ray_model = read_word(value["ray_model"], where / "ray_model", ray_model_words);
   configuration.eye = make_eye(read_prescription(value["prescription"], where / "prescription"), pupil_diameter_m,
                                accommodation, where);
   require_camera_accommodation(accommodation, configuration.ray_model, where / "ray_model");
@@ -22,10 +23,10 @@ SamplingConfiguration read_configuration(const Json& value, double pupil_diamete
 }
 
 /// A sampling of the list; `rings` of the study belong to the one of that name.
-NamedSampling read_sampling(const Json& name, const Json& study, const Source& where) {
+PupilSamplingSpec read_sampling(const Json& name, const Json& study, const Source& where) {
   Json rays = {{"sampling", name}};
   if (name == "rings" && study.contains("rings")) rays["rings"] = study["rings"];
-  return {name.get<std::string>(), read_pupil_sampling(rays, where)};
+  return read_pupil_sampling(rays, where);
 }
 
 }  // namespace
@@ -50,8 +51,7 @@ SamplingStudySpec read_sampling_study(const Json& value, const Source& where) {
   }
   for (std::size_t i = 0; i < value["samplings"].size(); ++i)
     study.samplings.push_back(read_sampling(value["samplings"][i], value, where / "samplings" / i));
-  study.sampler_names = value.value("samplers", Json({"sobol"})).get<std::vector<std::string>>();
-  for (const std::string& name : study.sampler_names) study.samplers.push_back(read_sequence(name));
+  study.samplers = read_words(value.value("samplers", Json({"sobol"})), where / "samplers", sequence_words);
   study.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
   study.replicates = value.value("replicates", 8);
   study.max_bounces = value.value("max_bounces", study.max_bounces);

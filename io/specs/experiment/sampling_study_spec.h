@@ -15,13 +15,7 @@ namespace sturm {
 struct SamplingConfiguration {
   std::string id, note;
   Eye eye;  ///< accommodation relaxed or fixed
-  std::string ray_model;
-};
-
-/// One way to spread the rays of a pixel over the pupil.
-struct NamedSampling {
-  std::string name;  ///< as in a "rays" object
-  PupilSamplingSpec spec;
+  RayModel ray_model = RayModel::power_matrix;
 };
 
 /// The same view of one scene: every configuration × sampling × sampler, against the uniform disc.
@@ -30,11 +24,10 @@ struct SamplingStudySpec {
   SceneSpec scene;
   CameraSpec camera;
   std::vector<SamplingConfiguration> configurations;  ///< ids are unique
-  std::vector<NamedSampling> samplings;
+  std::vector<PupilSamplingSpec> samplings;
   std::vector<Sequence> samplers;
-  std::vector<std::string> sampler_names;  ///< of `samplers`
-  std::uint64_t samples_per_pixel = 0;     ///< of each replicate
-  int replicates = 0;                      ///< independently seeded pictures, ≥ 3
+  std::uint64_t samples_per_pixel = 0;  ///< of each replicate
+  int replicates = 0;                   ///< independently seeded pictures, ≥ 3
   int max_bounces = 16;
 };
 

@@ -50,7 +50,7 @@ void add_real_eyes(Sin2StudySpec& study, const Json& population, const Source& w
   study.input_files.push_back(file.string());
   const std::size_t begin = study.eyes.size();
   for (TabledPrescription& eye :
-       read_prescription_table(file, metres_per_millimetre * population.value("vertex_distance_mm", 12.0)))
+       read_prescription_table(file, metres_per_millimetre * population["vertex_distance_mm"].get<double>()))
     study.eyes.push_back({std::move(eye.id), eye.prescription});
   study.groups.push_back({"real_eyes", begin, study.eyes.size()});
 }
@@ -101,15 +101,14 @@ Sin2StudySpec read_sin2_study(const Json& value, const Source& where) {
     study.pupil_diameters_m.push_back(metres_per_millimetre * mm.get<double>());
   for (std::size_t i = 0; i < value["accommodations"].size(); ++i)
     study.accommodations.push_back(read_accommodation(value["accommodations"][i], where / "accommodations" / i));
-  const Json rule = value.value("quadrature", Json::object());
-  study.quadrature = {rule.value("radial", 2), rule.value("azimuthal", 128)};
-  const Json rings = value.value("rings", Json::object());
-  study.rings = {PupilSampling::Rings, rings.value("count", 8), rings.value("angle_factor", 8)};
+  const Json &rule = value["quadrature"], &rings = value["rings"];
+  study.quadrature = {rule["radial"].get<int>(), rule["azimuthal"].get<int>()};
+  study.rings = {PupilSampling::Rings, rings["count"].get<int>(), rings["angle_factor"].get<int>()};
   add_grid(study, value["grid"], where / "grid");
   if (value.contains("real_eyes")) add_real_eyes(study, value["real_eyes"], where / "real_eyes");
   read_reference(study, value["reference"], where / "reference");
-  study.gallery_rays = value.value("gallery_rays", std::uint64_t{262144});
-  const Json gallery = value.value("gallery", Json::array());
+  study.gallery_rays = value["gallery_rays"].get<std::uint64_t>();
+  const Json& gallery = value["gallery"];
   for (std::size_t i = 0; i < gallery.size(); ++i)
     study.gallery.push_back(read_gallery_view(gallery[i], where / "gallery" / i));
   return study;

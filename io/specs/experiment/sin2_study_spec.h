@@ -46,7 +46,7 @@ struct Sin2StudySpec {
   std::vector<std::string> input_files;  ///< absolute paths
 };
 
-/// Reads a validated "sin2_study" section. Throws InputError.
+/// Reads a validated "sin2_study" section with its defaults spelt out. Throws InputError.
 Sin2StudySpec read_sin2_study(const Json& value, const Source& where);
 
 }  // namespace sturm

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compare/studies/bench/measured_view.h"
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 #include "reports/plots/gnuplot.h"
 
 namespace sturm {
@@ -58,29 +57,28 @@ struct Span {
 
 /// One line of a data block: x, value, and the ends of its error bar (at the lower end not below a hundredth of the
 /// value: the axis is logarithmic).
-std::string row(double x, const Json& error) {
-  const double value = *number_at(error, "value"), sigma = number_at(error, "standard_error").value_or(0.0);
+std::string row(double x, const BenchError& error) {
+  const double value = *error.value, sigma = error.standard_error.value_or(0.0);
   return plain_number(x, 9) + " " + plain_number(value, 9) + " " +
          plain_number(std::max(value - sigma, 0.01 * value), 9) + " " + plain_number(value + sigma, 9) + "\n";
 }
 
-/// A curve for each method of the view, by what stands at `x_path` of its points.
-std::vector<Series> series_of(const Json& view, std::string_view x_path, double x_scale, const std::string& error,
-                              Span& span) {
+/// A curve for each method of the view, by a number of its points.
+std::vector<Series> series_of(const BenchViewResult& view, const std::function<Number(const BenchPoint&)>& x_of,
+                              const std::string& error, Span& span) {
   std::vector<Series> result;
-  for (const Json& method : array_at(view, "methods")) {
+  for (const BenchMethodResult& method : view.methods) {
     const std::size_t k = result.size();
-    std::string title = text_at(method, "title").empty() ? text_at(method, "id") : text_at(method, "title");
+    std::string title = method.title.empty() ? method.id : method.title;
     std::erase_if(title, [](char c) { return c == '"' || c == '\\'; });
-    const bool biased = boolean_at(method, "biased").value_or(false);
-    Series series{"$series" + std::to_string(k), biased ? title + " (biased)" : title, "",
-                  std::string("lc rgb '") + colours[k % std::size(colours)] + "'" + (biased ? " dt 2" : "")};
-    for (const Json& point : array_at(method, "points")) {
-      const auto x = number_at(point, x_path);
-      const auto value = number_at(point, "errors/" + error + "/value");
-      if (!x || !value) continue;
-      series.rows += row(x_scale * *x, value_at(point, "errors/" + error));
-      span.add(x_scale * *x, *value);
+    Series series{"$series" + std::to_string(k), method.biased ? title + " (biased)" : title, "",
+                  std::string("lc rgb '") + colours[k % std::size(colours)] + "'" + (method.biased ? " dt 2" : "")};
+    for (const BenchPoint& point : method.points) {
+      const Number x = x_of(point);
+      const BenchError found = point.error(error);
+      if (!x || !found.value) continue;
+      series.rows += row(*x, found);
+      span.add(*x, *found.value);
     }
     result.push_back(std::move(series));
   }
@@ -98,29 +96,32 @@ std::string plot_of(const std::vector<Series>& all) {
   return plots.empty() ? "" : blocks + plots;
 }
 
-std::string heading(const Json& view) {
-  return text_at(view, "title").empty() ? text_at(view, "id") : text_at(view, "title");
+std::string heading(const BenchViewResult& view) {
+  return view.title.empty() ? view.id : view.title;
 }
 
 /// A line of slope −1/2 through the first point of the first method, drawn a little below it.
-std::string guide_line(const Json& view, double pixels) {
-  for (const Json& method : array_at(view, "methods"))
-    for (const Json& point : array_at(method, "points")) {
-      const auto samples = number_at(point, "samples"), error = number_at(point, "errors/rmse/value");
-      if (samples && error)
-        return ", " + plain_number(0.8 * *error, 9) + "*(x/" + plain_number(*samples / pixels, 9) +
+std::string guide_line(const BenchViewResult& view) {
+  for (const BenchMethodResult& method : view.methods)
+    for (const BenchPoint& point : method.points) {
+      const Number error = point.error("rmse").value;
+      if (point.samples && error)
+        return ", " + plain_number(0.8 * *error, 9) + "*(x/" + plain_number(*point.samples / view.pixels(), 9) +
                ")**-0.5 with lines lw 1 dt 3 lc rgb '#666666' title 'slope −1/2'";
     }
   return "";
 }
 
-std::optional<Figure> convergence_figure(const Json& view) {
-  const double pixels = number_at(view, "resolution/0").value_or(1.0) * number_at(view, "resolution/1").value_or(1.0);
+std::optional<Figure> convergence_figure(const BenchViewResult& view) {
+  const double per_pixel = 1.0 / view.pixels();
   Span span;
-  const std::string plot = plot_of(series_of(view, "samples", 1.0 / pixels, "rmse", span));
+  const auto samples_per_pixel = [&](const BenchPoint& point) {
+    return point.samples ? Number(per_pixel * *point.samples) : std::nullopt;
+  };
+  const std::string plot = plot_of(series_of(view, samples_per_pixel, "rmse", span));
   if (plot.empty()) return std::nullopt;
   Figure figure;
-  figure.id = "convergence_" + text_at(view, "id");
+  figure.id = "convergence_" + view.id;
   figure.title = heading(view) + ": RMSE against samples";
   figure.caption =
       "RMSE against the reference, whose own noise is taken off, with standard errors from the scatter of the rounds. "
@@ -128,27 +129,33 @@ std::optional<Figure> convergence_figure(const Json& view) {
       "camera rays per pixel, guided ones among them.";
   const std::string script =
       std::string(style) + axis('x', span.low_x, span.high_x) + axis('y', span.low_y, span.high_y) +
-      "set xlabel \"samples per pixel\"\nset ylabel \"RMSE [radiance]\"\n" + plot + guide_line(view, pixels);
+      "set xlabel \"samples per pixel\"\nset ylabel \"RMSE [radiance]\"\n" + plot + guide_line(view);
   figure.svg = gnuplot_file(script, {.id = figure.id, .label = figure.title, .width = 900, .height = 440});
   return figure;
 }
 
 /// Steps along the Pareto front: what the best of all settings reaches in a given time.
-std::string front_steps(const Json& view, const std::string& error) {
+std::string front_steps(const BenchViewResult& view, const std::string& error) {
+  const auto front = view.pareto.find(error);
+  if (front == view.pareto.end()) return "";
   std::string rows;
-  for (const Json& point : array_at(view, "pareto/" + error)) {
-    const auto seconds = number_at(point, "seconds"), value = number_at(point, "value");
-    if (seconds && value) rows += plain_number(*seconds, 9) + " " + plain_number(*value, 9) + "\n";
-  }
+  for (const BenchFrontPoint& point : front->second)
+    if (point.seconds && point.value)
+      rows += plain_number(*point.seconds, 9) + " " + plain_number(*point.value, 9) + "\n";
   return rows.empty() ? "" : "$front << END\n" + rows + "END\n";
 }
 
+/// The levels that methods were timed to: those of the first one.
+std::vector<BenchTime> levels_of(const BenchViewResult& view) {
+  return view.methods.empty() ? std::vector<BenchTime>{} : view.methods.front().times;
+}
+
 /// A dotted line at each level that the view's methods were timed to.
-std::string level_lines(const Json& view, const std::string& error, const Span& span) {
+std::string level_lines(const BenchViewResult& view, const std::string& error, const Span& span) {
   std::string lines;
-  for (const Json& time : array_at(view, "methods/0/times")) {
-    const auto level = number_at(time, "level");
-    if (text_at(time, "error") != error || !level || *level < 0.8 * span.low_y || *level > 1.25 * span.high_y) continue;
+  for (const BenchTime& time : levels_of(view)) {
+    const Number& level = time.level;
+    if (time.error != error || !level || *level < 0.8 * span.low_y || *level > 1.25 * span.high_y) continue;
     const std::string y = plain_number(*level, 9);
     lines +=
         "set arrow from graph 0, first " + y + " to graph 1, first " + y + " nohead dt 3 lw 1.5 lc rgb '#666666'\n";
@@ -157,23 +164,24 @@ std::string level_lines(const Json& view, const std::string& error, const Span& 
 }
 
 /// RMSE and trimmed relative MSE, and the errors that levels were asked for.
-std::vector<const ErrorKind*> errors_against_time(const Json& view) {
+std::vector<const ErrorKind*> errors_against_time(const BenchViewResult& view) {
   std::vector<const ErrorKind*> kinds;
   for (const ErrorKind& kind : error_kinds) {
     bool wanted = kind.name == "rmse" || kind.name == "relative_mse_trimmed";
-    for (const Json& time : array_at(view, "methods/0/times")) wanted = wanted || text_at(time, "error") == kind.name;
+    for (const BenchTime& time : levels_of(view)) wanted = wanted || time.error == kind.name;
     if (wanted) kinds.push_back(&kind);
   }
   return kinds;
 }
 
-std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
+std::optional<Figure> pareto_figure(const BenchViewResult& view, const ErrorKind& kind) {
   Span span;
-  const std::string error(kind.name), plot = plot_of(series_of(view, "seconds/median", 1.0, error, span)),
+  const auto seconds = [](const BenchPoint& point) { return point.seconds.median; };
+  const std::string error(kind.name), plot = plot_of(series_of(view, seconds, error, span)),
                                       steps = front_steps(view, error);
   if (plot.empty() || steps.empty()) return std::nullopt;
   Figure figure;
-  figure.id = "pareto_" + text_at(view, "id") + "_" + error;
+  figure.id = "pareto_" + view.id + "_" + error;
   figure.title = heading(view) + ": " + std::string(kind.title) + " against time";
   figure.caption =
       "Medians of the seconds over all rounds, without loading the scene; grey steps: the best that any setting "
@@ -189,19 +197,19 @@ std::optional<Figure> pareto_figure(const Json& view, const ErrorKind& kind) {
 
 }  // namespace
 
-std::vector<Figure> bench_figures(const Json& view, const std::string& command) {
+std::vector<Figure> bench_figures(const BenchViewResult& view, const std::string& command) {
   std::vector<Figure> figures;
   if (auto figure = convergence_figure(view)) figures.push_back(std::move(*figure));
   for (const ErrorKind* kind : errors_against_time(view))
     if (auto figure = pareto_figure(view, *kind)) figures.push_back(std::move(*figure));
   for (Figure& figure : figures) {
-    figure.section = text_at(view, "id");
+    figure.section = view.id;
     figure.command = command;
   }
   return figures;
 }
 
-std::vector<Figure> bench_figures_of_experiment(const Json& view, const std::string& command) {
+std::vector<Figure> bench_figures_of_experiment(const BenchViewResult& view, const std::string& command) {
   std::vector<Figure> figures = bench_figures(view, command);
   for (Figure& figure : figures) {
     figure.id = "bench_" + figure.id;

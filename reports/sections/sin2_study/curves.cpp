@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 #include "reports/plots/gnuplot.h"
 #include "reports/sections/sin2_study/figures.h"
 
@@ -17,16 +15,18 @@ set grid lc rgb '#e4e4e4' lw 1 lt 1
 )";
 
 struct Series {
-  const char *model, *title, *colour, *points;
+  RayModel model;
+  const char *title, *colour, *points;
 };
-constexpr Series series[] = {{"sin2_radial", "sin² rays", "#2166ac", "pt 6 ps 0.9"},
-                             {"metalstigmatism", "focal distances added", "#b2182b", "pt 2 ps 0.9"}};
+constexpr Series series[] = {{RayModel::sin2_radial, "sin² rays", "#2166ac", "pt 6 ps 0.9"},
+                             {RayModel::metalstigmatism, "focal distances added", "#b2182b", "pt 2 ps 0.9"}};
 
-const Json& of_model(const Json& list, const std::string& model) {
-  static const Json none = Json::object();
-  for (const Json& entry : list)
-    if (text_at(entry, "ray_model") == model) return entry;
-  return none;
+/// The entry of a model; an empty one if there is none.
+template <class Entry>
+Entry of_model(const std::vector<Entry>& list, RayModel model) {
+  for (const Entry& entry : list)
+    if (entry.ray_model == model) return entry;
+  return {};
 }
 
 std::string block(const std::string& name, const std::string& rows) {
@@ -37,21 +37,20 @@ std::string row(double x, double y) {
   return plain_number(x, 9) + " " + plain_number(y, 9) + "\n";
 }
 
-std::string curve_rows(const Json& section, const std::string& model, const char* column) {
+/// `column`: 1 is wavefront theory, 2 the model.
+std::string curve_rows(const Sin2Findings& found, RayModel model, std::size_t column) {
   std::string rows;
-  for (const Json& point : array_at(of_model(array_at(section, "reference_view/curves"), model), "points")) {
-    const auto sphere = number_at(point, "0"), blur = number_at(point, column);
-    if (sphere && blur) rows += row(*sphere, *blur);
-  }
+  const Sin2Curve curve = of_model(found.reference_view.curves, model);
+  for (const std::array<Number, 3>& point : curve.points)
+    if (point[0] && point[column]) rows += row(*point[0], *point[column]);
   return rows;
 }
 
 /// Share of the eyes [%] with an error above x, as steps.
-std::string exceedance_rows(const Json& errors, double eyes) {
+std::string exceedance_rows(const std::vector<Number>& errors, double eyes) {
   std::string rows;
   double above = static_cast<double>(errors.size());
-  for (const Json& error : errors) {
-    const auto value = number_at(error, "");
+  for (const Number& value : errors) {
     if (!value) continue;
     if (*value > 0.0) rows += row(*value, 100.0 * above / eyes);
     above -= 1.0;
@@ -60,31 +59,31 @@ std::string exceedance_rows(const Json& errors, double eyes) {
   return rows;
 }
 
-std::string view_text(const Json& section) {
-  const auto distance = number_at(section, "conditions/reference_distance_m");
+std::string view_text(const Sin2Findings& found) {
+  const Number distance = finite(found.conditions.reference_distance_m);
   return distance ? plain_number(*distance) + " m" : "infinity";
 }
 
 }  // namespace
 
-std::optional<Figure> sin2_sphere_curves(const Json& section) {
-  const std::string truth = curve_rows(section, "power_matrix", "1");
+std::optional<Figure> sin2_sphere_curves(const Sin2Findings& found) {
+  const std::string truth = curve_rows(found, RayModel::power_matrix, 1);
   if (truth.empty()) return std::nullopt;
   std::string blocks = block("truth", truth),
               plots = "plot $truth with lines lw 2 lc rgb '#333333' title 'wavefront theory'";
   for (const Series& s : series) {
-    const std::string rows = curve_rows(section, s.model, "2");
+    const std::string rows = curve_rows(found, s.model, 2);
     if (rows.empty()) continue;
-    blocks += block(s.model, rows);
-    plots += std::string(", $") + s.model + " with points " + s.points + " lw 1.5 lc rgb '" + s.colour + "' title '" +
+    blocks += block(name_of(s.model), rows);
+    plots += ", $" + name_of(s.model) + " with points " + s.points + " lw 1.5 lc rgb '" + s.colour + "' title '" +
              s.title + ", traced'";
   }
   Figure figure;
   figure.id = "sin2_study_sphere";
   figure.section = "sin2_study";
   figure.title = "Blur against the sphere, without a cylinder";
-  figure.caption = "Target and focus at " + view_text(section) + ", pupil " +
-                   plain_number(number_at(section, "conditions/reference_pupil_mm").value_or(0.0)) +
+  figure.caption = "Target and focus at " + view_text(found) + ", pupil " +
+                   plain_number(found.conditions.reference_pupil_mm.value_or(0.0)) +
                    " mm. With focal distances added blur shrinks as the prescription grows; without a prescription the "
                    "eye is focused at "
                    "infinity; at P = −1/d_f there is a pole (no point).";
@@ -97,16 +96,15 @@ std::optional<Figure> sin2_sphere_curves(const Json& section) {
   return figure;
 }
 
-std::optional<Figure> sin2_population_curves(const Json& section) {
-  const double eyes = number_at(section, "conditions/real_eyes").value_or(0.0);
+std::optional<Figure> sin2_population_curves(const Sin2Findings& found) {
+  const double eyes = Number(found.conditions.real_eyes).value_or(0.0);
   if (!(eyes > 0.0)) return std::nullopt;
   std::string blocks, plots;
   for (const Series& s : series) {
-    const std::string rows =
-        exceedance_rows(array_at(of_model(array_at(section, "reference_view/cumulative"), s.model), "error_D"), eyes);
+    const std::string rows = exceedance_rows(of_model(found.reference_view.cumulative, s.model).error_D, eyes);
     if (rows.empty()) continue;
-    blocks += block(s.model, rows);
-    plots += std::string(plots.empty() ? "plot $" : ", $") + s.model + " with lines lw 2 lc rgb '" + s.colour +
+    blocks += block(name_of(s.model), rows);
+    plots += (plots.empty() ? "plot $" : ", $") + name_of(s.model) + " with lines lw 2 lc rgb '" + s.colour +
              "' title '" + s.title + "'";
   }
   if (plots.empty()) return std::nullopt;
@@ -114,7 +112,7 @@ std::optional<Figure> sin2_population_curves(const Json& section) {
   figure.id = "sin2_study_population";
   figure.section = "sin2_study";
   figure.title = "Real eyes: how many see an error above …";
-  figure.caption = plain_number(eyes) + " prescriptions, uncorrected, target and focus at " + view_text(section) +
+  figure.caption = plain_number(eyes) + " prescriptions, uncorrected, target and focus at " + view_text(found) +
                    ". Dashed: 0.25 D, the step in which lenses come. Eyes with the pole within their pupil have no "
                    "error that could be "
                    "told, and are missing from the curve's height on the left.";

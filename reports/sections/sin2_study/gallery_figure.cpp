@@ -1,13 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 #include "reports/markup/drawing.h"
 #include "reports/markup/false_colour.h"
-#include "reports/markup/markup.h"
 #include "reports/markup/pictures.h"
 #include "reports/sections/sin2_study/figures.h"
 
@@ -26,11 +23,11 @@ constexpr std::array<Column, 4> columns{{{"wavefront", "wavefront theory"},
 constexpr double left = 250.0, top = 44.0, side = 200.0, gap = 14.0;
 constexpr double decades = 3.0;
 
-const Json& of_model(const Json& view, const std::string& model) {
-  static const Json none;
-  for (const Json& entry : array_at(view, "models"))
-    if (text_at(entry, "model") == model) return entry;
-  return none;
+/// Null where a view has no such model.
+const Sin2Spread* of_model(const Sin2GalleryEntry& view, const std::string& model) {
+  for (const Sin2Spread& entry : view.models)
+    if (entry.model == model) return &entry;
+  return nullptr;
 }
 
 Image one_channel(const Image& image) {
@@ -40,52 +37,57 @@ Image one_channel(const Image& image) {
   return result;
 }
 
-std::string prescription_text(const Json& view) {
-  const auto number = [&](const char* key) { return number_at(view, key).value_or(0.0); };
-  std::string text = plain_number(number("sphere_D"));
-  if (number("cylinder_D") != 0.0)
-    text += " / " + plain_number(number("cylinder_D")) + " × " + plain_number(number("axis_deg"));
-  const auto distance = number_at(view, "distance_m");
+std::string prescription_text(const Sin2GalleryEntry& view) {
+  std::string text = plain_number(view.sphere_D.value_or(0.0));
+  if (view.cylinder_D.value_or(0.0) != 0.0)
+    text += " / " + plain_number(*view.cylinder_D) + " × " + plain_number(view.axis_deg.value_or(0.0));
+  const Number distance = finite(view.distance_m);
   return text + ", target " + (distance ? plain_number(*distance) + " m" : "at infinity") + ", pupil " +
-         plain_number(number("pupil_mm")) + " mm";
+         plain_number(view.pupil_mm.value_or(0.0)) + " mm";
 }
 
-std::string labels(const Json& view, double y) {
-  const double mid = y + 0.5 * side, field = 2.0 * number_at(view, "half_side_arcmin").value_or(0.0);
+Html labels(const Sin2GalleryEntry& view, double y) {
+  const double mid = y + 0.5 * side, field = 2.0 * view.half_side_arcmin.value_or(0.0);
   // A long title takes two lines, broken at its colon.
-  const std::string title = text_at(view, "title");
+  const std::string& title = view.title;
   const std::size_t colon = title.find(": ");
-  std::string svg = svg_text(8.0, mid - 34.0, escaped(title.substr(0, colon)), "start", 15);
-  if (colon != std::string::npos) svg += svg_text(8.0, mid - 14.0, escaped(title.substr(colon + 2)), "start", 13);
+  Html svg = svg_text(8.0, mid - 34.0, title.substr(0, colon), "start", 15);
+  if (colon != std::string::npos) svg += svg_text(8.0, mid - 14.0, title.substr(colon + 2), "start", 13);
   return svg + svg_text(8.0, mid + 8.0, prescription_text(view), "start", 11, "#5c6670") +
          svg_text(8.0, mid + 26.0, "field " + plain_number(field, 3) + " arcmin", "start", 11, "#5c6670");
 }
 
 /// One row: all models on one scale, whose top is the densest pixel of the row.
-std::string row_svg(const Json& view, double y, const std::filesystem::path& run_folder) {
+Html row_svg(const Sin2GalleryEntry& view, double y, const std::filesystem::path& run_folder) {
   std::array<Image, columns.size()> pictures;
   float peak = 0.0f;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string file = text_at(of_model(view, columns[i].model), "file");
-    if (file.empty()) continue;
-    pictures[i] = one_channel(main_layer(run_folder / file));
+    const Sin2Spread* spread = of_model(view, columns[i].model);
+    if (!spread || spread->file.empty()) continue;
+    pictures[i] = one_channel(main_layer(run_folder / spread->file));
     peak = std::max(peak, *std::max_element(pictures[i].pixels.begin(), pictures[i].pixels.end()));
   }
-  std::string svg = labels(view, y);
+  Html svg = labels(view, y);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double x = left + (side + gap) * static_cast<double>(i);
     if (pictures[i].pixels.empty() || !(peak > 0.0f)) {
       svg += svg_text(x + 0.5 * side, y + 0.5 * side, "undefined");
       continue;
     }
-    svg += "<image x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" + coordinate(side) +
-           "\" height=\"" + coordinate(side) + "\" href=\"" +
-           data_uri(sequential_false_colour(pictures[i], {peak, decades})) + "\"/>\n";
-    const auto distance = number_at(of_model(view, columns[i].model), "total_variation");
+    svg += empty_element("image", {{"x", coordinate(x)},
+                                   {"y", coordinate(y)},
+                                   {"width", coordinate(side)},
+                                   {"height", coordinate(side)},
+                                   {"href", data_uri(sequential_false_colour(pictures[i], {peak, decades}))}}) +
+           "\n"_html;
+    const Number distance = of_model(view, columns[i].model)->total_variation;
     if (distance && i > 0) {
-      svg += "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y + side - 22.0) +
-             "\" width=\"76\" height=\"22\" fill=\"#000000\"/>\n" +
-             svg_text(x + 8.0, y + side - 7.0, "TV " + plain_number(*distance, 2), "start", 12, "#ffffff");
+      svg += empty_element("rect", {{"x", coordinate(x)},
+                                    {"y", coordinate(y + side - 22.0)},
+                                    {"width", "76"},
+                                    {"height", "22"},
+                                    {"fill", "#000000"}}) +
+             "\n"_html + svg_text(x + 8.0, y + side - 7.0, "TV " + plain_number(*distance, 2), "start", 12, "#ffffff");
     }
   }
   return svg;
@@ -93,15 +95,14 @@ std::string row_svg(const Json& view, double y, const std::filesystem::path& run
 
 }  // namespace
 
-std::optional<Figure> sin2_gallery(const Json& section, const std::filesystem::path& run_folder) {
-  const Json& views = array_at(section, "gallery");
-  if (views.empty()) return std::nullopt;
-  std::string body = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+std::optional<Figure> sin2_gallery(const Sin2Findings& found, const std::filesystem::path& run_folder) {
+  if (found.gallery.empty()) return std::nullopt;
+  Html body = white_ground();
   for (std::size_t i = 0; i < columns.size(); ++i)
     body +=
         svg_text(left + (side + gap) * static_cast<double>(i) + 0.5 * side, top - 14.0, columns[i].title, "middle", 14);
   double y = top;
-  for (const Json& view : views) {
+  for (const Sin2GalleryEntry& view : found.gallery) {
     body += row_svg(view, y, run_folder);
     y += side + gap;
   }

@@ -133,8 +133,8 @@ TEST(Summarise, OneReplicateFallsBackToTheKurtosisOrToNothing) {
   EXPECT_FALSE(summarise(one, PointSet::LowDiscrepancy).centroid_standard_error);
   EXPECT_FALSE(summarise(one, PointSet::LowDiscrepancy).semi_axis_standard_errors());
   const BundleEllipse e = summarise(one, PointSet::Independent);
-  // A uniform disc has κ = 2: relative error 0.5/√N (physics.md §8); κ itself is known to 1 % here, and the formula to
-  // O(1/√N)
+  // A uniform disc has κ = 2: relative error 0.5/√N (docs/theory.md#71-from-a-bundle-of-rays); κ itself is known to 1 %
+  // here, and the formula to O(1/√N)
   EXPECT_NEAR((*e.semi_axis_standard_errors())[0] / e.ellipse.semi_major * std::sqrt(n), 0.5, 0.01);
   EXPECT_NEAR((*e.semi_axis_standard_errors())[1] / e.ellipse.semi_minor * std::sqrt(n), 0.5, 0.01);
   EXPECT_NEAR(e.centroid_standard_error->x(), 1.5 / std::sqrt(n), 0.02 * 1.5 / std::sqrt(n));

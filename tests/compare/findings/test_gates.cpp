@@ -253,11 +253,11 @@ TEST(Gates, ResultsCarryWhatTheReportShows) {
   EXPECT_FALSE(matrix["reason"].get<std::string>().empty());
 }
 
-GateSpec gate(const std::string& statistic, Comparison comparison, double bound, const std::string& unit = "") {
+GateSpec gate(const std::string& statistic, GateKind kind, double bound, const std::string& unit = "") {
   return {.id = "id",
           .title = "title",
           .statistic = statistic,
-          .comparison = comparison,
+          .kind = kind,
           .bound = bound,
           .unit = unit,
           .reason = "reason",
@@ -269,47 +269,45 @@ Json evaluated(const GateSpec& spec, const Json& report, const Json* baseline = 
 }
 
 TEST(Gates, UnknownStatisticFails) {
-  const Json result = evaluated(gate("no_such_thing", Comparison::AtMost, 1e9), healthy_report());
+  const Json result = evaluated(gate("no_such_thing", GateKind::AtMost, 1e9), healthy_report());
   EXPECT_EQ(result["passed"], false);
   EXPECT_EQ(result["value"], nullptr);
   EXPECT_EQ(result["cases"], 0);
   EXPECT_THAT(result["worst_case"].get<std::string>(), HasSubstr("no_such_thing"));
-  EXPECT_EQ(evaluated(gate("no_such_thing/*", Comparison::AtMost, 1e9), healthy_report())["passed"], false);
+  EXPECT_EQ(evaluated(gate("no_such_thing/*", GateKind::AtMost, 1e9), healthy_report())["passed"], false);
 }
 
 TEST(Gates, BoundsThemselvesPassExceptForMutants) {
   const Json report = healthy_report();
-  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", Comparison::AtMost, 1.5), report)["passed"], true);
-  EXPECT_EQ(evaluated(gate("image_ssim_display_min", Comparison::AtLeast, 0.97), report)["passed"], true);
-  EXPECT_EQ(evaluated(gate("image_ssim_display_min", Comparison::AtLeast, 0.971), report)["passed"], false);
-  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", Comparison::MustFail, 0.05), report)["passed"], false);
-  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", Comparison::MustFail, 0.04), report)["kind"], "must_fail");
+  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", GateKind::AtMost, 1.5), report)["passed"], true);
+  EXPECT_EQ(evaluated(gate("image_ssim_display_min", GateKind::AtLeast, 0.97), report)["passed"], true);
+  EXPECT_EQ(evaluated(gate("image_ssim_display_min", GateKind::AtLeast, 0.971), report)["passed"], false);
+  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", GateKind::MustFail, 0.05), report)["passed"], false);
+  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", GateKind::MustFail, 0.04), report)["kind"], "must_fail");
 }
 
 TEST(Gates, PatternTakesTheWorst) {
-  const Json lowest = evaluated(gate("image_ssim_display/*", Comparison::AtLeast, 0.975), healthy_report());
+  const Json lowest = evaluated(gate("image_ssim_display/*", GateKind::AtLeast, 0.975), healthy_report());
   EXPECT_EQ(lowest["passed"], false);
   EXPECT_EQ(lowest["worst_case"], "cornell");
   EXPECT_EQ(lowest["cases"], 2);
   EXPECT_EQ(lowest["kind"], "lower_bound");
-  EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::AtMost, 0.975), healthy_report())["worst_case"],
-            "chart");
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::AtMost, 0.975), healthy_report())["worst_case"], "chart");
 }
 
 TEST(Gates, BaselineInStandardErrors) {
   const Json baseline = healthy_report(), now = spoilt("/images/0/metrics/ssim_display/value", 0.95);
-  const Json result = evaluated(gate("image_ssim_display/*", Comparison::Baseline, 3.0, "σ"), now, &baseline);
+  const Json result = evaluated(gate("image_ssim_display/*", GateKind::Baseline, 3.0, "σ"), now, &baseline);
   EXPECT_NEAR(result["value"].get<double>(), 0.02 / std::hypot(0.004, 0.004), 1e-9);
   EXPECT_EQ(result["passed"], false);
   EXPECT_EQ(result["kind"], "baseline");
   EXPECT_EQ(result["worst_case"], "cornell: 0.95, baseline 0.97");
-  EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::Baseline, 4.0, "σ"), now, &baseline)["passed"], true);
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::Baseline, 4.0, "σ"), now, &baseline)["passed"], true);
   // a better image is no failure: the value is negative then
-  EXPECT_LT(evaluated(gate("image_ssim_display/cornell", Comparison::Baseline, 1.0, "σ"), baseline, &now)["value"],
-            -3.0);
-  EXPECT_EQ(evaluated(gate("image_ssim_display/*", Comparison::Baseline, 1.0, "σ"), baseline, &now)["passed"], true);
+  EXPECT_LT(evaluated(gate("image_ssim_display/cornell", GateKind::Baseline, 1.0, "σ"), baseline, &now)["value"], -3.0);
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::Baseline, 1.0, "σ"), baseline, &now)["passed"], true);
   // without an uncertainty there is no σ
-  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", Comparison::Baseline, 1e9, "σ"), now, &baseline)["passed"], false);
+  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", GateKind::Baseline, 1e9, "σ"), now, &baseline)["passed"], false);
 }
 
 /// The healthy report by an experiment whose images have `replicates`, with cornell's SSIM and its error.
@@ -321,7 +319,7 @@ Json measured_by(int replicates, double ssim, double error) {
 }
 
 TEST(Gates, BaselineTellsARegressionFromNoise) {
-  const GateSpec spec = gate("image_ssim_display/cornell", Comparison::Baseline, 4.0, "σ");
+  const GateSpec spec = gate("image_ssim_display/cornell", GateKind::Baseline, 4.0, "σ");
   const auto passes = [&](const Json& now, const Json& before) {
     return evaluated(spec, now, &before)["passed"] == true;
   };
@@ -341,7 +339,7 @@ TEST(Gates, BaselineTellsARegressionFromNoise) {
 TEST(Gates, BaselineTakesTheDegreesThatAnImageStates) {
   // Four replicates whose error is known from many parts of the picture: 5 standard errors of the difference with 90
   // degrees of freedom are a normal deviate of 4.68, a regression.
-  const GateSpec spec = gate("image_ssim_display/cornell", Comparison::Baseline, 4.0, "σ");
+  const GateSpec spec = gate("image_ssim_display/cornell", GateKind::Baseline, 4.0, "σ");
   Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
   before["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;
   // Known so well on one side alone: Satterthwaite's 4/(1/45 + 1/3) = 11.25 degrees, a deviate of 3.556.
@@ -356,7 +354,7 @@ TEST(Gates, BaselineTakesTheDegreesThatAnImageStates) {
 
 TEST(Gates, BaselineThatIsMissingOrHasOtherImagesFails) {
   const Json now = healthy_report();
-  const GateSpec spec = gate("image_ssim_display/*", Comparison::Baseline, 1.0);
+  const GateSpec spec = gate("image_ssim_display/*", GateKind::Baseline, 1.0);
   const Json null;
   EXPECT_EQ(evaluated(spec, now, &now)["passed"], true);
   EXPECT_EQ(evaluated(spec, now, nullptr)["passed"], false);

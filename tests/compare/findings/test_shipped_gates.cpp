@@ -29,7 +29,7 @@ bool passes(const GateSpec& gate, const Json& report) {
 
 /// A report in which what the gate looks at has this value.
 std::optional<Json> report_for(const GateSpec& gate, double value) {
-  if (gate.comparison != Comparison::Baseline) return testing::report_with(gate.statistic, value);
+  if (gate.kind != GateKind::Baseline) return testing::report_with(gate.statistic, value);
   if (gate.statistic != "image_ssim_display/*" || gate.unit != "σ") return std::nullopt;
   return testing::with_fallen_images(value);
 }
@@ -40,7 +40,7 @@ TEST(ShippedGates, PassWithinTheirBoundsAndRejectBeyond) {
     for (const GateSpec& gate : read_gates(load_json(file), file.string())) {
       SCOPED_TRACE(file.filename().string() + ", " + gate.id + ": " + gate.statistic);
       const double step = gate.bound != 0.0 ? 0.01 * std::abs(gate.bound) : 1e-3;
-      const bool upper = gate.comparison == Comparison::AtMost || gate.comparison == Comparison::Baseline;
+      const bool upper = gate.kind == GateKind::AtMost || gate.kind == GateKind::Baseline;
       const double outwards = upper ? step : -step;
       const std::optional<Json> inside = report_for(gate, gate.bound - outwards),
                                 outside = report_for(gate, gate.bound + outwards);

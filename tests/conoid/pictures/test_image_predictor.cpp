@@ -107,7 +107,8 @@ TEST_P(PointSpread, HasTheCovarianceOfItsEllipse) {
   SharpView view = flat_view(81, 40, static_cast<float>(t.depth), 0.0f);
   view.radiance.at(80, 80)[0] = 1.0f;
   const Prediction p = predict_image(view, astigmat(t.sphere, t.cylinder, t.axis, 2 * radius), t.accommodation);
-  // Power in the wearer's frame from physics.md §1 alone: C acts along u, across the axis line at 180° − AXIS.
+  // Power in the wearer's frame from docs/theory.md#1-frames-signs-units alone: C acts along u, across the axis line at
+  // 180° − AXIS.
   const double u = (180.0 - t.axis + 90.0) * std::numbers::pi / 180.0;
   const double isotropic = (std::isinf(t.depth) ? 0.0 : 1.0 / t.depth) + t.sphere - t.accommodation;
   Eigen::Matrix2d v;

@@ -16,7 +16,7 @@ SceneDescription wall(float distance) {
   return scene;
 }
 
-ImageExperiment image(const std::string& id, const Prescription& rx, const std::vector<std::string>& models) {
+ImageExperiment image(const std::string& id, const Prescription& rx, const std::vector<RayModel>& models) {
   ImageExperiment image;
   image.id = id;
   image.camera.vfov = 0.5;
@@ -47,7 +47,8 @@ struct Asked {
 
 TEST(SharedViews, ModelsWithTheSameRaysAndImagesThatCoincide) {
   ExperimentSpec spec;
-  spec.images = {image("a", {-2.0}, {"power_matrix", "thin_lens", "sin2_radial"}), image("b", {-2.0}, {"thin_lens"})};
+  spec.images = {image("a", {-2.0}, {RayModel::power_matrix, RayModel::thin_lens, RayModel::sin2_radial}),
+                 image("b", {-2.0}, {RayModel::thin_lens})};
   Asked asked(spec, {wall(2.0f), wall(2.0f)});
   EXPECT_EQ(asked.ask(0, RayModel::power_matrix, "a/power_matrix"), "a/power_matrix");
   EXPECT_EQ(asked.ask(0, RayModel::thin_lens, "a/thin_lens"), "a/power_matrix");
@@ -58,7 +59,7 @@ TEST(SharedViews, ModelsWithTheSameRaysAndImagesThatCoincide) {
 
 TEST(SharedViews, WhatDiffersIsMade) {
   ExperimentSpec spec;
-  const ImageExperiment first = image("a", {-2.0}, {"power_matrix"});
+  const ImageExperiment first = image("a", {-2.0}, {RayModel::power_matrix});
   spec.images.assign(8, first);
   spec.images[1].eye = Eye::with({-2.0, -0.25, 10.0}, 4e-3);
   spec.images[2].eye = Eye::with({-2.0}, 5e-3);
@@ -76,7 +77,7 @@ TEST(SharedViews, WhatDiffersIsMade) {
 TEST(SharedViews, TheSwitch) {
   ExperimentSpec spec;
   spec.share_views = false;
-  spec.images = {image("a", {-2.0}, {"power_matrix", "thin_lens"})};
+  spec.images = {image("a", {-2.0}, {RayModel::power_matrix, RayModel::thin_lens})};
   Asked asked(spec, {wall(2.0f)});
   asked.ask(0, RayModel::power_matrix, "first");
   EXPECT_EQ(asked.ask(0, RayModel::thin_lens, "second"), "second");

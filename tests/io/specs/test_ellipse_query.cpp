@@ -48,7 +48,7 @@ TEST(EllipseQuery, ReadsIntoSi) {
   EXPECT_EQ(q.targets[0].distance_m, 0.5);
   EXPECT_TRUE(std::isinf(q.targets[1].distance_m));
   EXPECT_EQ(q.targets[1].azimuth, 0.0);
-  EXPECT_THAT(q.methods, ElementsAre("conoid", "rays:power_matrix"));
+  EXPECT_THAT(q.methods, ElementsAre(ConoidMethod::conoid, RayModel::power_matrix));
   EXPECT_EQ(q.seed, 7u);
   EXPECT_EQ(q.rays.count, 65536u);
   EXPECT_EQ(q.rays.replicates, 16);

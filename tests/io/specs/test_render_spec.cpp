@@ -62,7 +62,7 @@ TEST_F(RenderSpecTest, ReadsIntoSi) {
   EXPECT_EQ(spec.camera.height, 128);
   EXPECT_EQ(spec.eye.eye.accommodation_for(0.0), 0.8);
   EXPECT_EQ(spec.method, RenderMethod::PathTrace);
-  EXPECT_EQ(spec.ray_model, "sin2_radial");
+  EXPECT_EQ(spec.ray_model, RayModel::sin2_radial);
   EXPECT_EQ(spec.samples_per_pixel, 64u);
   EXPECT_EQ(spec.max_bounces, 16);
   EXPECT_EQ(spec.sampler, Sequence::Sobol);
@@ -142,7 +142,7 @@ TEST_F(RenderSpecTest, MethodsTakeTheirOwnMembersOnly) {
   const RenderSpec predicted =
       read_with({"/method={\"type\": \"predict\", \"samples_per_pixel\": 256, \"oversampling\": 2}"});
   EXPECT_EQ(predicted.method, RenderMethod::Predict);
-  EXPECT_EQ(predicted.ray_model, "");
+  EXPECT_EQ(predicted.ray_model, std::nullopt);
   EXPECT_EQ(predicted.samples_per_pixel, 256u);
   EXPECT_EQ(predicted.prediction.oversampling, 2);
   EXPECT_THAT(error_with({"/method={\"type\": \"predict\", \"ray_model\": \"pinhole\"}"}),
@@ -159,6 +159,11 @@ TEST_F(RenderSpecTest, ACameraHasOneAccommodation) {
   EXPECT_THAT(error_with({"/eye/accommodation={\"mode\": \"relaxed\"}", "/method/ray_model=metalstigmatism"}),
               HasSubstr("got no \"focus_distance_m\""));
   EXPECT_NO_THROW(read_with({"/method/ray_model=metalstigmatism"}));
+  // A turning eye may seek its focus, but this model cannot follow it.
+  const std::string best = "/eye/accommodation={\"mode\": \"best\", \"amplitude_D\": 2}";
+  EXPECT_NO_THROW(read_with({best, "/camera/gaze=foveal"}));
+  EXPECT_THAT(error_with({best, "/camera/gaze=foveal", "/method/ray_model=metalstigmatism"}),
+              HasSubstr("/eye/accommodation: got no \"focus_distance_m\""));
 }
 
 TEST_F(RenderSpecTest, ResolvedSpellsOutAndMeansTheSame) {

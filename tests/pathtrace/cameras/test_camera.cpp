@@ -113,9 +113,9 @@ TEST(Camera, WideningKeepsThePitch) {
   EXPECT_NEAR(pixel_slope(wide), pixel_slope(pose) / 3.0, 1e-15);
 }
 
-// physics.md §3 and §4.1: a point at distance d is seen under slopes q − V p, V = I/d + F − A·I. Its picture has the
-// covariance a²/4 · M with M = V Vᵀ for the wavefront; the square emitter and the pixel box add side²/12 to each
-// diagonal element.
+// docs/theory.md#4-the-footprint-of-the-pupil and docs/theory.md#61-second-moments-in-closed-form: a point at distance
+// d is seen under slopes q − V p, V = I/d + F − A·I. Its picture has the covariance a²/4 · M with M = V Vᵀ for the
+// wavefront; the square emitter and the pixel box add side²/12 to each diagonal element.
 struct BlurCase {
   RayModel model;
   double axis;

@@ -28,7 +28,8 @@ Situation any_situation() {
           *rc::gen::inRange(0, 3600) * 0.1 * std::numbers::pi / 180.0};
 }
 
-/// physics.md §2, written with the angle itself: P(φ) = S + C sin²(φ − α_w) with α_w = 180° − AXIS.
+/// docs/theory.md#2-from-a-prescription-to-a-power-matrix, written with the angle itself: P(φ) = S + C sin²(φ − α_w)
+/// with α_w = 180° − AXIS.
 double meridional_power(const Prescription& rx, double phi) {
   const double sine = std::sin(phi - std::numbers::pi + rx.axis_deg * std::numbers::pi / 180.0);
   return rx.sphere_D + rx.cylinder_D * sine * sine;
@@ -60,7 +61,8 @@ RC_GTEST_PROP(RayModels, Sin2RadialIsCollinearWithItsPupilPoint, ()) {
   RC_ASSERT(std::abs(ray.px * ray.sy - ray.py * ray.sx) <= slope_tolerance * s.r);
 }
 
-// physics.md §4.1: what sin² leaves out is tangential, r·C·sin(φ − α_w)·cos(φ − α_w).
+// docs/theory.md#6-sine-squared-interpolation-against-wavefront-theory: what sin² leaves out is tangential, r·C·sin(φ −
+// α_w)·cos(φ − α_w).
 RC_GTEST_PROP(RayModels, WhatSin2LeavesOutIsTangential, ()) {
   const Situation s = any_situation();
   const auto full = launched(RayModel::power_matrix, s), radial = launched(RayModel::sin2_radial, s);
@@ -177,11 +179,6 @@ TEST(RayModels, TheCentralRayIsNeverBent) {
 TEST(RayModels, APinholeHasNoPupil) {
   EXPECT_EQ(EyeRays<double>(RayModel::pinhole, Eye::with({}, 4e-3), 0.0).pupil_radius(), 0.0);
   EXPECT_EQ(EyeRays<double>(RayModel::power_matrix, Eye::with({}, 4e-3), 0.0).pupil_radius(), 2e-3);
-}
-
-TEST(RayModels, NamesAreReadBack) {
-  for (RayModel model : all_models) EXPECT_EQ(ray_model_named(name_of(model)), model);
-  EXPECT_FALSE(ray_model_named("sin2").has_value());
 }
 
 TEST(RayCounters, CountWhatBecameOfEachRay) {

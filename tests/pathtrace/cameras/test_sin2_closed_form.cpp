@@ -34,7 +34,7 @@ const Case cases[] = {{{-1.0, -2.0, 30.0, 0.0}, 0.0, 1.0},   {{-1.0, -2.0, 150.0
                       {{-4.75, -3.5, 115.0, 0.0}, 2.0, 4.0}, {{-3.0, 0.0, 180.0, 0.0}, 0.0, 0.5},
                       {{-1.0, -2.0, 180.0, 0.0}, 0.0, 3.0},  {{0.25, -0.25, 45.0, 0.0}, 0.0, 1.0}};
 
-/// physics.md §4.1, rotated from the principal directions of V into the wearer frame.
+/// docs/theory.md#61-second-moments-in-closed-form, rotated from the principal directions of V into the wearer frame.
 Eigen::Matrix2d closed_form(const Case& c, double radius, double (*along)(double, double)) {
   const double alpha = std::numbers::pi - c.rx.axis_deg * std::numbers::pi / 180.0;
   const Eigen::Vector2d axis(std::cos(alpha), std::sin(alpha)), across(-axis.y(), axis.x());

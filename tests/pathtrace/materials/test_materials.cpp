@@ -298,7 +298,7 @@ TEST(MaterialFurnace, NothingGainsEnergy) {
   for (const Case& c : cases()) {
     const double index = std::holds_alternative<Dielectric>(c.model) ? 1.5 : 1.0;
     const double total = furnace(c.model, c.out, white, index);
-    EXPECT_LT(total, 1.01) << c.name;  // a rough coat adds at most 1 % to what it should (docs/theory.md §9.3)
+    EXPECT_LT(total, 1.01) << c.name;  // a rough coat adds at most 1 % to what it should (docs/theory.md#93-estimators)
     EXPECT_GT(total, 0.25) << c.name;
   }
 }

@@ -1,4 +1,5 @@
-// Spreads of points over the pupil against their closed second moments (physics.md §5), and Halton's points.
+// Spreads of points over the pupil against their closed second moments (docs/theory.md#53-pupil-sampling), and Halton's
+// points.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -66,21 +66,21 @@ std::pair<double, double> end_of_major_axis(const std::string& svg) {
 }
 
 TEST(EllipseDrawing, PlusThirtyDegreesRisesToTheRight) {
-  const auto [right, down] = end_of_major_axis(svg_ellipse({10.0, 4.0, 30.0}, 2.0, 48.0, 48.0, "predicted"));
+  const auto [right, down] = end_of_major_axis(svg_ellipse({10.0, 4.0, 30.0}, 2.0, 48.0, 48.0, "predicted").markup());
   EXPECT_NEAR(right, 20.0 * 0.8660254, 1e-5);  // six digits are written
   EXPECT_NEAR(down, -10.0, 1e-5);              // up on the screen
 }
 
 TEST(EllipseDrawing, MinusThirtyDegreesFallsToTheRight) {
-  const auto [right, down] = end_of_major_axis(svg_ellipse({10.0, 4.0, -30.0}, 2.0, 48.0, 48.0, "predicted"));
+  const auto [right, down] = end_of_major_axis(svg_ellipse({10.0, 4.0, -30.0}, 2.0, 48.0, 48.0, "predicted").markup());
   EXPECT_GT(right, 0.0);
   EXPECT_NEAR(down, 10.0, 1e-5);
 }
 
 TEST(EllipseDrawing, CircleIsNotTurnedAndAFocalLineIsStillDrawn) {
-  EXPECT_THAT(svg_ellipse({5.0, 5.0, std::nullopt}, 1.0, 48.0, 48.0, "measured"),
+  EXPECT_THAT(svg_ellipse({5.0, 5.0, std::nullopt}, 1.0, 48.0, 48.0, "measured").markup(),
               testing::Not(testing::HasSubstr("rotate")));
-  EXPECT_THAT(svg_ellipse({5.0, 0.0, 90.0}, 1.0, 48.0, 48.0, "measured"), testing::HasSubstr("ry=\"0.01\""));
+  EXPECT_THAT(svg_ellipse({5.0, 0.0, 90.0}, 1.0, 48.0, 48.0, "measured").markup(), testing::HasSubstr("ry=\"0.01\""));
 }
 
 TEST(ReportPictures, Base64OfRfc4648) {  // its section 10

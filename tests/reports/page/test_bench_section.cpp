@@ -39,7 +39,7 @@ Json report_with_bench() {
                              static_cast<std::uint64_t>(n),
                              {test::sample(n, n, 0.0625 / n), test::sample(n, n, 0.0625 / n)},
                              ""});
-  Json of_view = evaluated(view, {{"a", "A"}, {"b", "B"}, {"filtered", "<F>", true}}, levels);
+  Json of_view = to_json(evaluated(view, {{"a", "A"}, {"b", "B"}, {"filtered", "<F>", true}}, levels));
   of_view["id"] = "v";
   of_view["title"] = "a view";
   of_view["resolution"] = {2, 1};
@@ -153,22 +153,22 @@ TEST(BenchSection, TheLastSlopeIsThatOfTheLastTwoSettings) {
 }
 
 TEST(BenchSection, TheSentenceNamesWhoIsFirst) {
-  const Json sentence = bench_sentence(report_with_bench()["bench"]);
+  const Json sentence = bench_sentence(*bench_findings(report_with_bench()));
   ASSERT_TRUE(sentence.is_string());
   // The filtered picture would be first. Both have the error 1/4 for the first time at 8 s (b, its cheapest) and 16 s
   // (a).
   EXPECT_THAT(sentence.get<std::string>(), HasSubstr("v: RMSE 0.25: b within 8 s, a in 16 s"));
   EXPECT_THAT(sentence.get<std::string>(), HasSubstr("1 − SSIM 0.005: b in 100 s, a never"));
-  EXPECT_TRUE(bench_sentence(Json::object()).is_null());
+  EXPECT_TRUE(bench_sentence(BenchFindings{}).is_null());
 }
 
 TEST(BenchSection, ThePageShowsIt) {
-  const std::string html = bench_section(report_with_bench(), std::filesystem::temp_directory_path());
+  const std::string html = bench_section(report_with_bench(), std::filesystem::temp_directory_path()).markup();
   EXPECT_EQ(test::markup_defects(html), "");
   for (const char* text : {"Abacus", "A race", "a view", "SSIM 0.995", "not reached", "filtered: biased", "passes 64",
                            "Each method at its least error"})
     EXPECT_THAT(html, HasSubstr(text));
-  EXPECT_EQ(bench_section(Json::object(), ""), "");
+  EXPECT_TRUE(bench_section(Json::object(), "").empty());
 }
 
 }  // namespace

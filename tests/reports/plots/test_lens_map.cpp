@@ -92,7 +92,8 @@ TEST(LensMap, Pictures) {
   LensMap m = map();
   m.limit_values = m.values;
   m.limit = 0.3;
-  const std::string svg = lens_map_svg(m, "lens"), file = lens_map_svg_file({&m, 1}), png = lens_map_png_file({&m, 1});
+  const std::string svg = lens_map_svg(m, "lens").markup(), file = lens_map_svg_file({&m, 1}),
+                    png = lens_map_png_file({&m, 1});
   const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(svg.starts_with("<svg class=\"plot\""));
   EXPECT_TRUE(has(svg, "mean power, of a test"));

@@ -45,7 +45,7 @@ class AgreementPictures : public ::testing::Test {
 };
 
 Json case_in(const ViewerPayload& payload) {
-  const std::string html = payload.html();
+  const std::string html = payload.html().markup();
   const std::size_t first = html.find('>') + 1;
   return Json::parse(html.substr(first, html.rfind("</script>") - first)).at("cases").at(0);
 }
@@ -54,8 +54,8 @@ TEST_F(AgreementPictures, EachPredictionHasItsOwnMapsOnCommonScales) {
   ViewerPayload payload;
   const auto places = agreement_pictures(Json::array({entry_with_files(folder_, 24, 16)}), folder_, payload);
   ASSERT_EQ(places.size(), 1u);
-  EXPECT_THAT(places[0], HasSubstr("class=\"viewer\" data-case=\"0\""));
-  EXPECT_THAT(places[0], HasSubstr("stills"));
+  EXPECT_THAT(places[0].markup(), HasSubstr("class=\"viewer\" data-case=\"0\""));
+  EXPECT_THAT(places[0].markup(), HasSubstr("stills"));
   const Json shown = case_in(payload);
   ASSERT_EQ(shown["pictures"].size(), 4u);
   EXPECT_EQ(shown["pictures"][0]["key"], "path_traced");
@@ -81,9 +81,9 @@ TEST_F(AgreementPictures, FilesThatDoNotFitAreANote) {
   gone["files"]["path_traced"] = "gone.exr";
   ViewerPayload payload;
   const auto places = agreement_pictures(Json::array({entry, gone}), folder_, payload);
-  EXPECT_THAT(places.at(0), HasSubstr("No pictures: they differ in size"));
-  EXPECT_THAT(places.at(1), HasSubstr("gone.exr"));
-  EXPECT_EQ(payload.html(), "");
+  EXPECT_THAT(places.at(0).markup(), HasSubstr("No pictures: they differ in size"));
+  EXPECT_THAT(places.at(1).markup(), HasSubstr("gone.exr"));
+  EXPECT_TRUE(payload.html().empty());
 }
 
 TEST_F(AgreementPictures, SlowLeavesOutMapsBeforeItShrinks) {
@@ -96,14 +96,14 @@ TEST_F(AgreementPictures, SlowLeavesOutMapsBeforeItShrinks) {
   EXPECT_EQ(shown["factor"], 1);
   ASSERT_EQ(shown["maps"].size(), 3 * viewer_maps().size());
   for (const Json& map : shown["maps"]) EXPECT_NE(map["key"], viewer_maps().back());
-  EXPECT_THAT(places[0], HasSubstr("These and more maps"));
-  EXPECT_LT(payload.html().size() + places[0].size(), 25'000'000u);
+  EXPECT_THAT(places[0].markup(), HasSubstr("These and more maps"));
+  EXPECT_LT(payload.html().markup().size() + places[0].markup().size(), 25'000'000u);
   // Two of them: 3 maps of each prediction are 25.8 MB, and with half of the side 6.5 MB.
   ViewerPayload larger;
   agreement_pictures(Json::array({entry, entry}), folder_, larger);
   EXPECT_EQ(case_in(larger)["factor"], 2);
   EXPECT_EQ(case_in(larger)["maps"].size(), 9u);
-  EXPECT_LT(larger.html().size(), 7'000'000u);
+  EXPECT_LT(larger.html().markup().size(), 7'000'000u);
 }
 
 }  // namespace

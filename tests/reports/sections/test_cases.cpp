@@ -98,7 +98,7 @@ TEST(ReportCases, SpectaclesHaveARowPerLensAndMethod) {
 TEST(ReportCases, TheCaseThatDecidedAFailedGateComesFirst) {
   const auto first_row = [](Json report, const char* statistic, const char* worst) {
     report["gates"] = {{{"id", "g"}, {"passed", false}, {"statistic", statistic}, {"worst_case", worst}}};
-    const std::string page = case_section(report);
+    const std::string page = case_section(report).markup();
     const std::size_t row = page.find("<tr", page.find("<tbody>"));
     return page.substr(row, page.find("</tr>", row) - row);
   };

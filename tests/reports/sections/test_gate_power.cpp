@@ -6,6 +6,7 @@
 #include "compare/findings/gate_power.h"
 #include "compare/findings/gate_statistics.h"
 #include "compare/findings/healthy_report.h"
+#include "reports/markup/markup_defects.h"
 #include "reports/sections/sections.h"
 
 namespace sturm {
@@ -18,7 +19,7 @@ GateSpec at_most(const char* id, const char* statistic, double bound, std::optio
   return {.id = id,
           .title = "t",
           .statistic = statistic,
-          .comparison = Comparison::AtMost,
+          .kind = GateKind::AtMost,
           .bound = bound,
           .unit = "",
           .reason = "r",
@@ -81,14 +82,16 @@ TEST(GatePower, PageShowsWhoNoticedWhat) {
   const std::vector<MutationName> mutations = {{"long_axis", "an axis < another"}, {"nothing", "no patch at all"}};
   Json patched = with_patches();
   patched["ellipses"]["cases"][1]["mutated"]["long_axis"] = patched["ellipses"]["cases"][1]["mutated"]["long"];
-  const std::string html = gate_power_section({{"gate_power", gate_power(gates, patched, mutations, Json(nullptr))}});
+  const std::string html =
+      gate_power_section({{"gate_power", gate_power(gates, patched, mutations, Json(nullptr))}}).markup();
+  EXPECT_EQ(test::markup_defects(html), "");
   EXPECT_THAT(html, HasSubstr("<code>long_axis</code>"));
   EXPECT_THAT(html, HasSubstr("an axis &lt; another"));
   EXPECT_THAT(html, HasSubstr("<strong class=\"mark fail\">none</strong>"));  // nobody noticed "nothing"
   EXPECT_THAT(html, HasSubstr("<span class=\"mark pass\">30.0</span>"));
   EXPECT_THAT(html, HasSubstr("false alarms in a run"));
-  EXPECT_EQ(gate_power_section(healthy_report()).find("false alarms"), std::string::npos);  // no levels
-  EXPECT_EQ(gate_power_section(Json::object()), "");
+  EXPECT_EQ(gate_power_section(healthy_report()).markup().find("false alarms"), std::string::npos);  // no levels
+  EXPECT_TRUE(gate_power_section(Json::object()).empty());
 }
 
 TEST(GatePower, ASumWithoutALevelIsNone) {

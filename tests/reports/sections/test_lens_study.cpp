@@ -115,7 +115,7 @@ TEST(LensStudyErrors, TakesTheWorstOfDirectionsAndDistances) {
   Json other = test::study_view("toric", 20.0, 0.7);
   other["direction_deg"] = 90.0;
   section["views"].push_back(other);
-  const LensStudyErrors errors(section);
+  const LensStudyErrors errors(*lens_findings({{"lens_study", section}}));
   EXPECT_THAT(errors.eccentricities_deg(), testing::ElementsAre(0.0, 20.0));
   EXPECT_THAT(errors.pupils_mm(), testing::ElementsAre(1.0, 6.0));
   const WorstError worst = errors.at("toric", "published", 20.0, 6.0);
@@ -136,7 +136,7 @@ class LensStudyReport : public testing::Test {
     for (const char* part : {"ellipses", "sin2", "psfs", "images"}) report_.erase(part);
     report_["lens_study"] = test::synthetic_lens_study();
     report_["verdict"]["lens_sentence"] = "Ray transfer is exact first order.";
-    for (const Figure& figure : lens_study_figures(report_["lens_study"])) add(figure);
+    for (const Figure& figure : lens_study_figures(*lens_findings(report_))) add(figure);
   }
   ~LensStudyReport() override { fs::remove_all(folder_); }
 
@@ -199,7 +199,7 @@ TEST_F(LensStudyReport, HoldsEveryFigureAndNamesItsFile) {
 }
 
 TEST_F(LensStudyReport, DrawsEllipsesTheRightWayUp) {
-  const auto figures = lens_study_figures(report_["lens_study"]);
+  const auto figures = lens_study_figures(*lens_findings(report_));
   EXPECT_THAT(figures[2].svg, HasSubstr("rotate(-30 "));  // +30° of the wearer frame with y down
   EXPECT_EQ(count(figures[2].svg, "<ellipse"),
             3 * 3 + 11);  // real rays behind three methods; 12 outlines but for one that is missing
@@ -210,7 +210,7 @@ TEST_F(LensStudyReport, ASectionWithoutNumbersIsDrawnToo) {
   report_["lens_study"]["views"] = Json::array();
   report_["lens_study"]["field"] = nullptr;
   EXPECT_EQ(test::markup_defects(page()), "");
-  EXPECT_NO_THROW(lens_study_figures(report_["lens_study"]));
+  EXPECT_NO_THROW(lens_study_figures(*lens_findings(report_)));
 }
 
 TEST_F(LensStudyReport, CsvHasOneLinePerViewPupilAndMethod) {
@@ -219,7 +219,7 @@ TEST_F(LensStudyReport, CsvHasOneLinePerViewPupilAndMethod) {
   lost["status"] = "missed_lens";
   lost["eq11"] = nullptr;
   section["gazes"].push_back(lost);
-  const std::string csv = lens_study_csv(section);
+  const std::string csv = lens_study_csv(*lens_findings({{"lens_study", section}}));
   EXPECT_EQ(count(csv, "\r\n"), 1 + 5 * 2 * 3 + 1);
   const std::size_t columns = count(csv.substr(0, csv.find("\r\n")), ",");
   for (std::size_t at = 0; at < csv.size(); at = csv.find("\r\n", at) + 2)

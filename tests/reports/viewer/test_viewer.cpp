@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 Json document_of(const ViewerPayload& payload) {
-  const std::string html = payload.html();
+  const std::string html = payload.html().markup();
   const std::size_t first = html.find('>') + 1;
   return Json::parse(html.substr(first, html.rfind("</script>") - first));
 }
@@ -30,7 +30,7 @@ ViewerPayload payload_with(const std::string& title) {
   ViewerPayload payload;
   payload.add_picture("a.exr", a, 1);
   payload.add_picture("b.exr", b, 1);
-  payload.add_case(case_of_images(title, "a.exr", "b.exr", luma_image(a), 0.5, measure_images(b, a, {}), 1));
+  payload.add_set(set_of_images(title, "a.exr", "b.exr", luma_image(a), 0.5, measure_images(b, a, {}), 1));
   return payload;
 }
 
@@ -64,21 +64,21 @@ TEST(ViewerPayload, WhereAWindowDoesNotFitThereIsNoValue) {
 
 TEST(ViewerPayload, APictureOfSeveralCasesIsStoredOnce) {
   ViewerPayload payload = payload_with("one");
-  const std::size_t before = payload.html().size();
+  const std::size_t before = payload.html().markup().size();
   payload.add_picture("b.exr", testing::textured_image(24, 16, 0.9), 1);
-  EXPECT_EQ(payload.html().size(), before);
+  EXPECT_EQ(payload.html().markup().size(), before);
 }
 
 TEST(ViewerPayload, DensitiesKeepTheirPrecisionHoweverSmall) {
   Image density(2, 1, 1);
   density.pixels = {0x1p-20f, 0x1.004p-32f};  // 2⁻³² itself would round to zero; the second is 1025/1024 of it
-  ViewerCase shown;
-  shown.kind = ViewerCase::Kind::Density;
+  ViewerSet shown;
+  shown.kind = ViewerSet::Kind::Density;
   shown.pictures = {{"a", "A", "a.exr"}};
   shown.peak = 0x1p-20;
   ViewerPayload payload;
   payload.add_picture("a.exr", density, 1);
-  payload.add_case(shown);
+  payload.add_set(shown);
   const Json picture = document_of(payload)["pictures"]["a.exr"];
   ASSERT_EQ(picture["exponent"], 33);  // 2⁻²⁰ becomes 2¹³, the second 2·(1 + 2⁻¹⁰)
   // 2¹³ = 0x7000 and 2·(1 + 2⁻¹⁰) = 0x4001, little endian: 00 70 01 40.
@@ -86,25 +86,25 @@ TEST(ViewerPayload, DensitiesKeepTheirPrecisionHoweverSmall) {
 }
 
 TEST(ViewerPayload, ADensityOfZerosStaysOne) {
-  ViewerCase shown;
-  shown.kind = ViewerCase::Kind::Density;
+  ViewerSet shown;
+  shown.kind = ViewerSet::Kind::Density;
   shown.pictures = {{"a", "A", "a.exr"}};
   shown.peak = 1.0;
   ViewerPayload payload;
   payload.add_picture("a.exr", Image(2, 2, 1), 1);
-  payload.add_case(shown);
+  payload.add_set(shown);
   EXPECT_EQ(document_of(payload)["pictures"]["a.exr"]["exponent"], 0);
 }
 
 TEST(ViewerPayload, HoldsNoMarkup) {
-  const std::string html = payload_with("</script><script>alert(1)</script>&amp;<![CDATA[").html();
+  const std::string html = payload_with("</script><script>alert(1)</script>&amp;<![CDATA[").html().markup();
   EXPECT_EQ(html.find("<", 1), html.rfind("</script>"));  // nothing but its own tags
   EXPECT_THAT(html, Not(HasSubstr("&")));
   EXPECT_EQ(document_of(payload_with("<&>"))["cases"][0]["title"], "<&>");
 }
 
 TEST(ViewerPayload, WithoutCasesIsNothing) {
-  EXPECT_EQ(ViewerPayload().html(), "");
+  EXPECT_TRUE(ViewerPayload().html().empty());
 }
 
 TEST(HalfPixels, AreThoseOfTheStandard) {  // IEEE 754-2019, binary16; patterns worked by hand

@@ -88,7 +88,7 @@ TEST(BenchRatios, ReportsSayWhoIsAheadAfterACrossing) {
   }
   for (const double t : {1.0, 16.0})
     view.settings.push_back({"steep", static_cast<std::uint64_t>(t), std::vector(2, test::sample(t, t, 1.0 / t)), ""});
-  const Json crossings = evaluated(view, {{"flat", "F"}, {"steep", "S"}}, {})["crossovers"];
+  const Json crossings = to_json(evaluated(view, {{"flat", "F"}, {"steep", "S"}}, {}))["crossovers"];
   ASSERT_EQ(crossings.size(), 4u);  // one per error
   EXPECT_EQ(crossings[1]["error"], "relative_mse");
   EXPECT_NEAR(crossings[1]["seconds"].get<double>(), 4.0, 10 * rounding);

@@ -35,10 +35,10 @@ inline Sin2StudySpec sin2_spec() {
   return spec;
 }
 
-using Numbers = std::initializer_list<std::pair<Quantity, double>>;
+using Numbers = std::initializer_list<std::pair<StudyQuantity, double>>;
 
 /// At 1 m through the pupil that figures show, relaxed.
-inline StudyCase study_case(StudyModel model, std::size_t eye, Numbers numbers, StudyStatus status = StudyStatus::ok) {
+inline StudyCase study_case(RayModel model, std::size_t eye, Numbers numbers, StudyStatus status = StudyStatus::ok) {
   StudyCase c;
   c.eye = eye;
   c.pupil = 1;

@@ -9,13 +9,13 @@ namespace sturm {
 namespace {
 
 using namespace testing;
-using enum Quantity;
-using enum StudyModel;
+using enum StudyQuantity;
+using enum RayModel;
 
 constexpr double rounding = 1e-12;  // a quotient and a difference of numbers of the order of 1
 
 Json check(const char* name, const std::vector<StudyCase>& cases) {
-  return study_checks(sin2_spec(), cases).at(name);
+  return to_json(study_checks(sin2_spec(), cases)).at(name);
 }
 
 double value_of(const char* name, const std::vector<StudyCase>& cases) {
@@ -25,8 +25,8 @@ double value_of(const char* name, const std::vector<StudyCase>& cases) {
 /// A case of sin² with a cylinder (it has a share of lost variance) and principal values V₁ ≥ V₂.
 StudyCase astigmatic(double high_D, double low_D, Numbers numbers = {}) {
   StudyCase c = study_case(sin2_radial, toric_eye, numbers);
-  c[Quantity::high_D] = high_D;
-  c[Quantity::low_D] = low_D;
+  c[StudyQuantity::high_D] = high_D;
+  c[StudyQuantity::low_D] = low_D;
   if (!c[lost_variance_ratio]) c[lost_variance_ratio] = 1.0;
   if (!c[error_D]) c[error_D] = 0.5;
   return c;
@@ -47,7 +47,7 @@ TEST(Sin2Checks, EachTakesTheLargestOfItsOwnModel) {
                   {radial_deviation_D, 6e-13},
                   {repaired_deviation, 9e-15}}),
       study_case(metalstigmatism, round_eye, {{theory_deviation, 0.8}, {closed_form_deviation, 7e-9}})};
-  const Json checks = study_checks(sin2_spec(), cases);
+  const Json checks = to_json(study_checks(sin2_spec(), cases));
   EXPECT_EQ(checks["cases"]["value"], 5);
   EXPECT_EQ(checks["matrix_vs_theory_max"]["value"], 3e-15);
   EXPECT_EQ(checks["matrix_vs_theory_max"]["cases"], 2);
@@ -186,7 +186,7 @@ TEST(Sin2Checks, MutantsAreWrongByTheirLargestNumber) {
       study_case(sin2_radial, round_eye,
                  {{mutant_repaired_as_sin2, 0.0}, {mutant_wrong_coefficient, 0.5}, {mutant_sin2_as_matrix, 0.0}}),
       study_case(power_matrix, toric_eye, {{mutant_mirrored_axis, 0.4}})};
-  const Json checks = study_checks(sin2_spec(), cases);
+  const Json checks = to_json(study_checks(sin2_spec(), cases));
   EXPECT_EQ(checks["mutant_repaired_as_sin2"]["value"], 0.1);
   EXPECT_EQ(checks["mutant_wrong_coefficient"]["value"], 0.5);
   EXPECT_EQ(checks["mutant_sin2_as_matrix"]["value"], 0.3);

@@ -10,13 +10,13 @@ namespace sturm {
 namespace {
 
 using namespace testing;
-using enum Quantity;
-using enum StudyModel;
+using enum StudyQuantity;
+using enum RayModel;
 
 /// The row of a table for one model (and view; null: the worst view of each eye).
 Json row_of_population(const std::vector<StudyCase>& cases, const char* model, const Json& accommodation,
                        const Json& distance_m) {
-  for (const Json& row : population_table(sin2_spec(), cases))
+  for (const Json& row : to_json(population_table(sin2_spec(), cases)))
     if (row["ray_model"] == model && row["accommodation"] == accommodation && row["distance_m"] == distance_m)
       return row;
   return nullptr;
@@ -94,7 +94,7 @@ TEST(Sin2Models, CountAndName) {
       study_case(metalstigmatism, first_real_eye,
                  {{rays, 100.0}, {rays_dropped, 0.0}, {rays_negative_focus, 1.0}, {error_D, 2.5}}),
       study_case(sin2_radial, toric_eye, {{error_D, 7.0}})};
-  const Json table = model_table(sin2_spec(), cases);
+  const Json table = to_json(model_table(sin2_spec(), cases));
   ASSERT_EQ(table.size(), 3u);
   const Json &printed = table[0], &matrix = table[2];
   EXPECT_EQ(printed["ray_model"], "metalstigmatism");
@@ -124,7 +124,7 @@ TEST(Sin2ReferenceView, MapsRunByCylinderThenSphereAndTakeTheFirstAxis) {
       other_pupil,
       seen(study_case(sin2_radial, round_eye, {{error_D, 9.0}}), far, relaxed),
       seen(study_case(sin2_radial, round_eye, {{error_D, 9.0}}), at_1_m, focus_1_m)};
-  const Json views = reference_views(sin2_spec(), cases);
+  const Json views = to_json(reference_views(sin2_spec(), cases));
   EXPECT_EQ(views["maps"][1]["ray_model"], "sin2_radial");
   // Rows: no cylinder, −2 D; columns: 0 D, +1 D, of which no eye is there.
   EXPECT_EQ(views["maps"][1]["error_D"], (Json{{0.0, nullptr}, {0.7, nullptr}}));
@@ -135,7 +135,7 @@ TEST(Sin2ReferenceView, MapsRunByCylinderThenSphereAndTakeTheFirstAxis) {
 }
 
 TEST(Sin2Summary, StatesItsConditions) {
-  const Json summary = summarised_sin2_study(sin2_spec(), {real_eye(0.3)}, Json{{{"id", "rose"}}});
+  const Json summary = to_json(summarised_sin2_study(sin2_spec(), {real_eye(0.3)}, {{.id = "rose"}}));
   const Json& conditions = summary["conditions"];
   EXPECT_EQ(conditions["eyes"], 5);
   EXPECT_EQ(conditions["grid_eyes"], 3);

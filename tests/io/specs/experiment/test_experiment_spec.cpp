@@ -87,6 +87,8 @@ TEST_F(ExperimentSpecTest, ErrorsNameTheirPlace) {
               HasSubstr("/images/0/accommodation: got mode \"best\""));
   EXPECT_THAT(error_with("/images/0/ray_models/0=metalstigmatism"),
               HasSubstr("/images/0/accommodation: got no \"focus_distance_m\""));
+  EXPECT_THAT(error_with("/psfs/0/ray_models/0=metalstigmatism"),
+              HasSubstr("/psfs/0/accommodation: got no \"focus_distance_m\""));
   EXPECT_THAT(error_with("/ellipses/rays/replicates=1"), HasSubstr("/ellipses/rays/replicates: got 1"));
   EXPECT_THAT(error_with("/images/0/replicates=1"), HasSubstr("/images/0/replicates: got 1"));
   EXPECT_THAT(error_with("/ellipses/prescriptions/0={\"id\": \"a\", \"sphere_D\": 40, \"vertex_distance_mm\": 25}"),
@@ -130,9 +132,9 @@ TEST_F(LensStudySpecTest, IsRead) {
   EXPECT_EQ(std::get<FixedAccommodation>(study.accommodation).power_D, 1);
   EXPECT_EQ(study.quadrature.radial, 10);
   EXPECT_EQ(study.quadrature.azimuthal, 40);
-  ASSERT_TRUE(study.field);
-  EXPECT_EQ(study.field->lens, 1u);
-  EXPECT_EQ(study.field->azimuths_deg.back(), 50);
+  ASSERT_TRUE(study.wide_gaze);
+  EXPECT_EQ(study.wide_gaze->lens, 1u);
+  EXPECT_EQ(study.wide_gaze->azimuths_deg.back(), 50);
   EXPECT_EQ(std::get<FigureFile>(spec.figures[0].drawing).file, folder_ / "map.svg");
   EXPECT_THAT(spec.input_files, ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "lenses/l.json").string(),
                                             (folder_ / "map.svg").string()));
@@ -197,7 +199,7 @@ TEST(GateSpec, ReadsAllComparisons) {
   EXPECT_EQ(gates[1].bound, 0.5);
   EXPECT_EQ(gates[1].unit, "");
   for (std::size_t i = 0; i < gates.size(); ++i)
-    EXPECT_EQ(to_string(gates[i].comparison), document["gates"][i]["comparison"]);
+    EXPECT_EQ(std::string(entry_of(gates[i].kind).file_word), document["gates"][i]["comparison"]);
   Json twice = document;
   twice["gates"][3]["id"] = "a";
   EXPECT_THAT(input_error([&] { read_gates(twice, "g.json"); }), HasSubstr("g.json: /gates/3/id: got \"a\""));

@@ -36,13 +36,13 @@ TEST_F(SamplingStudySpecTest, ReadsEverything) {
   EXPECT_EQ(study.scene_name, "s.json");
   EXPECT_THAT(spec.input_files, testing::Contains((folder_ / "s.json").string()));
   ASSERT_EQ(study.configurations.size(), 2u);
-  EXPECT_EQ(study.configurations[1].ray_model, "metalstigmatism");
+  EXPECT_EQ(study.configurations[1].ray_model, RayModel::metalstigmatism);
   EXPECT_EQ(study.configurations[1].eye.prescription.axis_deg, 30);
   EXPECT_DOUBLE_EQ(study.configurations[0].eye.pupil_radius_m, 0.02);
   ASSERT_EQ(study.samplings.size(), 2u);
-  EXPECT_EQ(study.samplings[1].spec.kind, PupilSampling::Rings);
-  EXPECT_EQ(study.samplings[1].spec.rings, 4);
-  EXPECT_EQ(study.samplings[1].spec.angle_factor, 6);
+  EXPECT_EQ(study.samplings[1].kind, PupilSampling::Rings);
+  EXPECT_EQ(study.samplings[1].rings, 4);
+  EXPECT_EQ(study.samplings[1].angle_factor, 6);
   EXPECT_THAT(study.samplers, ElementsAre(Sequence::Halton, Sequence::Sobol));
   EXPECT_EQ(study.samples_per_pixel, 16u);
   EXPECT_EQ(study.replicates, 8);

@@ -1,16 +1,38 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 
-#include "io/json/json_numbers.h"
+#include "io/json/json.h"
 #include "lensmodel/ellipse.h"
 
 namespace sturm {
+
+// Numbers, vectors and ellipses as the formats want them: what cannot be computed is null, never NaN or infinity.
+
+inline Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+inline Json number_or_null(const std::optional<double>& value) {
+  return value ? number_or_null(*value) : Json(nullptr);
+}
+
+/// Distances may be infinite: "inf".
+inline Json distance_json(double distance_m) {
+  return std::isinf(distance_m) ? Json("inf") : Json(distance_m);
+}
 
 inline Json json_of(const Eigen::Vector2d& v) {
   return {number_or_null(v.x()), number_or_null(v.y())};
 }
 inline Json json_of(const Eigen::Vector3d& v) {
   return {number_or_null(v.x()), number_or_null(v.y()), number_or_null(v.z())};
+}
+
+/// [x, y, z] of a validated document.
+inline Eigen::Vector3d read_vector3(const Json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
 
 /// Symmetric matrix as [xx, xy, yy].
