@@ -1,51 +1,13 @@
 #include "reports/text/ellipses_csv.h"
 
-#include <charconv>
 #include <variant>
 
+#include "io/files/csv.h"
 #include "io/json/stored_values.h"
 
 namespace sturm {
 
 namespace {
-
-/// Writes a table as RFC 4180 has it.
-class CsvWriter {
- public:
-  void text(const std::string& value) {
-    separate();
-    if (value.find_first_of(",\"\r\n") == std::string::npos) {
-      table_ += value;
-      return;
-    }
-    table_ += '"';
-    for (const char c : value) table_ += c == '"' ? "\"\"" : std::string(1, c);
-    table_ += '"';
-  }
-
-  void number(const Number& value) {
-    separate();
-    if (!value) return;
-    char buffer[32];
-    table_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, *value).ptr);
-  }
-
-  void end_row() {
-    table_ += "\r\n";
-    row_has_fields_ = false;
-  }
-
-  const std::string& table() const { return table_; }
-
- private:
-  void separate() {
-    if (row_has_fields_) table_ += ',';
-    row_has_fields_ = true;
-  }
-
-  std::string table_;
-  bool row_has_fields_ = false;
-};
 
 using Field = std::variant<Number, std::string>;
 

@@ -38,6 +38,8 @@ OWN_LIBRARIES = {
     "assimp": {"pathtrace"},
     "OpenEXR": {"io"},
     "OpenImageIO": {"io"},
+    "opencv2": {"io", "compare", "reports"},
+    "openssl": {"io"},
     "valijson": {"io"},
     "CLI": {"app"},
 }
@@ -139,6 +141,8 @@ class IncludeArrows(unittest.TestCase):
             # Libraries of other rooms.
             ("reports/page/a.cpp", "#include <embree3/rtcore.h>"),
             ("stages/a.cpp", "#include <CLI/CLI.hpp>"),
+            ("conoid/pictures/a.cpp", "#include <opencv2/imgproc.hpp>"),
+            ("experiments/run/a.cpp", "#include <openssl/evp.h>"),
         ]:
             with self.subTest(file=file, line=line):
                 self.assertEqual(len(self.scan(file, line)), 1)
