@@ -1,4 +1,4 @@
-#include "reports/text/csv.h"
+#include "reports/text/lens_study_csv.h"
 
 #include <array>
 #include <string_view>
