@@ -1,4 +1,4 @@
-#include "pathtrace/cameras/view_camera.h"
+#include "pathtrace/cameras/general_camera.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -42,7 +42,9 @@ double accommodation_at_rest(const Eye& eye) {
 
 }  // namespace
 
-ViewCamera::ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options)
+static_assert(Camera<GeneralCamera>);
+
+GeneralCamera::GeneralCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options)
     : pose_(pose),
       eye_(eye),
       rays_(model, eye, accommodation_at_rest(eye),
@@ -57,20 +59,20 @@ ViewCamera::ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, V
     throw std::invalid_argument("an eye that accommodates best needs distances");
 }
 
-Eigen::Vector3d ViewCamera::in_world(const Sight& sight, const Eigen::Vector3d& point) const {
+Eigen::Vector3d GeneralCamera::in_world(const Sight& sight, const Eigen::Vector3d& point) const {
   return pose_.position + sight.world_from_head * (point + options_.sideways_m * Eigen::Vector3d::UnitX());
 }
 
-Eigen::Vector3d ViewCamera::in_head(const Sight& sight, const Eigen::Vector3d& world) const {
+Eigen::Vector3d GeneralCamera::in_head(const Sight& sight, const Eigen::Vector3d& world) const {
   return sight.world_from_head.transpose() * (world - pose_.position) - options_.sideways_m * Eigen::Vector3d::UnitX();
 }
 
-double ViewCamera::pixel_angle() const {
+double GeneralCamera::pixel_angle() const {
   if (options_.projection == Projection::Perspective) return pixel_slope_;
   return std::max(2.0 * std::numbers::pi / pose_.width, std::numbers::pi / pose_.height);
 }
 
-ViewCamera::Sight ViewCamera::sight_at(double px, double py) const {
+GeneralCamera::Sight GeneralCamera::sight_at(double px, double py) const {
   Sight sight{world_from_head_, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity(), Eigen::Vector2d::Zero()};
   if (options_.projection == Projection::Equirectangular) {
     const double longitude = (px / pose_.width - 0.5) * 2.0 * std::numbers::pi,
@@ -90,7 +92,7 @@ ViewCamera::Sight ViewCamera::sight_at(double px, double py) const {
 }
 
 /// The ray before the eye or before the spectacles, head frame. False where it is lost.
-bool ViewCamera::launch(const Sight& sight, const PupilRay<double>& ray, LightRay& out, LaunchStatus& status) const {
+bool GeneralCamera::launch(const Sight& sight, const PupilRay<double>& ray, LightRay& out, LaunchStatus& status) const {
   out = sight.in_head(ray);
   if (!options_.spectacles) return true;
   const LensPath path = trace(*options_.spectacles, out);
@@ -102,19 +104,19 @@ bool ViewCamera::launch(const Sight& sight, const PupilRay<double>& ray, LightRa
   return true;
 }
 
-std::optional<LightRay> ViewCamera::leaving(const Sight& sight, const PupilRay<double>& ray) const {
+std::optional<LightRay> GeneralCamera::leaving(const Sight& sight, const PupilRay<double>& ray) const {
   LaunchStatus status = LaunchStatus::ok;
   LightRay out;
   return launch(sight, ray, out, status) ? std::optional(out) : std::nullopt;
 }
 
-ViewCamera::Bundle ViewCamera::bundle_about(const Sight& sight) const {
+GeneralCamera::Bundle GeneralCamera::bundle_about(const Sight& sight) const {
   if (!options_.spectacles) return {};
   const auto chief = leaving(sight, chief_ray);
   return chief ? differences(sight, *chief) : Bundle{};
 }
 
-ViewCamera::Bundle ViewCamera::differences(const Sight& sight, const LightRay& chief) const {
+GeneralCamera::Bundle GeneralCamera::differences(const Sight& sight, const LightRay& chief) const {
   Bundle bundle;
   constexpr double step = 1e-4;
   LaunchStatus status = LaunchStatus::ok;
@@ -133,7 +135,7 @@ ViewCamera::Bundle ViewCamera::differences(const Sight& sight, const LightRay& c
 }
 
 /// By how much the eye accommodates to what its line of sight meets [D].
-double ViewCamera::accommodation_change(const Sight& sight, const Bundle& bundle) const {
+double GeneralCamera::accommodation_change(const Sight& sight, const Bundle& bundle) const {
   const auto chief = leaving(sight, chief_ray);
   if (!chief) return 0.0;
   const LightRay world{in_world(sight, chief->origin), sight.world_from_head * chief->direction};
@@ -145,43 +147,49 @@ double ViewCamera::accommodation_change(const Sight& sight, const Bundle& bundle
   return best_accommodation(by_point + by_slope * eye_.correction.matrix(), by_slope, amplitude);
 }
 
-ViewCamera::Place ViewCamera::place(double film_x, double film_y, const Bundle& focus_bundle) const {
-  Place place{sight_at(film_x, film_y)};
-  if (seeks_focus_) place.accommodation_change = accommodation_change(place.sight, focus_bundle);
+GeneralCamera::Pixel GeneralCamera::pixel(int x, int y) const {
+  return {x, y, seeks_focus_ ? bundle_about(sight_at(x + 0.5, y + 0.5)) : Bundle{}};
+}
+
+GeneralCamera::Place GeneralCamera::place(const Pixel& pixel, const FilmPlace& film) const {
+  Place place{sight_at(film.x(), film.y())};
+  if (seeks_focus_) place.accommodation_change = accommodation_change(place.sight, pixel.focus_bundle);
   return place;
 }
 
-ViewCamera::SamplePlace ViewCamera::place_of(int x, int y, std::uint32_t sample, const PixelSequence& sequence) const {
+GeneralCamera::SamplePlace GeneralCamera::place_of(const Pixel& pixel, std::uint32_t sample,
+                                                   const PixelSequence& sequence) const {
   const owen_sobol::Pair film = sequence.pair(sample, dimension::film), lens = sequence.pair(sample, dimension::lens);
-  return {x + unit_double(film.x), y + unit_double(film.y),
-          options_.pupil.at(unit_double(lens.x), unit_double(lens.y))};
+  return {film_place(pixel, film), options_.pupil.at(unit_double(lens.x), unit_double(lens.y))};
 }
 
-ViewCamera::SingleRay ViewCamera::single(const Place& place, double px, double py) const {
+CameraRay GeneralCamera::through(const Place& place, double px, double py) const {
   const bool planar = options_.projection == Projection::Perspective && options_.gaze == Gaze::Camera;
   PupilRay<double> ray = rays_.through(px, py);
   if (seeks_focus_) {
     ray.sx -= place.accommodation_change * ray.px;
     ray.sy -= place.accommodation_change * ray.py;
   }
-  SingleRay single;
-  single.status = ray.status;
+  LaunchStatus status = ray.status;
   LightRay out{Eigen::Vector3d::Zero(), -Eigen::Vector3d::UnitZ()};
-  if (goes_on(ray.status)) launch(place.sight, ray, out, single.status);
+  if (goes_on(ray.status)) launch(place.sight, ray, out, status);
   // Rays that leave spectacles at more than 89.9° from the line of sight keep their length.
   const double length = planar && -out.direction.z() > 1.7e-3 ? -1.0 / out.direction.z() : 1.0;
-  single.origin = in_world(place.sight, out.origin).cast<float>();
-  single.direction = (length * (place.sight.world_from_head * out.direction)).cast<float>();
-  return single;
+  return {in_world(place.sight, out.origin).cast<float>(),
+          (length * (place.sight.world_from_head * out.direction)).cast<float>(), status};
 }
 
-void ViewCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence,
-                          CameraRayBlock& block) const {
-  const Bundle bundle = focus_bundle(x, y);
+CameraRay GeneralCamera::single(const Pixel& pixel, const SamplePlace& at) const {
+  return through(place(pixel, at.film), rays_.pupil_radius() * at.pupil.point.x(),
+                 rays_.pupil_radius() * at.pupil.point.y());
+}
+
+void GeneralCamera::generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence,
+                             CameraRayBlock& block) const {
+  const Pixel shared = pixel(x, y);
   for (int i = 0; i < CameraRayBlock::size; ++i) {
-    const SamplePlace at = place_of(x, y, first_sample + static_cast<std::uint32_t>(i), sequence);
-    const SingleRay ray = single(place(at.film_x, at.film_y, bundle), rays_.pupil_radius() * at.pupil.point.x(),
-                                 rays_.pupil_radius() * at.pupil.point.y());
+    const SamplePlace at = place_of(shared, first_sample + static_cast<std::uint32_t>(i), sequence);
+    const CameraRay ray = single(shared, at);
     block.status[i] = ray.status;
     block.weight[i] = static_cast<float>(rays_.model() == RayModel::pinhole ? 1.0 : at.pupil.weight);
     for (int k = 0; k < 3; ++k) {

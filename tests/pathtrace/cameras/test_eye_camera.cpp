@@ -61,7 +61,7 @@ RenderResult directly_seen(const Scene& scene, const EyeCamera& camera, int samp
   return render(scene, camera, settings);
 }
 
-TEST(Camera, UpAndRightInTheWorldIsUpAndRightInThePicture) {
+TEST(EyeCamera, UpAndRightInTheWorldIsUpAndRightInThePicture) {
   // Looking along −z, world x is to the right. The emitter is 0.3 m to the right and 0.2 m up at 1 m.
   const Scene scene = square_emitter({0.3f, 0.2f, -1.0f}, 0.02f);
   const CameraPose pose = square_pose(64, 0.5);
@@ -80,7 +80,7 @@ TEST(Camera, UpAndRightInTheWorldIsUpAndRightInThePicture) {
   EXPECT_TRUE(std::isinf(result.depth.at(12, 19)[0]));
 }
 
-TEST(Camera, RightIsLookCrossUp) {
+TEST(EyeCamera, RightIsLookCrossUp) {
   // Looking along +z from behind, world x is to the left.
   SceneDescription description;
   description.materials = {testing::lambertian(Vector3f::Zero(), Vector3f::Ones())};
@@ -93,7 +93,7 @@ TEST(Camera, RightIsLookCrossUp) {
   EXPECT_NEAR(m.centroid.y(), +0.2, 0.1 * pixel_slope(pose));
 }
 
-TEST(Camera, ATiltedPoseKeepsUpUp) {
+TEST(EyeCamera, ATiltedPoseKeepsUpUp) {
   CameraPose pose;
   pose.position = {1, 2, 3};
   pose.look_at = {1, 0, 1};
@@ -105,7 +105,7 @@ TEST(Camera, ATiltedPoseKeepsUpUp) {
   EXPECT_NEAR(camera.slope_y(0.0f), std::tan(0.5 * pose.vertical_field), 1e-6);
 }
 
-TEST(Camera, WideningKeepsThePitch) {
+TEST(EyeCamera, WideningKeepsThePitch) {
   const CameraPose pose = square_pose(64, 0.5);
   const CameraPose wide = widened(pose, 10, 3);
   EXPECT_EQ(wide.width, (64 + 20) * 3);
@@ -131,7 +131,7 @@ const BlurCase blur_cases[] = {{RayModel::power_matrix, 30.0, 1.0, 4 * quarter_r
                                {RayModel::sin2_radial, 150.0, 1.0, -2 * quarter_root_3, 2.0},
                                {RayModel::thin_lens, 30.0, 1.0, 0.0, 1.0}};
 
-TEST(Camera, ThePictureOfAPointHasTheCovarianceOfItsEllipse) {
+TEST(EyeCamera, ThePictureOfAPointHasTheCovarianceOfItsEllipse) {
   const float side = 0.012f, distance = 0.8f;
   const Scene scene = square_emitter({0.02f, -0.01f, -distance}, side);
   const double radius = 0.02;
@@ -166,7 +166,7 @@ TEST(Camera, ThePictureOfAPointHasTheCovarianceOfItsEllipse) {
 
 // Slope form has no focal point to go wrong: a hyperope's rays diverge and the picture is still a disc of radius a·|1/d
 // + F|.
-TEST(Camera, AHyperopeIsNoSpecialCase) {
+TEST(EyeCamera, AHyperopeIsNoSpecialCase) {
   const Scene scene = square_emitter({0, 0, -2.0f}, 0.02f);
   const CameraPose pose = square_pose(32, 0.1);
   const Eye eye = Eye::with({+2.0, 0.0, 180.0, 0.0}, 0.04);
@@ -177,23 +177,7 @@ TEST(Camera, AHyperopeIsNoSpecialCase) {
   EXPECT_NEAR(m.covariance(1, 1) - boxes, expected, 0.02 * expected);
 }
 
-TEST(Camera, ASampleDoesNotDependOnItsBlock) {
-  const Eye eye = Eye::with({-1.0, -2.0, 30.0, 0.0}, 4e-3);
-  const EyeCamera camera(square_pose(64, 0.5), {RayModel::power_matrix, eye, 0.0});
-  for (Sequence kind : {Sequence::Sobol, Sequence::Independent}) {
-    const PixelSequence sequence(kind, 11, 5);
-    CameraRayBlock a, b;
-    camera.generate(5, 7, 0, sequence, a);
-    camera.generate(5, 7, 3, sequence, b);
-    for (int i = 0; i + 3 < CameraRayBlock::size; ++i)
-      for (int k = 0; k < 3; ++k) {
-        EXPECT_EQ(a.origin[k][i + 3], b.origin[k][i]);
-        EXPECT_EQ(a.direction[k][i + 3], b.direction[k][i]);
-      }
-  }
-}
-
-TEST(Camera, DroppedRaysAreCountedAndLeftOut) {
+TEST(EyeCamera, DroppedRaysAreCountedAndLeftOut) {
   // −0.50 D focused at 2 m by metalstigmatism's formula is its pole: no ray leaves the eye, and the picture is black
   // but finite.
   const Scene scene = square_emitter({0, 0, -2.0f}, 5.0f);
@@ -210,6 +194,29 @@ TEST(Camera, DroppedRaysAreCountedAndLeftOut) {
   EXPECT_EQ(bent.counters.camera.dropped, 0u);
   EXPECT_EQ(bent.counters.camera.negative_focus, 4u * 4u * 20u);
   EXPECT_EQ(testing::image_mean(bent.radiance, 0), 1.0);
+}
+
+TEST(HitPacket, ARayPassesByWhatComesBeforeItsStart) {
+  SceneDescription description;
+  description.materials = {testing::lambertian(Vector3f::Ones())};
+  for (const float z : {-1.0f, -3.0f})
+    description.meshes.push_back(testing::parallelogram({-1.0f, -1.0f, z}, {2, 0, 0}, {0, 2, 0}, 0));
+  const Scene scene(description);
+  HitPacket packet;
+  const Vector3f towards(0.0f, 0.0f, -0.5f);  // a unit of t is half a metre
+  const Vector3f origins[4] = {{0.1f, 0.1f, 0.0f}, {0.2f, 0.1f, 0.0f}, {0.3f, 0.1f, 0.0f}, {0.4f, 0.1f, 0.0f}};
+  for (int lane = 0; lane < 4; ++lane) packet.set(lane, origins[lane], towards, lane != 3);
+  packet.start_at(1, 2.5f);
+  packet.start_at(2, 6.5f);
+  packet.first_hits(scene.embree());
+  ASSERT_TRUE(packet.hit(0) && packet.hit(1));
+  EXPECT_FLOAT_EQ(packet.distance(0), 2.0f);
+  EXPECT_FLOAT_EQ(packet.distance(1), 6.0f);
+  EXPECT_FALSE(packet.hit(2));  // starts behind both
+  EXPECT_FALSE(packet.hit(3));  // is not asked
+  for (int lane = 4; lane < HitPacket::size; ++lane) EXPECT_FALSE(packet.hit(lane));
+  packet.forget_hits();
+  EXPECT_FALSE(packet.hit(0));
 }
 
 TEST(CameraHits, PacketsHitWhatSingleRaysHit) {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "pathtrace/cameras/camera_hits.h"
-#include "pathtrace/cameras/view_camera.h"
+#include "pathtrace/cameras/general_camera.h"
 #include "pathtrace/film/render.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
@@ -49,14 +49,14 @@ CameraRayBlock block_of(const auto& camera, int x, int y, std::uint64_t seed = 1
   return block;
 }
 
-TEST(ViewCamera, WithoutAnythingItIsTheEyeCamera) {
+TEST(GeneralCamera, WithoutAnythingItIsTheEyeCamera) {
   CameraPose pose = straight_pose(32, 24, 0.4);
   pose.position = {0.1, 0.2, 0.3};
   pose.look_at = {-0.5, 0.4, 1.0};
   const Eye eye = Eye::with({-2.0, -1.5, 30.0}, 6 * mm, FixedAccommodation{0.5, 0.0});
   for (RayModel model : {RayModel::pinhole, RayModel::power_matrix, RayModel::sin2_radial, RayModel::zernike}) {
     const EyeCamera fast(pose, EyeRays<float>(model, eye, 0.5));
-    const ViewCamera view(pose, eye, model, {});
+    const GeneralCamera view(pose, eye, model, {});
     const auto a = block_of(fast, 5, 20), b = block_of(view, 5, 20);
     for (int i = 0; i < CameraRayBlock::size; ++i) {
       EXPECT_LT((ray_of(a, i).origin - ray_of(b, i).origin).norm(), float_rounding);
@@ -67,13 +67,13 @@ TEST(ViewCamera, WithoutAnythingItIsTheEyeCamera) {
   }
 }
 
-TEST(ViewCamera, RaysGoThroughTheLensAsTheyAreTraced) {
+TEST(GeneralCamera, RaysGoThroughTheLensAsTheyAreTraced) {
   const CameraPose pose = straight_pose(16, 16, 0.5);
   const Eye eye = emmetrope(6.0);
   ViewOptions options;
   options.spectacles = plus_lens();
-  const auto naked = block_of(ViewCamera(pose, eye, RayModel::power_matrix, {}), 13, 4),
-             worn = block_of(ViewCamera(pose, eye, RayModel::power_matrix, options), 13, 4);
+  const auto naked = block_of(GeneralCamera(pose, eye, RayModel::power_matrix, {}), 13, 4),
+             worn = block_of(GeneralCamera(pose, eye, RayModel::power_matrix, options), 13, 4);
   for (int i = 0; i < CameraRayBlock::size; ++i) {
     const LightRay before{ray_of(naked, i).origin, ray_of(naked, i).direction.normalized()};
     const LensPath path = trace(plus_lens(), before);
@@ -84,18 +84,18 @@ TEST(ViewCamera, RaysGoThroughTheLensAsTheyAreTraced) {
   }
 }
 
-TEST(ViewCamera, APlusLensMagnifies) {
+TEST(GeneralCamera, APlusLensMagnifies) {
   // What is seen 0.3 to the right lies nearer to the axis than without the lens: rays are bent towards it.
   const CameraPose pose = straight_pose(16, 16, 0.4);
   ViewOptions options;
   options.spectacles = plus_lens();
-  const auto block = block_of(ViewCamera(pose, emmetrope(0.0), RayModel::pinhole, options), 14, 8);
+  const auto block = block_of(GeneralCamera(pose, emmetrope(0.0), RayModel::pinhole, options), 14, 8);
   EXPECT_GT(ray_of(block, 0).direction.x(), 0.2);
   EXPECT_LT(ray_of(block, 0).direction.x(), 0.32);  // the pixel's middle is at 0.325
 }
 
 /// A white room that shines alike from everywhere: what arrives is the share of rays that are not lost.
-TEST(ViewCamera, WhatTheRimStopsIsBlackAndCounted) {
+TEST(GeneralCamera, WhatTheRimStopsIsBlackAndCounted) {
   SceneDescription description;
   description.materials = {testing::lambertian(Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones())};
   description.meshes = testing::room(1.0f, 0);
@@ -109,7 +109,7 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackAndCounted) {
   RenderSettings settings;
   settings.samples_per_pixel = 16;
   settings.max_bounces = 0;
-  const RenderResult result = render(scene, ViewCamera(pose, emmetrope(0.0), RayModel::pinhole, options), settings);
+  const RenderResult result = render(scene, GeneralCamera(pose, emmetrope(0.0), RayModel::pinhole, options), settings);
   const double launched = 32.0 * 32.0 * 16.0, lost = static_cast<double>(result.counters.camera.lost_rim);
   EXPECT_EQ(result.counters.camera.launched, 32u * 32u * 16u);
   EXPECT_GT(lost / launched, 0.5);
@@ -119,7 +119,7 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackAndCounted) {
   EXPECT_EQ(result.radiance.at(16, 16)[0], 1.0f);
 }
 
-TEST(ViewCamera, WhatTheRimStopsIsBlackBeforeAnEnvironmentToo) {
+TEST(GeneralCamera, WhatTheRimStopsIsBlackBeforeAnEnvironmentToo) {
   // Rays that the rim had stopped used to bring the sky behind it, and weights of the pupil were left out of it.
   SceneDescription description;
   description.materials = {testing::lambertian(Eigen::Vector3f::Zero())};
@@ -134,7 +134,7 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackBeforeAnEnvironmentToo) {
   settings.samples_per_pixel = 16;
   settings.max_bounces = 0;
   const RenderResult result =
-      render(scene, ViewCamera(straight_pose(32, 32, 1.0), emmetrope(0.0), RayModel::pinhole, options), settings);
+      render(scene, GeneralCamera(straight_pose(32, 32, 1.0), emmetrope(0.0), RayModel::pinhole, options), settings);
   const double launched = 32.0 * 32.0 * 16.0, lost = static_cast<double>(result.counters.camera.lost_rim);
   EXPECT_GT(lost / launched, 0.5);
   EXPECT_NEAR(testing::image_mean(result.radiance, 0), 1.0 - lost / launched, 1e-6);
@@ -144,12 +144,12 @@ TEST(ViewCamera, WhatTheRimStopsIsBlackBeforeAnEnvironmentToo) {
   polar.pupil = PupilSampler({PupilSampling::UniformPolarWeighted}, 0.0);
   settings.samples_per_pixel = 4096;
   const RenderResult weighted =
-      render(scene, ViewCamera(straight_pose(1, 1, 0.1), emmetrope(6.0), RayModel::power_matrix, polar), settings);
+      render(scene, GeneralCamera(straight_pose(1, 1, 0.1), emmetrope(6.0), RayModel::power_matrix, polar), settings);
   EXPECT_NEAR(weighted.radiance.at(0, 0)[0], 1.0, 1e-3);
   EXPECT_NEAR(weighted.variance.at(0, 0)[0], 1.0 / 3.0, 1e-2);  // low-discrepancy points: far below 4σ of random ones
 }
 
-TEST(ViewCamera, ApodizationKeepsTheMeanAndNarrowsTheBlur) {
+TEST(GeneralCamera, ApodizationKeepsTheMeanAndNarrowsTheBlur) {
   SceneDescription description;
   description.materials = {testing::lambertian(Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones())};
   description.meshes = testing::room(1.0f, 0);
@@ -161,17 +161,17 @@ TEST(ViewCamera, ApodizationKeepsTheMeanAndNarrowsTheBlur) {
                              PupilSampling::UniformPolarWeighted, PupilSampling::Rings}) {
     ViewOptions options;
     options.pupil = PupilSampler({kind, 8, 6}, 1.0);
-    const RenderResult result =
-        render(scene, ViewCamera(straight_pose(4, 4, 0.1), emmetrope(6.0), RayModel::power_matrix, options), settings);
+    const RenderResult result = render(
+        scene, GeneralCamera(straight_pose(4, 4, 0.1), emmetrope(6.0), RayModel::power_matrix, options), settings);
     EXPECT_NEAR(testing::image_mean(result.radiance, 0), 1.0, 2e-3);  // weights by 4096 stratified points
   }
 }
 
-TEST(ViewCamera, AnEquirectangularPictureIsTheWholeSphere) {
+TEST(GeneralCamera, AnEquirectangularPictureIsTheWholeSphere) {
   CameraPose pose = straight_pose(360, 180, 1.0);
   ViewOptions options;
   options.projection = Projection::Equirectangular;
-  const ViewCamera camera(pose, emmetrope(6.0), RayModel::pinhole, options);
+  const GeneralCamera camera(pose, emmetrope(6.0), RayModel::pinhole, options);
   const auto direction = [&](int x, int y) { return ray_of(block_of(camera, x, y), 0).direction; };
   constexpr double pixel = 1.5 * std::numbers::pi / 180.0;
   EXPECT_LT((direction(180, 90) - Eigen::Vector3d(0, 0, -1)).norm(), pixel);
@@ -182,12 +182,12 @@ TEST(ViewCamera, AnEquirectangularPictureIsTheWholeSphere) {
   EXPECT_LT((direction(10, 179) - Eigen::Vector3d(0, -1, 0)).norm(), pixel);
 }
 
-TEST(ViewCamera, AnEquirectangularEyeIsFocusedAllRound) {
+TEST(GeneralCamera, AnEquirectangularEyeIsFocusedAllRound) {
   // An emmetrope focused at 0.5 m: the rays of one direction meet there. With a pixel of 0.01° its rays are one bundle.
   const Eye eye = emmetrope(6.0, FixedAccommodation{2.0, 0.5});
   ViewOptions options;
   options.projection = Projection::Equirectangular;
-  const ViewCamera camera(straight_pose(36000, 18000, 1.0), eye, RayModel::power_matrix, options);
+  const GeneralCamera camera(straight_pose(36000, 18000, 1.0), eye, RayModel::power_matrix, options);
   for (const auto& [x, y] : {std::pair(20000, 9000), std::pair(31000, 3000), std::pair(5000, 14000)}) {
     const auto block = block_of(camera, x, y);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -209,10 +209,10 @@ ViewOptions foveal(double distance) {
   return options;
 }
 
-TEST(ViewCamera, AFovealEyeTurnsAndAccommodates) {
+TEST(GeneralCamera, AFovealEyeTurnsAndAccommodates) {
   const Eye eye = emmetrope(6.0, BestAccommodation{5.0});
-  const ViewCamera camera(straight_pose(40000, 40000, 0.7), eye, RayModel::power_matrix,
-                          foveal(0.4));  // pixels of 35 µrad
+  const GeneralCamera camera(straight_pose(40000, 40000, 0.7), eye, RayModel::power_matrix,
+                             foveal(0.4));  // pixels of 35 µrad
   const auto block = block_of(camera, 36000, 9000);
   const Eigen::Vector3d gaze = Eigen::Vector3d(16000.5 / 20000 * 0.7, 10999.5 / 20000 * 0.7, -1.0).normalized();
   const Eigen::Vector3d pupil = 13.5 * mm * (gaze + Eigen::Vector3d(0, 0, 1)), target = pupil + 0.4 * gaze;
@@ -225,10 +225,10 @@ TEST(ViewCamera, AFovealEyeTurnsAndAccommodates) {
   }
 }
 
-TEST(ViewCamera, BeyondItsAmplitudeAFovealEyeDoesWhatItCan) {
+TEST(GeneralCamera, BeyondItsAmplitudeAFovealEyeDoesWhatItCan) {
   // 1 D of 2.5: at 0.4 m the rays have 1.5 D · 3 mm · 0.4 m of blur left at most.
-  const ViewCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(6.0, BestAccommodation{1.0}),
-                          RayModel::power_matrix, foveal(0.4));
+  const GeneralCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(6.0, BestAccommodation{1.0}),
+                             RayModel::power_matrix, foveal(0.4));
   const auto block = block_of(camera, 20000, 20000);
   for (int i = 0; i < 16; ++i) {
     const LightRay ray = ray_of(block, i);
@@ -237,7 +237,7 @@ TEST(ViewCamera, BeyondItsAmplitudeAFovealEyeDoesWhatItCan) {
   }
 }
 
-TEST(ViewCamera, AFovealEyeFocusesThroughItsLens) {
+TEST(GeneralCamera, AFovealEyeFocusesThroughItsLens) {
   // Behind a lens of about −5 D an emmetrope has to accommodate by some 5 D for what is far; then the rays that leave
   // the lens are parallel.
   Spectacles minus;
@@ -246,8 +246,8 @@ TEST(ViewCamera, AFovealEyeFocusesThroughItsLens) {
   minus.center_thickness_m = 2 * mm;
   ViewOptions options = foveal(std::numeric_limits<double>::infinity());
   options.spectacles = minus;
-  const ViewCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(4.0, BestAccommodation{9.0}),
-                          RayModel::power_matrix, options);
+  const GeneralCamera camera(straight_pose(40000, 40000, 0.7), emmetrope(4.0, BestAccommodation{9.0}),
+                             RayModel::power_matrix, options);
   const auto block = block_of(camera, 20000, 20000);
   for (int i = 0; i < 16; ++i) {
     const Eigen::Vector3d d = ray_of(block, i).direction;
@@ -256,7 +256,7 @@ TEST(ViewCamera, AFovealEyeFocusesThroughItsLens) {
   }
 }
 
-TEST(ViewCamera, ThePictureOfAPointIsThePointReflectionOfTheRays) {
+TEST(GeneralCamera, ThePictureOfAPointIsThePointReflectionOfTheRays) {
   // Horizontal coma, examiner's +0.5 µm over 6 mm: its mean slope over the pupil is not zero. The mean of ∂Z(3,1)/∂x =
   // √8 (9x² + 3y² − 2) is √8 (9/4 + 3/4 − 2) = √8; so the examiner's −∇W has the mean −√8 c/a along his x, which is +√8
   // c/a along the wearer's.

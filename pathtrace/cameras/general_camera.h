@@ -4,7 +4,8 @@
 
 #include "io/specs/camera_spec.h"
 #include "lensmodel/spectacles.h"
-#include "pathtrace/cameras/camera.h"
+#include "pathtrace/cameras/camera_concept.h"
+#include "pathtrace/cameras/camera_pose.h"
 #include "pathtrace/sampling/pupil_sampler.h"
 
 namespace sturm {
@@ -39,13 +40,13 @@ struct ViewOptions {
 ///
 /// A unit of t is a metre of planar distance in gaze `camera` with perspective, otherwise of distance along the ray; it
 /// counts from the pupil's plane, with spectacles from the front surface.
-class ViewCamera {
+class GeneralCamera {
  public:
   static constexpr bool weighted = true;
 
   /// Throws std::invalid_argument for a foveal equirectangular view, and for an eye that accommodates best without
   /// `distance_along`.
-  ViewCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options);
+  GeneralCamera(const CameraPose& pose, const Eye& eye, RayModel model, ViewOptions options);
 
   /// How the eye stands for one point of the picture.
   struct Sight {
@@ -74,16 +75,18 @@ class ViewCamera {
     double accommodation_change = 0.0;  ///< of an eye that accommodates to what it looks at [D]
   };
 
-  /// Film place [px] and point of the unit disc of one sample.
-  struct SamplePlace {
-    double film_x, film_y;
-    WeightedPoint pupil;
+  /// What all samples of a pixel share: of an eye that seeks focus its bundle; of others it says nothing.
+  struct Pixel {
+    int x, y;
+    Bundle focus_bundle;
   };
 
-  /// A ray as `generate` makes it; without meaning where it is lost.
-  struct SingleRay {
-    Eigen::Vector3f origin, direction;
-    LaunchStatus status;
+  using FilmPlace = Eigen::Vector2d;  ///< [px]
+
+  /// Film place [px] and point of the unit disc of one sample.
+  struct SamplePlace {
+    FilmPlace film;
+    WeightedPoint pupil;
   };
 
   int width() const { return pose_.width; }
@@ -95,13 +98,21 @@ class ViewCamera {
   bool seeks_focus() const { return seeks_focus_; }  ///< accommodates to what it looks at
   double pixel_angle() const;                        ///< of one pixel, the largest of the picture [rad]
 
-  /// Needed for the places of pixel (x, y) by an eye that seeks focus; of others it says nothing.
-  Bundle focus_bundle(int x, int y) const { return seeks_focus_ ? bundle_about(sight_at(x + 0.5, y + 0.5)) : Bundle{}; }
-  Place place(double film_x, double film_y, const Bundle& focus_bundle) const;
-  SamplePlace place_of(int x, int y, std::uint32_t sample, const PixelSequence& sequence) const;
+  Pixel pixel(int x, int y) const;
+  FilmPlace film_place(const Pixel& pixel, owen_sobol::Pair numbers) const {
+    return {pixel.x + unit_double(numbers.x), pixel.y + unit_double(numbers.y)};
+  }
+  SamplePlace place_of(const Pixel& pixel, std::uint32_t sample, const PixelSequence& sequence) const;
+  Eigen::Vector2f pupil_point(const SamplePlace& at) const {
+    return (rays_.pupil_radius() * at.pupil.point).cast<float>();
+  }
+  CameraRay single(const Pixel& pixel, const SamplePlace& at) const;
+  void generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const;
+
+  Place place(const Pixel& pixel, const FilmPlace& film) const;
 
   /// The ray of a place through the pupil point (px, py) [m].
-  SingleRay single(const Place& place, double px, double py) const;
+  CameraRay through(const Place& place, double px, double py) const;
 
   Sight sight_at(double film_x, double film_y) const;
 
@@ -114,9 +125,6 @@ class ViewCamera {
 
   /// A point of the world [m] in the head frame of a sight.
   Eigen::Vector3d in_head(const Sight& sight, const Eigen::Vector3d& world) const;
-
-  /// Fills the block with the rays of samples first_sample … first_sample + size − 1 of pixel (x, y).
-  void generate(int x, int y, std::uint32_t first_sample, const PixelSequence& sequence, CameraRayBlock& block) const;
 
  private:
   Eigen::Vector3d in_world(const Sight& sight, const Eigen::Vector3d& point) const;
