@@ -12,6 +12,7 @@
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 #include "pathtrace/cameras/camera_hits.h"
+#include "pathtrace/cameras/camera_pose.h"
 #include "pathtrace/scene/scene_import.h"
 #include "stages/stopwatch.h"
 

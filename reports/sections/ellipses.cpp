@@ -190,7 +190,7 @@ Html reference_table(const ReferenceFinding& reference) {
   HtmlTable table("Conoid and closed form against independent numbers", "compact",
                   {{"Quantity"_html, false}, {"Largest relative error"_html}});
   for (const auto& [name, error] : reference.max_relative_error) table.add_row({text(name), number_html(error, 2)});
-  return element("p", "Both were compared with "_html + count_html(cases) +
+  return element("p", "Both were compared with "_html + count_html(reference.cases) +
                           " cases that other programs computed ("_html + code_html(reference.file) + ")."_html) +
          table.html();
 }
