@@ -50,7 +50,7 @@ void make_statistic(const Sin2Check& check, Measurement& m) {
 }
 
 /// Checks that gates judge and readers see: each names the case that decided.
-void add_shown_checks(const Sin2Findings& found, Measurements& out) {
+void add_shown_checks(const Sin2StudyFindings& found, Measurements& out) {
   for (const ShownCheck& shown : shown_checks) {
     const Sin2Check* check = found.check(shown.key);
     const std::string worst = check ? check->worst_case.value_or("") : "";
@@ -69,7 +69,7 @@ void add_shown_checks(const Sin2Findings& found, Measurements& out) {
 }
 
 /// Checks that only gates see.
-void add_other_checks(const Sin2Findings& found, Measurements& out) {
+void add_other_checks(const Sin2StudyFindings& found, Measurements& out) {
   for (const auto& [name, check] : found.checks) {
     const bool shown = std::any_of(std::begin(shown_checks), std::end(shown_checks),
                                    [&, key = name](const ShownCheck& c) { return c.key == key; });
@@ -80,7 +80,7 @@ void add_other_checks(const Sin2Findings& found, Measurements& out) {
   }
 }
 
-void add_models(const Sin2Findings& found, Measurements& out) {
+void add_models(const Sin2StudyFindings& found, Measurements& out) {
   for (const Sin2ModelRow& row : found.models) {
     const std::string name = word_of(row.ray_model);
     const auto add = [&](const char* quantity, const Number& value) {
@@ -100,7 +100,7 @@ std::string distance_text(const std::optional<StoredDistance>& distance) {
   return distance->is_infinite() ? "inf" : plain_number(distance->metres) + " m";
 }
 
-void add_population(const Sin2Findings& found, Measurements& out) {
+void add_population(const Sin2StudyFindings& found, Measurements& out) {
   for (const Sin2PopulationRow& row : found.population) {
     const std::string model = word_of(row.ray_model);
     const std::string view =
@@ -163,7 +163,7 @@ void add_pattern(const Sin2GalleryEntry& view, const Sin2Spread& psf, Measuremen
 }  // namespace
 
 void measure_sin2_study(const Json& report, Measurements& out) {
-  const Sin2Findings found = sin2_study_findings(report).value_or(Sin2Findings{});
+  const Sin2StudyFindings found = sin2_study_findings(report).value_or(Sin2StudyFindings{});
   add_shown_checks(found, out);
   add_other_checks(found, out);
   add_models(found, out);

@@ -11,12 +11,12 @@ namespace {
 /// The bound of the gates on closed forms and on wavefront theory, which each mutant must exceed.
 constexpr double rounding_bound = 1e-9;
 
-Number value_of(const Sin2Findings& found, const std::string& check) {
+Number value_of(const Sin2StudyFindings& found, const std::string& check) {
   const Sin2Check* of_name = found.check(check);
   return of_name ? of_name->value : std::nullopt;
 }
 
-Json mutant(const Sin2Findings& found, const char* id, const char* what) {
+Json mutant(const Sin2StudyFindings& found, const char* id, const char* what) {
   const Number value = value_of(found, std::string("mutant_") + id);
   return {{"id", id},
           {"what", what},
@@ -26,14 +26,14 @@ Json mutant(const Sin2Findings& found, const char* id, const char* what) {
 }
 
 /// The row over each eye's worst view, without numbers if there is none.
-Sin2PopulationRow worst_views(const Sin2Findings& found, RayModel model) {
+Sin2PopulationRow worst_views(const Sin2StudyFindings& found, RayModel model) {
   const Sin2PopulationRow* row = found.worst_views(model);
   return row ? *row : Sin2PopulationRow{};
 }
 
 }  // namespace
 
-Json sin2_study_mutants(const Sin2Findings& found) {
+Json sin2_study_mutants(const Sin2StudyFindings& found) {
   return {mutant(found, "repaired_as_sin2",
                  "sin² rays got the tangential term that they lack, and were passed off as sin² rays"),
           mutant(found, "wrong_coefficient", "the closed form of sin² was given 4 in place of 5"),
@@ -41,7 +41,7 @@ Json sin2_study_mutants(const Sin2Findings& found) {
           mutant(found, "sin2_as_matrix", "sin² rays were passed off as matrix rays")};
 }
 
-Json sin2_study_sentence(const Sin2Findings& found) {
+Json sin2_study_sentence(const Sin2StudyFindings& found) {
   const Number cases = value_of(found, "cases"), least = value_of(found, "sin2_error_per_cylinder_min"),
                most = value_of(found, "sin2_error_per_cylinder_max"),
                repaired = value_of(found, "repaired_vs_theory_max");

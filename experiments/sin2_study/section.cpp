@@ -38,7 +38,7 @@ class Sin2Run : public SectionRun {
             return to_json(sin2_gallery_entry(spec_, view, seed_, place.folder.path()));
           })));
     write_file_atomically(place.folder.path() / "sin2_study.csv", sin2_study_csv(cases, spec_));
-    const Sin2Findings found = summarised_sin2_study(spec_, cases, std::move(gallery));
+    const Sin2StudyFindings found = summarised_sin2_study(spec_, cases, std::move(gallery));
     report["sin2_study"] = to_json(found);
     append(report["must_fail"], sin2_study_mutants(found));
   }

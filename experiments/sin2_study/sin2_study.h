@@ -18,9 +18,9 @@ Sin2GalleryEntry sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2Gallery
                                     const std::filesystem::path& folder);
 
 /// The study's checks again with inputs that are wrong on purpose; each must be noticed.
-Json sin2_study_mutants(const Sin2Findings& found);
+Json sin2_study_mutants(const Sin2StudyFindings& found);
 
 /// What the study measured, in one sentence; null without numbers.
-Json sin2_study_sentence(const Sin2Findings& found);
+Json sin2_study_sentence(const Sin2StudyFindings& found);
 
 }  // namespace sturm

@@ -26,7 +26,7 @@ the numbers come from traced rays. With <i>V</i><sub>1</sub>, <i>V</i><sub>2</su
 )"_html;
 }
 
-Html check_table(const Sin2Findings& found) {
+Html check_table(const Sin2StudyFindings& found) {
   HtmlTable table("What was measured, against what theory says of it", "compact",
                   {{"Quantity"_html, false}, {"Measured"_html}, {"Cases"_html}, {"Where"_html, false}});
   for (const ShownCheck& check : shown_checks) {
@@ -38,7 +38,7 @@ Html check_table(const Sin2Findings& found) {
   return table.html();
 }
 
-Html model_table(const Sin2Findings& found) {
+Html model_table(const Sin2StudyFindings& found) {
   HtmlTable table("Cases and rays", "compact",
                   {{"Ray model"_html, false},
                    {"Cases"_html},
@@ -61,7 +61,7 @@ Html triple(const Distribution& d) {
 }
 
 /// Everyone's worst view first, then view by view.
-Html population_table(const Sin2Findings& found, bool all_views) {
+Html population_table(const Sin2StudyFindings& found, bool all_views) {
   HtmlTable table(all_views ? "Real eyes, view by view" : "Real eyes, each in its worst view", "sortable",
                   {{"Ray model"_html, false},
                    {"State"_html, false},
@@ -88,7 +88,7 @@ Html population_table(const Sin2Findings& found, bool all_views) {
   return table.html();
 }
 
-Html gallery_table(const Sin2Findings& found) {
+Html gallery_table(const Sin2StudyFindings& found) {
   if (found.gallery.empty()) return {};
   HtmlTable table("Point-spread functions against wavefront theory", "compact",
                   {{"View"_html, false},
@@ -106,7 +106,7 @@ Html gallery_table(const Sin2Findings& found) {
 }
 
 /// The densities of the gallery, view by view; the first model of each is wavefront theory.
-Html gallery_viewers(const Sin2Findings& found, const std::filesystem::path& run_folder, ViewerPayload& payload) {
+Html gallery_viewers(const Sin2StudyFindings& found, const std::filesystem::path& run_folder, ViewerPayload& payload) {
   std::vector<SpreadGroup> groups;
   for (const Sin2GalleryEntry& view : found.gallery) {
     SpreadGroup group;
@@ -132,7 +132,7 @@ Html gallery_viewers(const Sin2Findings& found, const std::filesystem::path& run
 }  // namespace
 
 Html sin2_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload) {
-  const std::optional<Sin2Findings> found = sin2_study_findings(report);
+  const std::optional<Sin2StudyFindings> found = sin2_study_findings(report);
   if (!found) return {};
   Html html = element("h2", "What sin² does, and what it means"_html) + explanation(found->conditions) +
               check_table(*found) + model_table(*found);

@@ -99,19 +99,20 @@ inline constexpr auto record_members<Sin2GalleryEntry> =
                member("models", &Sin2GalleryEntry::models)};
 
 template <>
-inline constexpr auto record_members<Sin2Findings> = std::tuple{member("conditions", &Sin2Findings::conditions),
-                                                                member("models", &Sin2Findings::models),
-                                                                member("checks", &Sin2Findings::checks),
-                                                                member("population", &Sin2Findings::population),
-                                                                member("reference_view", &Sin2Findings::reference_view),
-                                                                member("gallery", &Sin2Findings::gallery)};
+inline constexpr auto record_members<Sin2StudyFindings> =
+    std::tuple{member("conditions", &Sin2StudyFindings::conditions),
+               member("models", &Sin2StudyFindings::models),
+               member("checks", &Sin2StudyFindings::checks),
+               member("population", &Sin2StudyFindings::population),
+               member("reference_view", &Sin2StudyFindings::reference_view),
+               member("gallery", &Sin2StudyFindings::gallery)};
 
-const Sin2Check* Sin2Findings::check(const std::string& name) const {
+const Sin2Check* Sin2StudyFindings::check(const std::string& name) const {
   const auto found = checks.find(name);
   return found == checks.end() ? nullptr : &found->second;
 }
 
-const Sin2PopulationRow* Sin2Findings::worst_views(RayModel model) const {
+const Sin2PopulationRow* Sin2StudyFindings::worst_views(RayModel model) const {
   for (const Sin2PopulationRow& row : population)
     if (row.ray_model == model && !row.accommodation) return &row;
   return nullptr;
@@ -125,14 +126,14 @@ Json to_json(const Sin2Checks& checks) {
   return json;
 }
 
-Json to_json(const Sin2Findings& findings) {
+Json to_json(const Sin2StudyFindings& findings) {
   Json json = json_from(findings);
   json["checks"] = to_json(findings.checks);
   return json;
 }
 
-std::optional<Sin2Findings> sin2_study_findings(const Json& report) {
-  return record_from<std::optional<Sin2Findings>>(value_at(report, "sin2_study"));
+std::optional<Sin2StudyFindings> sin2_study_findings(const Json& report) {
+  return record_from<std::optional<Sin2StudyFindings>>(value_at(report, "sin2_study"));
 }
 
 Json to_json(const std::vector<Sin2ModelRow>& models) {

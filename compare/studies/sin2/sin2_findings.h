@@ -120,7 +120,7 @@ struct Sin2GalleryEntry {
 };
 
 /// Section "sin2_study" of a report.
-struct Sin2Findings {
+struct Sin2StudyFindings {
   Sin2Conditions conditions{};
   std::vector<Sin2ModelRow> models{};
   Sin2Checks checks{};
@@ -128,7 +128,7 @@ struct Sin2Findings {
   Sin2ReferenceView reference_view{};
   std::vector<Sin2GalleryEntry> gallery{};
 
-  bool operator==(const Sin2Findings&) const = default;
+  bool operator==(const Sin2StudyFindings&) const = default;
 
   /// A check that may be missing.
   const Sin2Check* check(const std::string& name) const;
@@ -136,10 +136,10 @@ struct Sin2Findings {
   const Sin2PopulationRow* worst_views(RayModel model) const;
 };
 
-Json to_json(const Sin2Findings& findings);
+Json to_json(const Sin2StudyFindings& findings);
 
 /// Of a report; none without the section.
-std::optional<Sin2Findings> sin2_study_findings(const Json& report);
+std::optional<Sin2StudyFindings> sin2_study_findings(const Json& report);
 
 /// Its parts.
 Json to_json(const Sin2Checks& checks);

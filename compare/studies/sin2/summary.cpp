@@ -155,8 +155,8 @@ Sin2ReferenceView reference_views(const Sin2StudySpec& spec, const std::vector<S
   return view;
 }
 
-Sin2Findings summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases,
-                                   std::vector<Sin2GalleryEntry> gallery) {
+Sin2StudyFindings summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases,
+                                        std::vector<Sin2GalleryEntry> gallery) {
   const auto count = [](std::size_t number) { return static_cast<std::int64_t>(number); };
   Sin2Conditions conditions{.eyes = count(spec.eyes.size()),
                             .grid_eyes = count(spec.grid_eyes),

@@ -11,8 +11,8 @@ inline constexpr double noticeable_defocus_D = 0.25;
 
 /// The section "sin2_study" of a report (configs/schemas/report.schema.json) from all cases; `gallery` is put in as it
 /// is.
-Sin2Findings summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases,
-                                   std::vector<Sin2GalleryEntry> gallery);
+Sin2StudyFindings summarised_sin2_study(const Sin2StudySpec& spec, const std::vector<StudyCase>& cases,
+                                        std::vector<Sin2GalleryEntry> gallery);
 
 /// Its parts: what each model did, the checks that gates read, the distribution over the real eyes, and what the
 /// figures show.

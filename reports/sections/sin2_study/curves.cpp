@@ -38,7 +38,7 @@ std::string row(double x, double y) {
 }
 
 /// `column`: 1 is wavefront theory, 2 the model.
-std::string curve_rows(const Sin2Findings& found, RayModel model, std::size_t column) {
+std::string curve_rows(const Sin2StudyFindings& found, RayModel model, std::size_t column) {
   std::string rows;
   const Sin2Curve curve = of_model(found.reference_view.curves, model);
   for (const std::array<Number, 3>& point : curve.points)
@@ -59,14 +59,14 @@ std::string exceedance_rows(const std::vector<Number>& errors, double eyes) {
   return rows;
 }
 
-std::string view_text(const Sin2Findings& found) {
+std::string view_text(const Sin2StudyFindings& found) {
   const Number distance = finite(found.conditions.reference_distance_m);
   return distance ? plain_number(*distance) + " m" : "infinity";
 }
 
 }  // namespace
 
-std::optional<Figure> sin2_sphere_curves(const Sin2Findings& found) {
+std::optional<Figure> sin2_sphere_curves(const Sin2StudyFindings& found) {
   const std::string truth = curve_rows(found, RayModel::power_matrix, 1);
   if (truth.empty()) return std::nullopt;
   std::string blocks = block("truth", truth),
@@ -96,7 +96,7 @@ std::optional<Figure> sin2_sphere_curves(const Sin2Findings& found) {
   return figure;
 }
 
-std::optional<Figure> sin2_population_curves(const Sin2Findings& found) {
+std::optional<Figure> sin2_population_curves(const Sin2StudyFindings& found) {
   const double eyes = Number(found.conditions.real_eyes).value_or(0.0);
   if (!(eyes > 0.0)) return std::nullopt;
   std::string blocks, plots;

@@ -34,7 +34,7 @@ std::string number_text(double error_D) {
   return text;
 }
 
-std::string reference_distance(const Sin2Findings& found) {
+std::string reference_distance(const Sin2StudyFindings& found) {
   const Number metres = finite(found.conditions.reference_distance_m);
   return metres ? plain_number(*metres) + " m" : "infinity";
 }
@@ -75,7 +75,7 @@ Html panel_svg(const Sin2ReferenceView& view, const Panel& panel, double y0) {
 
 }  // namespace
 
-std::optional<Figure> sin2_error_map(const Sin2Findings& found) {
+std::optional<Figure> sin2_error_map(const Sin2StudyFindings& found) {
   const std::size_t rows = found.reference_view.cylinders_D.size();
   if (rows == 0 || found.reference_view.spheres_D.empty()) return std::nullopt;
   const double panel_height = cell_height * static_cast<double>(rows);

@@ -95,7 +95,7 @@ Html row_svg(const Sin2GalleryEntry& view, double y, const std::filesystem::path
 
 }  // namespace
 
-std::optional<Figure> sin2_gallery(const Sin2Findings& found, const std::filesystem::path& run_folder) {
+std::optional<Figure> sin2_gallery(const Sin2StudyFindings& found, const std::filesystem::path& run_folder) {
   if (found.gallery.empty()) return std::nullopt;
   Html body = white_ground();
   for (std::size_t i = 0; i < columns.size(); ++i)

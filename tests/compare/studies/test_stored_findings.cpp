@@ -39,7 +39,7 @@ TEST(StoredFindings, LensStudy) {
 
 TEST(StoredFindings, Sin2Study) {
   const Json report = stored("sin2_study");
-  const Sin2Findings found = sin2_study_findings(report).value();
+  const Sin2StudyFindings found = sin2_study_findings(report).value();
   EXPECT_EQ(to_json(found).dump(1), report["sin2_study"].dump(1));
   EXPECT_EQ(found.check("cases")->value, 336.0);
   EXPECT_EQ(found.worst_views(RayModel::sin2_radial)->eyes, 2);
