@@ -1,12 +1,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "app/commands.h"
 #include "compare/findings/judged_report.h"
-#include "compare/gates/gates.h"
+#include "compare/gates/gate_result.h"
+#include "compare/gates/verdict.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
 #include "io/json/schema.h"
@@ -19,42 +20,30 @@ namespace sturm {
 namespace {
 
 /// The gates that a report was judged by, read back from it.
-std::vector<GateSpec> gates_in(const Json& report, const std::string& file) {
-  static const std::map<std::string, GateKind> kinds = {{"upper_bound", GateKind::AtMost},
-                                                        {"lower_bound", GateKind::AtLeast},
-                                                        {"must_differ", GateKind::Differs},
-                                                        {"baseline", GateKind::Baseline},
-                                                        {"must_fail", GateKind::MustFail}};
+std::vector<GateSpec> gates_of(const std::vector<GateResult>& stored, const Json& report, const std::string& file) {
   std::vector<GateSpec> gates;
-  for (const Json& g : report.at("gates")) {
-    const auto kind = kinds.find(g.at("kind"));
-    if (kind == kinds.end() || !g.at("bound").is_number())
-      throw InputError(file, "/gates/" + std::to_string(gates.size()), g.dump(), "a gate of known kind with a bound");
-    gates.push_back({.id = g.at("id"),
-                     .title = g.at("title"),
-                     .statistic = g.at("statistic"),
-                     .kind = kind->second,
-                     .bound = g.at("bound"),
-                     .unit = g.at("unit"),
-                     .reason = g.at("reason"),
-                     .calibration = read_calibration(g)});
+  for (const GateResult& result : stored) {
+    const std::optional<GateSpec> gate = gate_of(result);
+    const std::string place = "/gates/" + std::to_string(gates.size());
+    if (!gate)
+      throw InputError(file, place, report.at(Json::json_pointer(place)).dump(), "a gate of known kind with a bound");
+    gates.push_back(*gate);
   }
   return gates;
 }
 
 /// Without a baseline at hand, what a report says about its own baseline gates stands.
-void keep_stored_baseline_results(Json& results, const Json& report) {
-  for (Json& result : results)
-    for (const Json& stored : report.at("gates"))
-      if (result.at("kind") == "baseline" && stored.at("id") == result.at("id")) result = stored;
+void keep_stored_baseline_results(std::vector<GateResult>& results, const std::vector<GateResult>& stored) {
+  for (GateResult& result : results)
+    for (const GateResult& before : stored)
+      if (result.kind == GateKind::Baseline && before.id == result.id) result = before;
 }
 
-void print_results(const Json& results) {
-  for (const Json& r : results) {
-    const std::string value = r.at("value").is_number() ? r.at("value").dump() : "no value";
-    std::printf("%s  %-36s %s %s (bound %s)\n", r.at("passed").get<bool>() ? "pass" : "FAIL",
-                r.at("id").get<std::string>().c_str(), value.c_str(), r.at("unit").get<std::string>().c_str(),
-                r.at("bound").dump().c_str());
+void print_results(const std::vector<GateResult>& results) {
+  for (const GateResult& r : results) {
+    const std::string value = r.value ? Json(*r.value).dump() : "no value";
+    std::printf("%s  %-36s %s %s (bound %s)\n", r.has_passed() ? "pass" : "FAIL", r.id.c_str(), value.c_str(),
+                r.unit.c_str(), Json(r.bound.value_or(0.0)).dump().c_str());
   }
 }
 
@@ -79,18 +68,19 @@ Json baseline_of(const Json& report) {
 int gate_command(const GateOptions& options) {
   const Json report = load_json(options.report);
   validate(report, "report", options.report);
-  const std::vector<GateSpec> gates =
-      options.gates.empty() ? gates_in(report, options.report) : read_gates(load_json(options.gates), options.gates);
+  const std::vector<GateResult> stored = read_gate_results(report);
+  const std::vector<GateSpec> gates = options.gates.empty() ? gates_of(stored, report, options.report)
+                                                            : read_gates(load_json(options.gates), options.gates);
   const Json baseline = options.baseline.empty() ? Json(nullptr) : load_json(options.baseline);
-  Json results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
-  if (baseline.is_null() && options.gates.empty()) keep_stored_baseline_results(results, report);
-  const Json verdict = verdict_of(results);
+  std::vector<GateResult> results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
+  if (baseline.is_null() && options.gates.empty()) keep_stored_baseline_results(results, stored);
+  const Verdict verdict = verdict_of(results);
   print_results(results);
-  std::cout << verdict.at("sentence").get<std::string>() << "\n";
+  std::cout << verdict.sentence << "\n";
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results, report.at("title")));
   if (!options.markdown.empty()) write_file_atomically(options.markdown, report_markdown(report, results, verdict));
   if (!options.new_baseline.empty()) write_file_atomically(options.new_baseline, baseline_of(report).dump(1) + "\n");
-  return verdict.at("passed").get<bool>() ? 0 : 1;
+  return verdict.has_passed() ? 0 : 1;
 }
 
 }  // namespace sturm

@@ -7,6 +7,8 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(valijson REQUIRED)
 find_package(CLI11 2 REQUIRED)
 find_package(assimp 5.2 REQUIRED)
+find_package(OpenSSL 3 REQUIRED)
+include(cmake/opencv.cmake)
 
 # Debian's OpenImageIO package file insists on the command-line tools; the library itself is all that is needed.
 find_path(OpenImageIO_INCLUDE OpenImageIO/imageio.h REQUIRED)

@@ -14,5 +14,5 @@ install(EXPORT sturm_targets NAMESPACE sturm:: DESTINATION ${CMAKE_INSTALL_LIBDI
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sturm-config.cmake.in ${PROJECT_BINARY_DIR}/sturm-config.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturm)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sturm-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/sturm-config.cmake ${PROJECT_BINARY_DIR}/sturm-config-version.cmake
+install(FILES ${PROJECT_BINARY_DIR}/sturm-config.cmake ${PROJECT_BINARY_DIR}/sturm-config-version.cmake ${PROJECT_SOURCE_DIR}/cmake/opencv.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/sturm)

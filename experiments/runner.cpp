@@ -5,15 +5,16 @@
 #include <optional>
 
 #include "compare/findings/gate_power.h"
-#include "compare/findings/judged_report.h"
+#include "compare/findings/gate_statistics.h"
 #include "compare/gates/gates.h"
+#include "compare/gates/verdict.h"
 #include "experiments/figures/figures.h"
 #include "io/files/atomic_file.h"
 #include "io/files/sha256.h"
 #include "io/json/manifest.h"
 #include "io/specs/experiment/gate_spec.h"
 #include "reports/page/run_page.h"
-#include "reports/text/csv.h"
+#include "reports/text/ellipses_csv.h"
 #include "reports/text/junit.h"
 #include "reports/text/markdown.h"
 #include "stages/stopwatch.h"
@@ -73,42 +74,70 @@ Json written(const std::vector<Figure>& figures, const std::filesystem::path& fo
   return list;
 }
 
-/// Gates, their power to see the mutations, and the verdict with its sentences.
-void judge(const ExperimentSpec& spec, const std::vector<GateSpec>& gates, std::span<const Mutation> mutations,
-           const RunTables& tables, const std::vector<Wanted>& wanted, Json& report) {
-  const Json baseline =
-      spec.baseline && std::filesystem::exists(*spec.baseline) ? load_json(spec.baseline->string()) : Json(nullptr);
-  if (!mutations.empty()) {
-    std::vector<MutationName> names;
-    for (const Mutation& mutation : mutations) names.push_back({mutation.id, mutation.what});
-    report["gate_power"] = gate_power(gates, report, names, baseline, tables.findings);
+/// Of the report that the experiment names as its baseline, if there is one yet.
+std::optional<Statistics> baseline_statistics(const ExperimentSpec& spec, const RunTables& tables) {
+  if (!spec.baseline || !std::filesystem::exists(*spec.baseline)) return std::nullopt;
+  const Json baseline = load_json(spec.baseline->string());
+  return baseline.is_null() ? std::nullopt : std::optional(statistics_of(baseline, tables.findings));
+}
+
+/// What the report would say in numbers with each of the mutations.
+std::vector<MutatedStatistics> mutated_statistics(std::span<const Mutation> mutations, const RunTables& tables,
+                                                  const std::vector<Wanted>& wanted, const Json& report) {
+  std::vector<MutatedStatistics> result;
+  for (const Mutation& mutation : mutations) {
+    Json mutated = report;
+    for (const Wanted& w : wanted) w.run->mutate(mutation.id, mutated);
+    result.push_back({mutation.id, mutation.what, statistics_of(mutated, tables.findings)});
   }
-  drop_mutated(report);
-  report["gates"] = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline, tables.findings);
-  Json& verdict = report["verdict"] = verdict_of(report["gates"]);
+  return result;
+}
+
+struct Judgement {
+  std::vector<GateResult> gates;
+  Verdict verdict;
+};
+
+/// Gates, their power to see the mutations, and the verdict with its sentences; also entered into the report.
+Judgement judge(const ExperimentSpec& spec, const std::vector<GateSpec>& gates, std::span<const Mutation> mutations,
+                const RunTables& tables, const std::vector<Wanted>& wanted, Json& report) {
+  const std::optional<Statistics> baseline = baseline_statistics(spec, tables);
+  const Statistics* before = baseline ? &*baseline : nullptr;
+  if (!mutations.empty())
+    report["gate_power"] = to_json(gate_power(gates, statistics_of(report, tables.findings),
+                                              mutated_statistics(mutations, tables, wanted, report), before));
+  Judgement judgement;
+  judgement.gates = evaluate_gates(gates, statistics_of(report, tables.findings), before);
+  judgement.verdict = verdict_of(judgement.gates);
+  report["gates"] = to_json(judgement.gates);
   for (const ExperimentSection& section : tables.runs)
-    if (section.sentence_key) verdict[section.sentence_key] = nullptr;
+    if (section.sentence_key) judgement.verdict.findings[section.sentence_key] = std::nullopt;
   for (const Wanted& w : wanted)
-    if (w.section.sentence_key) verdict[w.section.sentence_key] = w.run->sentence(report);
+    if (w.section.sentence_key)
+      if (const Json sentence = w.run->sentence(report); sentence.is_string())
+        judgement.verdict.findings[w.section.sentence_key] = sentence.get<std::string>();
+  report["verdict"] = to_json(judgement.verdict);
+  return judgement;
 }
 
 /// The texts and the page beside report.json, which is written last.
-void write_reports(const Json& report, const std::string& title, const std::filesystem::path& folder,
+void write_reports(const Json& report, const Judgement& judgement, double seconds, const std::filesystem::path& folder,
                    std::span<const ReportSection> page) {
-  write_file_atomically(folder / "ellipses.csv", ellipses_csv(report));
-  write_file_atomically(folder / "junit.xml",
-                        junit_xml(report.at("gates"), title, report.at("provenance").at("seconds").at("total")));
-  write_file_atomically(folder / "summary.md", report_markdown(report, report.at("gates"), report.at("verdict")));
+  const std::string title = report.at("title");
+  write_file_atomically(folder / "ellipses.csv", ellipses_csv(read_ellipses(report).cases));
+  write_file_atomically(folder / "junit.xml", junit_xml(judgement.gates, title, seconds));
+  write_file_atomically(folder / "summary.md", report_markdown(report, judgement.gates, judgement.verdict));
   write_file_atomically(folder / "report.html", render_report_html(report, folder, page));
   write_file_atomically(folder / "report.json", report.dump(1));
 }
 
-RunOutcome outcome_of(const Json& verdict, const std::filesystem::path& folder,
+RunOutcome outcome_of(const Verdict& verdict, const std::filesystem::path& folder,
                       std::span<const ExperimentSection> sections) {
-  RunOutcome outcome{verdict.at("passed"), verdict.at("sentence"), {}, folder / "report.html"};
+  RunOutcome outcome{verdict.has_passed(), verdict.sentence, {}, folder / "report.html"};
   for (const ExperimentSection& section : sections)
-    if (section.sentence_key && verdict.at(section.sentence_key).is_string())
-      outcome.findings.push_back(verdict.at(section.sentence_key));
+    if (section.sentence_key)
+      if (std::string sentence = verdict.finding(section.sentence_key); !sentence.empty())
+        outcome.findings.push_back(std::move(sentence));
   return outcome;
 }
 
@@ -138,12 +167,12 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
     if (const double spent = steps.lap(); spent > 0.0) seconds[w.section.name] = spent;
     for (Figure& figure : w.run->figures(report, folder, command)) figures.push_back(std::move(figure));
   }
-  judge(spec, gates, mutations, tables, wanted, report);
+  const Judgement judgement = judge(spec, gates, mutations, tables, wanted, report);
   seconds["total"] = watch.seconds();
   report["provenance"] = provenance({options.threads, spec.seed, started, seconds, inputs}, *spec.resolved);
   if (!figures.empty()) report["figures"] = written(figures, folder.path());
-  write_reports(report, spec.title, folder.path(), tables.page);
-  return outcome_of(report["verdict"], folder.path(), tables.runs);
+  write_reports(report, judgement, seconds["total"], folder.path(), tables.page);
+  return outcome_of(judgement.verdict, folder.path(), tables.runs);
 }
 
 }  // namespace sturm

@@ -6,9 +6,8 @@
 #include "experiments/lens_study/section.h"
 #include "experiments/samplings/section.h"
 #include "experiments/sin2_study/section.h"
-#include "experiments/standard/agreement_section.h"
 #include "experiments/standard/ellipse_section.h"
-#include "experiments/standard/image_section.h"
+#include "experiments/standard/picture_section.h"
 #include "experiments/standard/psf_section.h"
 #include "experiments/standard/reference_section.h"
 
@@ -19,8 +18,7 @@ std::span<const ExperimentSection> experiment_sections() {
       ExperimentSection{"reference", nullptr, nullptr, prepared_reference},
       ExperimentSection{"ellipses", "sin2_sentence", nullptr, prepared_ellipses},
       ExperimentSection{"psfs", nullptr, nullptr, prepared_psfs},
-      ExperimentSection{"images", nullptr, nullptr, prepared_images},
-      ExperimentSection{"agreement", nullptr, nullptr, prepared_agreement},
+      ExperimentSection{"pictures", nullptr, nullptr, prepared_pictures},
       ExperimentSection{"lens_study", "lens_sentence", "lens_study.csv", prepared_lens_study},
       ExperimentSection{"sin2_study", "sin2_study_sentence", "sin2_study.csv", prepared_sin2_study},
       ExperimentSection{"sampling_study", nullptr, nullptr, prepared_sampling_study},

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "conoid/pictures/fragment_filter.h"
 #include "conoid/pictures/layered_predictor.h"
 #include "conoid/pictures/multipass.h"
 #include "pathtrace/film/fragment_view.h"
+#include "pathtrace/scene/hit_packet.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/plan/render_plan.h"
 #include "stages/stopwatch.h"
@@ -18,6 +20,28 @@ namespace {
 constexpr int passes_to_find_unseen =
     16;  // of a sharp pixel: what less than a sixteenth of the pupil sees hardly matters
 
+/// The path tracer's scene as the conoid asks for it.
+FirstHits first_hits_of(const Scene& scene) {
+  return [&scene](std::span<const SeenRay> rays, float from_m, std::span<FirstHit> hits) {
+    for (std::size_t first = 0; first < rays.size(); first += HitPacket::size) {
+      HitPacket packet;
+      const int count = static_cast<int>(std::min<std::size_t>(HitPacket::size, rays.size() - first));
+      for (int lane = 0; lane < count; ++lane) {
+        const SeenRay& ray = rays[first + static_cast<std::size_t>(lane)];
+        packet.set(lane, ray.origin, ray.direction);
+        if (from_m > 0.0f) packet.start_at(lane, from_m / ray.direction.norm());
+      }
+      packet.first_hits(scene.embree());
+      for (int lane = 0; lane < count; ++lane) {
+        const std::size_t i = first + static_cast<std::size_t>(lane);
+        hits[i] = packet.hit(lane)
+                      ? FirstHit{packet.distance(lane), scene.shines(packet.record(lane), rays[i].direction)}
+                      : FirstHit{};
+      }
+    }
+  };
+}
+
 /// One picture on its way: the sharp view, and what both predictors do with it.
 class PredictionRun {
  public:
@@ -28,8 +52,7 @@ class PredictionRun {
         prediction_(prediction),
         settings_(settings),
         result_(result),
-        seen_{scene.embree(),
-              [&scene](const RTCHit& hit, const Eigen::Vector3f& direction) { return scene.shines(hit, direction); }} {
+        first_hits_(first_hits_of(scene)) {
     const int n = prediction.oversampling;
     settings_.guide_emitters = false;
     settings_.samples_per_pixel = std::max(1, settings.samples_per_pixel / (n * n));
@@ -58,7 +81,8 @@ class PredictionRun {
 
   void blend_passes() {
     passes_.passes = prediction_.passes;
-    PassPrediction predicted = predict_by_passes(view_, prediction_.oversampling, field_, seen_, shader(), passes_);
+    PassPrediction predicted =
+        predict_by_passes(view_, prediction_.oversampling, field_, first_hits_, shader(), passes_);
     result_.seconds["passes"] = watch_.lap() - shading_seconds_;
     report(predicted.counters);
     result_.layers[""] = std::move(predicted.radiance);
@@ -69,7 +93,7 @@ class PredictionRun {
     const int n = prediction_.oversampling;
     passes_.passes = passes_to_find_unseen * n * n;
     PassCounters found;
-    const std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, seen_, shader(), passes_, found);
+    const std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, first_hits_, shader(), passes_, found);
     result_.seconds["passes"] = watch_.lap() - shading_seconds_;
     report(found);
     Prediction predicted = predict_by_layers(view_, n, field_, unseen, spreading);
@@ -117,7 +141,7 @@ class PredictionRun {
   const PredictionSpec& prediction_;
   RenderSettings settings_;
   PredictedView& result_;
-  SeenScene seen_;
+  FirstHits first_hits_;
   PassSettings passes_;
   FragmentImage view_;
   RenderCounters unseen_;

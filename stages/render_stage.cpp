@@ -54,7 +54,7 @@ RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const W
                       worn.spectacles,
                       sideways_m,
                       [&scene](const LightRay& ray) { return distance_along(scene, ray); }};
-  return render(scene, ViewCamera(pose, eye, plan.model, std::move(options)), settings);
+  return render(scene, GeneralCamera(pose, eye, plan.model, std::move(options)), settings);
 }
 
 PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling,

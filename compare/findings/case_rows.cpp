@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "io/json/stored.h"
+#include "compare/gates/gate_result.h"
 
 namespace sturm {
 
 namespace {
 
 /// Whether the failed gate `gate`, which is about `subject`, names this row as the one that decided.
-bool decided(const Json& gate, const StatisticSubject& subject, const Measurement& row) {
+bool decided(const GateResult& gate, const StatisticSubject& subject, const Measurement& row) {
   if (row.section != subject.section || (!subject.model.empty() && row.model != subject.model)) return false;
-  const std::string worst = text_at(gate, "worst_case");
+  const std::string& worst = gate.worst_case;
   const bool part_of_it = worst.starts_with(row.subject + ",") || worst.starts_with(row.subject + "|");
-  return worst == row.subject || part_of_it || text_at(gate, "statistic") == row.statistic;
+  return worst == row.subject || part_of_it || gate.statistic == row.statistic;
 }
 
 }  // namespace
@@ -22,9 +22,9 @@ Measurements case_rows(const Json& report, std::span<const FindingSection> secti
   const Measurements all = measurements_of(report, sections);
   Measurements rows;
   std::copy_if(all.begin(), all.end(), std::back_inserter(rows), [](const Measurement& m) { return m.listed_as; });
-  for (const Json& gate : array_at(report, "gates")) {
-    if (boolean_at(gate, "passed").value_or(false)) continue;
-    const StatisticSubject subject = subject_of(text_at(gate, "statistic"), all, sections);
+  for (const GateResult& gate : read_gate_results(report)) {
+    if (gate.has_passed()) continue;
+    const StatisticSubject subject = subject_of(gate.statistic, all, sections);
     for (Measurement& row : rows)
       if (decided(gate, subject, row)) row.listed_as = CaseStatus::Failed;
   }

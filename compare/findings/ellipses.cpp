@@ -2,146 +2,226 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "compare/findings/measured.h"
 #include "io/json/stored.h"
+#include "io/json/stored_values.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr double least_cylinder_D = 0.5;  // below it the two ray models are too close for their difference to be a test
-constexpr int components = 3;             // of a covariance: z_max is the largest of so many
-
-constexpr const char* z_conoid = "largest |z| of the covariance, from the conoid";
-constexpr const char* relative_conoid = "relative difference of covariances, from the conoid";
-constexpr const char* z_form = "largest |z| of the covariance, from the closed form";
-constexpr const char* relative_form = "relative difference of covariances, from the closed form";
-constexpr const char* z_round = "largest |z| of the covariance, from the conoid, without a cylinder";
-constexpr const char* relative_round = "relative difference of covariances, from the conoid, without a cylinder";
-constexpr const char* z_astigmatic = "largest |z| of the covariance, from the conoid, with a cylinder";
-constexpr const char* ratio_astigmatic = "relative difference of covariances, measured over that of the closed form";
-
-/// The rays of one model in a case, or null.
-const Json& rays_of(const Json& ellipse_case, const std::string& model) {
-  static const Json none;
-  for (const Json& rays : array_at(ellipse_case, "rays"))
-    if (text_at(rays, "ray_model") == model) return rays;
-  return none;
+Json json_of(const std::optional<EllipseAgreement>& a) {
+  if (!a) return nullptr;
+  return {{"z_max", number_or_null(a->z_max)}, {"relative_frobenius", number_or_null(a->relative_frobenius)}};
 }
 
-/// Frobenius distance of two covariances [xx, xy, yy] relative to the second.
-Number relative_difference(const Json& of, const Json& from) {
-  double difference = 0.0, norm = 0.0;
-  for (const auto& [index, weight] : {std::pair{"0", 1.0}, {"1", 2.0}, {"2", 1.0}}) {
-    const Number a = number_at(of, index), b = number_at(from, index);
-    if (!a || !b) return std::nullopt;
-    difference += weight * (*a - *b) * (*a - *b);
-    norm += weight * *b * *b;
-  }
-  return norm > 0.0 ? Number(std::sqrt(difference / norm)) : std::nullopt;
+Json json_of(const std::optional<EllipseMeasure>& m) {
+  if (!m) return nullptr;
+  return {{"value", number_or_null(m->value)},
+          {"standard_error", number_or_null(m->standard_error)},
+          {"z", number_or_null(m->z)}};
 }
 
-void add(const std::string& id, const char* model, const char* quantity, const Number& value, Measurements& out) {
-  out.push_back({.section = "ellipses", .subject = id, .model = model, .quantity = quantity, .value = value});
+Json json_of(const std::optional<EllipseDifferences>& d) {
+  if (!d) return nullptr;
+  return {{"semi_major_arcmin", json_of(d->semi_major_arcmin)},
+          {"semi_minor_arcmin", json_of(d->semi_minor_arcmin)},
+          {"orientation_deg", json_of(d->orientation_deg)},
+          {"log_area_ratio", json_of(d->log_area_ratio)},
+          {"frobenius_arcmin2", json_of(d->frobenius_arcmin2)},
+          {"bures_wasserstein_arcmin", json_of(d->bures_wasserstein_arcmin)},
+          {"missing_overlap", json_of(d->missing_overlap)}};
 }
 
-/// What gates judge: also of rays that a case lacks, as missing evidence is not evidence.
-void add_judged(const Json& c, Measurements& out) {
-  const std::string id = text_at(c, "id");
-  const Number cylinder = number_at(c, "cylinder_D");
-  const Json &matrix = rays_of(c, "power_matrix"), &sin2 = rays_of(c, "sin2_radial"), &lens = rays_of(c, "thin_lens");
-  add(id, "power_matrix", z_conoid, number_at(matrix, "against_conoid/z_max"), out);
-  add(id, "sin2_radial", z_form, number_at(sin2, "against_closed_form/z_max"), out);
-  if (!cylinder || *cylinder == 0.0) {
-    add(id, "thin_lens", z_round, number_at(lens, "against_conoid/z_max"), out);
-    add(id, "thin_lens", relative_round, number_at(lens, "against_conoid/relative_frobenius"), out);
-  }
-  if (!cylinder || std::abs(*cylinder) >= least_cylinder_D) {
-    const Number predicted =
-        relative_difference(value_at(c, "sin2_closed_form/covariance_rad2"), value_at(c, "conoid/covariance_rad2"));
-    add(id, "sin2_radial", z_astigmatic, number_at(sin2, "against_conoid/z_max"), out);
-    add(id, "sin2_radial", ratio_astigmatic, quotient(number_at(sin2, "against_conoid/relative_frobenius"), predicted),
-        out);
-  }
+Json json_of(const std::optional<ConoidComparison>& c) {
+  if (!c) return nullptr;
+  Json json = json_of(std::optional(c->agreement));
+  json.update({{"measures", json_of(c->differences)},
+               {"semi_axis_errors", {number_or_null(c->semi_axis_errors[0]), number_or_null(c->semi_axis_errors[1])}},
+               {"minor_axis_error_arcmin", number_or_null(c->minor_axis_error_arcmin)},
+               {"orientation_error_deg", number_or_null(c->orientation_error_deg)},
+               {"bures_wasserstein_arcmin", number_or_null(c->bures_wasserstein_arcmin)}});
+  return json;
 }
 
-/// What another run of the same experiment has, too.
-void add_compared(const Json& c, const Number& degrees, Measurements& out) {
-  const std::string id = text_at(c, "id"), name = "ellipse " + id;
-  for (const auto& [index, axis] : {std::pair("0", "major"), std::pair("1", "minor")})
-    out.push_back({.section = "ellipses",
-                   .subject = id,
-                   .model = "conoid",
-                   .quantity = std::string("semi-") + axis + " axis [rad]",
-                   .value = number_at(c, std::string("conoid/semi_axes_rad/") + index),
-                   .run_name = name + ", conoid: semi-" + axis + " axis [rad]"});
-  for (const Json& rays : array_at(c, "rays")) {
-    const std::string model = text_at(rays, "ray_model");
-    const Json& prediction = value_at(c, model == "sin2_radial" ? "sin2_closed_form" : "conoid");
-    for (const auto& [index, component] : {std::pair("0", "xx"), std::pair("1", "xy"), std::pair("2", "yy")}) {
-      const std::string at = index, quantity = std::string("covariance ") + component + " [rad²]";
-      out.push_back({.section = "ellipses",
-                     .subject = id,
-                     .model = model,
-                     .quantity = quantity,
-                     .value = number_at(rays, "covariance_rad2/" + at),
-                     .standard_error = number_at(rays, "covariance_standard_error_rad2/" + at),
-                     .degrees = degrees,
-                     .better = Better::Nearer,
-                     .target = number_at(prediction, "covariance_rad2/" + at),
-                     .run_name = name + ", " + model + ": " + quantity});
-    }
-  }
+Json semi_axes_or_null(const std::optional<Ellipse>& e) {
+  return e ? pair_or_null(Eigen::Vector2d(e->semi_major, e->semi_minor)) : Json(nullptr);
 }
 
-/// Rows of the table of cases, which gates judge, too: what they look for and a case lacks is listed without a value.
-void add_rows(const Json& c, Measurements& out) {
-  const std::string id = text_at(c, "id");
-  const std::size_t first = out.size();
-  for (const Json& rays : array_at(c, "rays")) {
-    const bool closed =
-        text_at(rays, "ray_model") == "sin2_radial" && value_at(rays, "against_closed_form").is_object();
-    const Json& own = value_at(rays, closed ? "against_closed_form" : "against_conoid");
-    add(id, text_at(rays, "ray_model").c_str(), closed ? relative_form : relative_conoid,
-        number_at(own, "relative_frobenius"), out);
-    out.back().z = number_at(own, "z_max");
-    out.back().listed_as = text_at(rays, "status") == "ok" ? CaseStatus::Measured : CaseStatus::NoResult;
-  }
-  for (const auto& [model, quantity] : {std::pair("power_matrix", relative_conoid), {"sin2_radial", relative_form}})
-    if (std::none_of(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
-                     [&](const Measurement& m) { return m.model == model && m.quantity == quantity; }))
-      add(id, model, quantity, std::nullopt, out);
+Json orientation_or_null(const std::optional<Ellipse>& e) {
+  return e ? number_or_null(e->orientation_deg) : Json(nullptr);
+}
+
+Json json_of(const RayFinding& rays) {
+  Json json = {{"ray_model", name_of(rays.model)},
+               {"status", rays.status ? Json(ray_status_words.word_of(*rays.status)) : Json(nullptr)},
+               {"semi_axes_rad", semi_axes_or_null(rays.ellipse)},
+               {"orientation_deg", orientation_or_null(rays.ellipse)},
+               {"covariance_rad2", symmetric_or_null(rays.covariance_rad2)},
+               {"covariance_standard_error_rad2", triple_or_null(rays.covariance_standard_error_rad2)},
+               {"against_conoid", json_of(rays.against_conoid)},
+               {"against_closed_form", json_of(rays.against_closed_form)}};
+  if (rays.counts)
+    json["counters"] = {{"launched", rays.counts->launched},
+                        {"dropped", rays.counts->dropped},
+                        {"negative_focus", rays.counts->negative_focus}};
+  return json;
+}
+
+std::optional<EllipseAgreement> agreement_from(const Json& json) {
+  if (!json.is_object()) return std::nullopt;
+  return EllipseAgreement{number_at(json, "z_max"), number_at(json, "relative_frobenius")};
+}
+
+std::optional<EllipseMeasure> measure_at(const Json& json, const char* key) {
+  const Json& m = value_at(json, key);
+  const Number value = number_at(m, "value");
+  if (!value) return std::nullopt;
+  return EllipseMeasure{*value, number_at(m, "standard_error"), number_at(m, "z")};
+}
+
+std::optional<EllipseDifferences> differences_from(const Json& json) {
+  if (!json.is_object()) return std::nullopt;
+  return EllipseDifferences{.semi_major_arcmin = measure_at(json, "semi_major_arcmin"),
+                            .semi_minor_arcmin = measure_at(json, "semi_minor_arcmin"),
+                            .orientation_deg = measure_at(json, "orientation_deg"),
+                            .log_area_ratio = measure_at(json, "log_area_ratio"),
+                            .frobenius_arcmin2 = measure_at(json, "frobenius_arcmin2"),
+                            .bures_wasserstein_arcmin = measure_at(json, "bures_wasserstein_arcmin"),
+                            .missing_overlap = measure_at(json, "missing_overlap")};
+}
+
+std::optional<ConoidComparison> conoid_comparison_from(const Json& json) {
+  const std::optional<EllipseAgreement> agreement = agreement_from(json);
+  if (!agreement) return std::nullopt;
+  return ConoidComparison{
+      .agreement = *agreement,
+      .differences = differences_from(value_at(json, "measures")),
+      .semi_axis_errors = {number_at(json, "semi_axis_errors/0"), number_at(json, "semi_axis_errors/1")},
+      .minor_axis_error_arcmin = number_at(json, "minor_axis_error_arcmin"),
+      .orientation_error_deg = number_at(json, "orientation_error_deg"),
+      .bures_wasserstein_arcmin = number_at(json, "bures_wasserstein_arcmin")};
+}
+
+std::optional<Ellipse> ellipse_from(const Json& json) {
+  const std::optional<Eigen::Vector2d> axes = pair_at(json, "semi_axes_rad");
+  if (!axes) return std::nullopt;
+  return Ellipse{axes->x(), axes->y(), number_at(json, "orientation_deg")};
+}
+
+std::optional<RayCounts> counts_from(const Json& json) {
+  const auto launched = count_at(json, "launched"), dropped = count_at(json, "dropped"),
+             negative = count_at(json, "negative_focus");
+  return launched && dropped && negative ? std::optional(RayCounts{*launched, *dropped, *negative}) : std::nullopt;
+}
+
+RayFinding rays_from(const Json& json) {
+  return {.model = ray_model_at(json, "ray_model"),
+          .status = ray_status_words.value_of(text_at(json, "status")),
+          .counts = counts_from(value_at(json, "counters")),
+          .ellipse = ellipse_from(json),
+          .covariance_rad2 = symmetric_at(json, "covariance_rad2"),
+          .covariance_standard_error_rad2 = triple_at(json, "covariance_standard_error_rad2"),
+          .against_conoid = conoid_comparison_from(value_at(json, "against_conoid")),
+          .against_closed_form = agreement_from(value_at(json, "against_closed_form"))};
+}
+
+PredictedEllipse predicted_from(const Json& json) {
+  return {ellipse_from(json), symmetric_at(json, "covariance_rad2")};
+}
+
+EllipseFinding finding_from(const Json& json) {
+  EllipseFinding finding{.id = text_at(json, "id"),
+                         .prescription = text_at(json, "prescription"),
+                         .sphere_D = number_at(json, "sphere_D"),
+                         .cylinder_D = number_at(json, "cylinder_D"),
+                         .axis_deg = number_at(json, "axis_deg"),
+                         .vertex_distance_mm = number_at(json, "vertex_distance_mm"),
+                         .distance_m = distance_at(json, "distance_m"),
+                         .pupil_mm = number_at(json, "pupil_mm"),
+                         .accommodation_D = number_at(json, "accommodation_D"),
+                         .conoid = predicted_from(value_at(json, "conoid")),
+                         .sin2_closed_form = predicted_from(value_at(json, "sin2_closed_form")),
+                         .rays = {},
+                         .mutated = {}};
+  for (const Json& rays : array_at(json, "rays")) finding.rays.push_back(rays_from(rays));
+  return finding;
 }
 
 }  // namespace
 
-void measure_ellipses(const Json& report, Measurements& out) {
-  const Number degrees = degrees_of(number_at(report, "ellipses/conditions/replicates"));
-  const Json& cases = array_at(report, "ellipses/cases");
-  const std::size_t first = out.size();
-  for (const Json& c : cases) add_rows(c, out);
-  mark_by_z(std::span(out).subspan(first), components);
-  for (const Json& c : cases) {
-    add_judged(c, out);
-    add_compared(c, degrees, out);
-  }
+EllipseAgreement RayFinding::own_agreement() const {
+  if (against_closed_form) return *against_closed_form;
+  return against_conoid ? against_conoid->agreement : EllipseAgreement{};
 }
 
-std::span<const StatisticRule> ellipse_rules() {
-  using Of = Extreme::Of;
-  static constexpr StatisticRule rules[] = {
-      {"matrix_vs_conoid_max_z", "ellipses", z_conoid, "power_matrix"},
-      {"matrix_vs_conoid_max_relative", "ellipses", relative_conoid, "power_matrix"},
-      {"thin_lens_vs_conoid_max_z", "ellipses", z_round, "thin_lens"},
-      {"thin_lens_vs_conoid_max_relative", "ellipses", relative_round, "thin_lens"},
-      {"sin2_vs_closed_form_max_z", "ellipses", z_form, "sin2_radial"},
-      {"sin2_vs_closed_form_max_relative", "ellipses", relative_form, "sin2_radial"},
-      {"sin2_vs_conoid_min_z", "ellipses", z_astigmatic, "sin2_radial", Of::Smallest},
-      {"sin2_vs_conoid_min_relative_difference_ratio", "ellipses", ratio_astigmatic, "sin2_radial", Of::Smallest},
-      {"sin2_vs_conoid_max_relative_difference_ratio", "ellipses", ratio_astigmatic, "sin2_radial"},
-  };
-  return rules;
+const RayFinding* EllipseFinding::rays_of(RayModel model) const {
+  const auto found = std::find_if(rays.begin(), rays.end(), [&](const RayFinding& r) { return r.model == model; });
+  return found == rays.end() ? nullptr : &*found;
+}
+
+Number EllipseFinding::predicted_difference() const {
+  const auto &of = sin2_closed_form.covariance_rad2, &from = conoid.covariance_rad2;
+  if (!of || !from) return std::nullopt;
+  double difference = 0.0, norm = 0.0;
+  for (const auto& [i, j] : {std::pair(0, 0), {0, 1}, {1, 1}}) {
+    const double a = (*of)(i, j), b = (*from)(i, j), weight = i == j ? 1.0 : 2.0;
+    difference += weight * (a - b) * (a - b);
+    norm += weight * b * b;
+  }
+  return norm > 0.0 ? Number(std::sqrt(difference / norm)) : std::nullopt;
+}
+
+Json to_json(const EllipseFinding& finding) {
+  Json rays = Json::array();
+  for (const RayFinding& of_model : finding.rays) rays.push_back(json_of(of_model));
+  const PredictedEllipse &conoid = finding.conoid, &sin2 = finding.sin2_closed_form;
+  Json json = {{"id", finding.id},
+               {"prescription", finding.prescription},
+               {"sphere_D", number_or_null(finding.sphere_D)},
+               {"cylinder_D", number_or_null(finding.cylinder_D)},
+               {"axis_deg", number_or_null(finding.axis_deg)},
+               {"vertex_distance_mm", number_or_null(finding.vertex_distance_mm)},
+               {"distance_m", distance_or_null(finding.distance_m)},
+               {"pupil_mm", number_or_null(finding.pupil_mm)},
+               {"accommodation_D", number_or_null(finding.accommodation_D)},
+               {"conoid",
+                {{"semi_axes_rad", semi_axes_or_null(conoid.ellipse)},
+                 {"orientation_deg", orientation_or_null(conoid.ellipse)},
+                 {"covariance_rad2", symmetric_or_null(conoid.covariance_rad2)}}},
+               {"sin2_closed_form",
+                {{"covariance_rad2", symmetric_or_null(sin2.covariance_rad2)},
+                 {"semi_axes_rad", semi_axes_or_null(sin2.ellipse)}}},
+               {"rays", std::move(rays)}};
+  for (const auto& [mutation, other] : finding.mutated) json["mutated"][mutation] = to_json(other);
+  return json;
+}
+
+Json to_json(const EllipseFindings& findings) {
+  Json cases = Json::array();
+  for (const EllipseFinding& finding : findings.cases) cases.push_back(to_json(finding));
+  const EllipseConditions& c = findings.conditions;
+  return {{"conditions",
+           {{"rays_per_replicate", count_or_null(c.rays_per_replicate)},
+            {"replicates", count_or_null(c.replicates)},
+            {"sampling", c.sampling},
+            {"sequence", c.sequence},
+            {"standard_error", c.standard_error}}},
+          {"cases", std::move(cases)}};
+}
+
+EllipseFindings read_ellipses(const Json& report) {
+  const Json &section = value_at(report, "ellipses"), &conditions = value_at(section, "conditions");
+  EllipseFindings findings{.conditions = {.rays_per_replicate = count_at(conditions, "rays_per_replicate"),
+                                          .replicates = count_at(conditions, "replicates"),
+                                          .sampling = text_at(conditions, "sampling"),
+                                          .sequence = text_at(conditions, "sequence"),
+                                          .standard_error = text_at(conditions, "standard_error")},
+                           .cases = {}};
+  for (const Json& item : array_at(section, "cases")) findings.cases.push_back(finding_from(item));
+  return findings;
 }
 
 }  // namespace sturm

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "compare/findings/sections.h"
+#include "compare/gates/gate_result.h"
 #include "compare/statistics/statistics.h"
 #include "compare/statistics/test_family.h"
 #include "compare/statistics/welch.h"
@@ -101,32 +102,29 @@ void compare_numbers(const Json& before, const Json& after, RunComparison& resul
     if (std::abs(*c.z) > result.threshold_z) result.changes.push_back(c);
 }
 
-void compare_gates(const Json& before, const Json& after, RunComparison& result) {
-  const auto find = [](const Json& report, const std::string& id) -> const Json* {
-    for (const Json& gate : array_at(report, "gates"))
-      if (text_at(gate, "id") == id) return &gate;
-    return nullptr;
+void compare_gates(const std::vector<GateResult>& before, const std::vector<GateResult>& after, RunComparison& result) {
+  const auto find = [](const std::vector<GateResult>& gates, const std::string& id) -> const GateResult* {
+    const auto found = std::find_if(gates.begin(), gates.end(), [&](const GateResult& g) { return g.id == id; });
+    return found == gates.end() ? nullptr : &*found;
   };
-  for (const Json& gate : array_at(before, "gates")) {
-    const std::string id = text_at(gate, "id");
-    const Json* now = find(after, id);
-    RunChange change{"gate " + id, Kind::Missing, Direction::Worse, number_at(gate, "value"),
-                     std::nullopt, std::nullopt,  std::nullopt};
+  for (const GateResult& gate : before) {
+    const GateResult* now = find(after, gate.id);
+    RunChange change{"gate " + gate.id, Kind::Missing, Direction::Worse, gate.value,
+                     std::nullopt,      std::nullopt,  std::nullopt};
     if (now) {
-      const auto passed = boolean_at(gate, "passed"), passes = boolean_at(*now, "passed");
-      if (passed == passes) continue;
+      if (gate.passed == now->passed) continue;
       change.kind = Kind::Verdict;
-      change.direction = passes.value_or(false) ? Direction::Better : Direction::Worse;
-      change.after = number_at(*now, "value");
+      change.direction = now->has_passed() ? Direction::Better : Direction::Worse;
+      change.after = now->value;
     }
     result.changes.push_back(std::move(change));
   }
-  for (const Json& gate : array_at(after, "gates")) {
-    if (find(before, text_at(gate, "id"))) continue;
-    const bool passes = boolean_at(gate, "passed").value_or(false);
-    result.changes.push_back({"gate " + text_at(gate, "id") + (passes ? "" : ", which fails"), Kind::New,
-                              passes ? Direction::Neither : Direction::Worse, std::nullopt, number_at(gate, "value"),
-                              std::nullopt, std::nullopt});
+  for (const GateResult& gate : after) {
+    if (find(before, gate.id)) continue;
+    const bool passes = gate.has_passed();
+    result.changes.push_back({"gate " + gate.id + (passes ? "" : ", which fails"), Kind::New,
+                              passes ? Direction::Neither : Direction::Worse, std::nullopt, gate.value, std::nullopt,
+                              std::nullopt});
   }
 }
 
@@ -169,7 +167,7 @@ RunComparison compare_runs(const Json& before, const Json& after, double level) 
   RunComparison result;
   result.level = level;
   compare_numbers(before, after, result);
-  compare_gates(before, after, result);
+  compare_gates(read_gate_results(before), read_gate_results(after), result);
   const auto order = [](const RunChange& c) {
     return std::tuple(!c.is_regression(), static_cast<int>(c.kind), -std::abs(c.z.value_or(0.0)));
   };

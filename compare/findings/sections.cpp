@@ -2,14 +2,13 @@
 
 #include <array>
 
-#include "compare/findings/agreement.h"
 #include "compare/findings/bench.h"
-#include "compare/findings/ellipses.h"
-#include "compare/findings/gate_power_numbers.h"
-#include "compare/findings/images.h"
+#include "compare/findings/ellipse_numbers.h"
+#include "compare/findings/gate_power.h"
 #include "compare/findings/lens_study.h"
 #include "compare/findings/must_fail.h"
-#include "compare/findings/psfs.h"
+#include "compare/findings/picture_numbers.h"
+#include "compare/findings/psf_numbers.h"
 #include "compare/findings/reference.h"
 #include "compare/findings/sampling_study.h"
 #include "compare/findings/sin2_study.h"
@@ -21,8 +20,7 @@ std::span<const FindingSection> finding_sections() {
       FindingSection{"reference", measure_reference, {}},
       FindingSection{"ellipses", measure_ellipses, ellipse_rules(), true},
       FindingSection{"psfs", measure_psfs, psf_rules(), true},
-      FindingSection{"images", measure_images, image_rules()},
-      FindingSection{"agreement", measure_agreement, agreement_rules()},
+      FindingSection{"pictures", measure_pictures, picture_rules()},
       FindingSection{"lens_study", measure_lens_study, lens_study_rules()},
       FindingSection{"sin2_study", measure_sin2_study, sin2_study_rules()},
       FindingSection{"sampling_study", measure_sampling_study, sampling_study_rules()},

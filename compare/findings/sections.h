@@ -9,7 +9,7 @@ namespace sturm {
 
 /// A section of the report, as far as its numbers go.
 struct FindingSection {
-  const char* name;                                        ///< in report.json
+  const char* name;                                        ///< of what it finds
   void (*measure)(const Json& report, Measurements& out);  ///< lists its numbers; whatever is missing is none
   std::span<const StatisticRule> rules;                    ///< the statistics that gates may ask for
   bool bulky = false;                                      ///< left out of a baseline

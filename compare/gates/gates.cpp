@@ -2,13 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "compare/statistics/welch.h"
-#include "io/json/stored.h"
-#include "io/json/values.h"
 
 namespace sturm {
 
@@ -58,10 +55,6 @@ Statistic deviation(const std::string& name, const Statistics& now, const Statis
       std::nullopt, a.cases, where};
 }
 
-bool larger_is_worse(GateKind c) {
-  return c == GateKind::AtMost || c == GateKind::Baseline;
-}
-
 /// The statistic that decides a gate.
 Statistic deciding(const GateSpec& gate, const Statistics& now, const Statistics* before) {
   const bool needs_baseline = gate.kind == GateKind::Baseline;
@@ -69,83 +62,40 @@ Statistic deciding(const GateSpec& gate, const Statistics& now, const Statistics
   std::set<std::string> names = names_for(gate.statistic, now);
   if (needs_baseline) names.merge(names_for(gate.statistic, *before));
   Statistic worst{std::nullopt, std::nullopt, 0, "no case"};
+  const bool larger_is_worse = entry_of(gate.kind).passing == Relation::AtMost;
   std::uint64_t cases = 0;
   for (const std::string& name : names) {
     const Statistic s = needs_baseline ? deviation(name, now, *before, gate.unit) : find(name, now);
     if (!s.value || s.cases == 0) return {std::nullopt, std::nullopt, s.cases, s.worst_case};
     cases += s.cases;
-    if (!worst.value || (larger_is_worse(gate.kind) ? *s.value > *worst.value : *s.value < *worst.value)) worst = s;
+    if (!worst.value || (larger_is_worse ? *s.value > *worst.value : *s.value < *worst.value)) worst = s;
   }
   worst.cases = cases;
   return worst;
 }
 
-bool passes(const GateSpec& gate, double value) {
-  switch (gate.kind) {
-    case GateKind::AtMost:
-    case GateKind::Baseline:
-      return value <= gate.bound;
-    case GateKind::AtLeast:
-    case GateKind::Differs:
-      return value >= gate.bound;
-    case GateKind::MustFail:
-      return value > gate.bound;
-  }
-  return false;
-}
-
-std::string kind_of(GateKind kind) {
-  switch (kind) {
-    case GateKind::AtMost:
-      return "upper_bound";
-    case GateKind::AtLeast:
-      return "lower_bound";
-    case GateKind::Differs:
-      return "must_differ";
-    case GateKind::Baseline:
-      return "baseline";
-    case GateKind::MustFail:
-      return "must_fail";
-  }
-  return "";
-}
-
 }  // namespace
 
-Json evaluate_gates(std::span<const GateSpec> gates, const Statistics& now, const Statistics* before) {
-  Json results = Json::array();
+std::vector<GateResult> evaluate_gates(std::span<const GateSpec> gates, const Statistics& now,
+                                       const Statistics* before) {
+  std::vector<GateResult> results;
   for (const GateSpec& gate : gates) {
     const Statistic s = deciding(gate, now, before);
-    results.push_back({{"id", gate.id},
-                       {"title", gate.title},
-                       {"kind", kind_of(gate.kind)},
-                       {"passed", s.value && passes(gate, *s.value)},
-                       {"statistic", gate.statistic},
-                       {"value", number_or_null(s.value)},
-                       {"uncertainty", number_or_null(s.uncertainty)},
-                       {"bound", gate.bound},
-                       {"unit", gate.unit},
-                       {"cases", s.cases},
-                       {"worst_case", s.worst_case},
-                       {"reason", gate.reason}});
-    results.back().update(calibration_json(gate));
+    results.push_back({.id = gate.id,
+                       .title = gate.title,
+                       .kind = gate.kind,
+                       .passed = s.value && holds(entry_of(gate.kind).passing, *s.value, gate.bound),
+                       .statistic = gate.statistic,
+                       .value = s.value,
+                       .uncertainty = s.uncertainty,
+                       .bound = gate.bound,
+                       .unit = gate.unit,
+                       .cases = s.cases,
+                       .worst_case = s.worst_case,
+                       .reason = gate.reason,
+                       .calibration = gate.calibration});
   }
   return results;
-}
-
-Json verdict_of(const Json& gate_results) {
-  std::size_t passed = 0;
-  std::string failed;
-  for (const Json& gate : gate_results) {
-    if (boolean_at(gate, "passed").value_or(false))
-      ++passed;
-    else
-      failed += (failed.empty() ? "" : ", ") + text_at(gate, "id");
-  }
-  const std::size_t all = gate_results.size();
-  const std::string total = std::to_string(passed) + " of " + std::to_string(all) + " gates passed";
-  return {{"passed", all > 0 && passed == all},
-          {"sentence", total + (failed.empty() ? "." : "; failed: " + failed + ".")}};
 }
 
 }  // namespace sturm

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
+#include <utility>
 
 #include "compare/metrics/ciede2000.h"
 #include "compare/metrics/comparable.h"
@@ -40,11 +40,27 @@ double trimmed(const std::vector<double>& errors) {
   return trimmed_mean(errors);
 }
 
+/// The same two pictures in one space: as they are, and clamped to [0, 1], as a peak of 1 demands.
+struct Pair {
+  Image test, reference;
+  Image clamped_test, clamped_reference;
+
+  Pair(Image t, Image r)
+      : test(std::move(t)),
+        reference(std::move(r)),
+        clamped_test(clamped(test)),
+        clamped_reference(clamped(reference)) {}
+};
+
+/// What metrics are made of.
+struct Compared {
+  Pair display, linear;
+  const ImageMetricSettings& settings;
+};
+
 /// A metric that `summary` makes of the local values of its map.
-ImageMetric of_map(std::string key, double value, Image map, double (*summary)(const std::vector<double>&),
-                   int margin = 0) {
+ImageMetric of_map(double value, Image map, double (*summary)(const std::vector<double>&), int margin = 0) {
   ImageMetric m;
-  m.key = std::move(key);
   m.value = finite(value);
   m.margin = margin;
   const auto shared = std::make_shared<const Image>(map);
@@ -56,13 +72,26 @@ ImageMetric of_map(std::string key, double value, Image map, double (*summary)(c
   return m;
 }
 
-ImageMetric of_ms_ssim(std::string key, const Image& test, const Image& reference) {
+/// A metric of one error for each pixel.
+ImageMetric of_errors(const Pair& pair, double value, const std::vector<double>& errors,
+                      double (*summary)(const std::vector<double>&)) {
+  return of_map(value, error_map(errors, pair.test.width, pair.test.height), summary);
+}
+
+ImageMetric of_ssim(const Pair& pair) {
+  Ssim similarity = ssim(pair.clamped_test, pair.clamped_reference);
+  ImageMetric m = of_map(similarity.mean, std::move(similarity.map), mean_of, SimilarityMaps::margin);
+  m.map_is_similarity = true;
+  m.window_px = 2 * SimilarityMaps::margin + 1;
+  return m;
+}
+
+ImageMetric of_ms_ssim(const Pair& pair) {
   ImageMetric m;
-  m.key = std::move(key);
   m.within = [](const Image&) { return std::nullopt; };
-  if (std::optional<MsSsim> measured = ms_ssim(test, reference)) {
+  if (std::optional<MsSsim> measured = ms_ssim(pair.clamped_test, pair.clamped_reference)) {
     m.value = measured->value;
-    m.map = measured->local_map(test.width, test.height);
+    m.map = measured->local_map(pair.test.width, pair.test.height);
     m.map_is_similarity = true;
     m.window_px = MsSsim::window_px;
     m.within = [shared = std::make_shared<const MsSsim>(std::move(*measured))](const Image& mask) {
@@ -72,55 +101,98 @@ ImageMetric of_ms_ssim(std::string key, const Image& test, const Image& referenc
   return m;
 }
 
-/// The metrics that exist in both spaces; `space` is "display" or "linear". `test`, `reference`: as they are; the first
-/// four metrics of linear light see it clamped to [0, 1], as a peak of 1 demands.
-void add_common(std::vector<ImageMetric>& metrics, const std::string& space, const Image& test,
-                const Image& reference) {
-  const int width = test.width, height = test.height;
-  const Image a = clamped(test), b = clamped(reference);
-  Ssim similarity = ssim(a, b);
-  metrics.push_back(
-      of_map("ssim_" + space, similarity.mean, std::move(similarity.map), mean_of, SimilarityMaps::margin));
-  metrics.back().map_is_similarity = true;
-  metrics.back().window_px = 2 * SimilarityMaps::margin + 1;
-  metrics.push_back(of_ms_ssim("ms_ssim_" + space, a, b));
-  metrics.push_back(
-      of_map("psnr_" + space + "_dB", psnr_dB(a, b), error_map(squared_errors(a, b), width, height), decibels));
-  metrics.push_back(of_map("rmse_" + space, rmse(test, reference),
-                           error_map(squared_errors(test, reference), width, height), root_of_mean));
-  const std::vector<double> relative = relative_squared_errors(test, reference),
-                            symmetric = symmetric_relative_errors(test, reference);
-  const std::string suffix =
-      space == "linear" ? "" : "_" + space;  // relative errors are about linear light unless said otherwise
-  metrics.push_back(of_map("relative_mse" + suffix, mean_of(relative), error_map(relative, width, height), mean_of));
-  metrics.push_back(
-      of_map("relative_mse" + suffix + "_trimmed", trimmed(relative), error_map(relative, width, height), trimmed));
-  metrics.back().map = {};  // that of the plain mean
-  metrics.push_back(of_map("smape" + suffix, mean_of(symmetric), error_map(symmetric, width, height), mean_of));
+ImageMetric of_psnr(const Pair& pair) {
+  const Image &a = pair.clamped_test, &b = pair.clamped_reference;
+  return of_errors(pair, psnr_dB(a, b), squared_errors(a, b), decibels);
 }
+
+ImageMetric of_rmse(const Pair& pair) {
+  return of_errors(pair, rmse(pair.test, pair.reference), squared_errors(pair.test, pair.reference), root_of_mean);
+}
+
+ImageMetric of_relative_mse(const Pair& pair) {
+  const std::vector<double> errors = relative_squared_errors(pair.test, pair.reference);
+  return of_errors(pair, mean_of(errors), errors, mean_of);
+}
+
+ImageMetric of_trimmed_relative_mse(const Pair& pair) {
+  const std::vector<double> errors = relative_squared_errors(pair.test, pair.reference);
+  ImageMetric m = of_errors(pair, trimmed(errors), errors, trimmed);
+  m.map = {};  // that of the plain mean
+  return m;
+}
+
+ImageMetric of_smape(const Pair& pair) {
+  const std::vector<double> errors = symmetric_relative_errors(pair.test, pair.reference);
+  return of_errors(pair, mean_of(errors), errors, mean_of);
+}
+
+ImageMetric of_flip(Flip flip, double pixels_per_degree) {
+  ImageMetric m = of_map(flip.mean, std::move(flip.map), mean_of);
+  m.window_px = flip_window_px(pixels_per_degree);
+  return m;
+}
+
+ImageMetric of_shown_flip(const Compared& c) {
+  const double pixels_per_degree = c.settings.pixels_per_degree;
+  return of_flip(flip(c.display.test, c.display.reference, pixels_per_degree), pixels_per_degree);
+}
+
+ImageMetric of_hdr_flip(const Compared& c) {
+  const double pixels_per_degree = c.settings.pixels_per_degree;
+  const ExposureRange exposures = c.settings.hdr_exposures.value_or(hdr_flip_exposures(c.linear.reference));
+  return of_flip(hdr_flip(c.linear.test, c.linear.reference, pixels_per_degree, exposures), pixels_per_degree);
+}
+
+ImageMetric of_ciede2000(const Compared& c) {
+  Ciede2000 colour = ciede2000(c.display.test, c.display.reference);
+  return of_map(colour.mean, std::move(colour.map), mean_of);
+}
+
+template <ImageMetric (*make)(const Pair&)>
+ImageMetric display(const Compared& c) {
+  return make(c.display);
+}
+
+template <ImageMetric (*make)(const Pair&)>
+ImageMetric linear(const Compared& c) {
+  return make(c.linear);
+}
+
+struct MetricKind {
+  ImageMetricName name;
+  ImageMetric (*make)(const Compared& compared);  ///< all but its name
+};
+
+/// All metrics, in the order of the tables. Relative errors are about linear light unless their key says otherwise.
+constexpr MetricKind metric_kinds[] = {
+    {{"ssim_display", "SSIM, display space", true}, display<of_ssim>},
+    {{"ms_ssim_display", "MS-SSIM, display space", true}, display<of_ms_ssim>},
+    {{"psnr_display_dB", "PSNR, display space [dB]", true}, display<of_psnr>},
+    {{"rmse_display", "RMSE, display space", false}, display<of_rmse>},
+    {{"relative_mse_display", "relative MSE, display space", false}, display<of_relative_mse>},
+    {{"relative_mse_display_trimmed", "the same without the worst 0.1 %", false}, display<of_trimmed_relative_mse>},
+    {{"smape_display", "SMAPE, display space", false}, display<of_smape>},
+    {{"flip", "FLIP", false}, of_shown_flip},
+    {{"ciede2000", "CIEDE2000", false}, of_ciede2000},
+    {{"ssim_linear", "SSIM, linear clamped to 0 … 1", true}, linear<of_ssim>},
+    {{"ms_ssim_linear", "MS-SSIM, linear clamped to 0 … 1", true}, linear<of_ms_ssim>},
+    {{"psnr_linear_dB", "PSNR, linear clamped to 0 … 1 [dB]", true}, linear<of_psnr>},
+    {{"rmse_linear", "RMSE, linear", false}, linear<of_rmse>},
+    {{"relative_mse", "relative MSE, linear", false}, linear<of_relative_mse>},
+    {{"relative_mse_trimmed", "relative MSE without the worst 0.1 %", false}, linear<of_trimmed_relative_mse>},
+    {{"smape", "SMAPE, linear", false}, linear<of_smape>},
+    {{"hdr_flip", "HDR-FLIP", false}, of_hdr_flip},
+};
 
 }  // namespace
 
 const std::vector<ImageMetricName>& image_metric_names() {
-  static const std::vector<ImageMetricName> names{
-      {"ssim_display", "SSIM, display space", true},
-      {"ms_ssim_display", "MS-SSIM, display space", true},
-      {"psnr_display_dB", "PSNR, display space [dB]", true},
-      {"rmse_display", "RMSE, display space", false},
-      {"relative_mse_display", "relative MSE, display space", false},
-      {"relative_mse_display_trimmed", "the same without the worst 0.1 %", false},
-      {"smape_display", "SMAPE, display space", false},
-      {"flip", "FLIP", false},
-      {"ciede2000", "CIEDE2000", false},
-      {"ssim_linear", "SSIM, linear clamped to 0 … 1", true},
-      {"ms_ssim_linear", "MS-SSIM, linear clamped to 0 … 1", true},
-      {"psnr_linear_dB", "PSNR, linear clamped to 0 … 1 [dB]", true},
-      {"rmse_linear", "RMSE, linear", false},
-      {"relative_mse", "relative MSE, linear", false},
-      {"relative_mse_trimmed", "relative MSE without the worst 0.1 %", false},
-      {"smape", "SMAPE, linear", false},
-      {"hdr_flip", "HDR-FLIP", false},
-  };
+  static const std::vector<ImageMetricName> names = [] {
+    std::vector<ImageMetricName> all;
+    for (const MetricKind& kind : metric_kinds) all.push_back(kind.name);
+    return all;
+  }();
   return names;
 }
 
@@ -135,24 +207,14 @@ std::vector<double> values_within(const Image& map, int margin, const Image& mas
 std::vector<ImageMetric> measure_images(const Image& test, const Image& reference,
                                         const ImageMetricSettings& settings) {
   require_colour_pair(test, reference);
-  const Image shown = to_display(test, settings.exposure), shown_reference = to_display(reference, settings.exposure);
+  const Compared compared{
+      {to_display(test, settings.exposure), to_display(reference, settings.exposure)}, {test, reference}, settings};
   std::vector<ImageMetric> metrics;
-  add_common(metrics, "display", shown, shown_reference);
-  Flip seen = flip(shown, shown_reference, settings.pixels_per_degree);
-  metrics.push_back(of_map("flip", seen.mean, std::move(seen.map), mean_of));
-  metrics.back().window_px = flip_window_px(settings.pixels_per_degree);
-  Ciede2000 colour = ciede2000(shown, shown_reference);
-  metrics.push_back(of_map("ciede2000", colour.mean, std::move(colour.map), mean_of));
-  add_common(metrics, "linear", test, reference);
-  const ExposureRange exposures = settings.hdr_exposures.value_or(hdr_flip_exposures(reference));
-  Flip hdr = hdr_flip(test, reference, settings.pixels_per_degree, exposures);
-  metrics.push_back(of_map("hdr_flip", hdr.mean, std::move(hdr.map), mean_of));
-  metrics.back().window_px = flip_window_px(settings.pixels_per_degree);
-  for (std::size_t i = 0; i < metrics.size(); ++i) {
-    const ImageMetricName& name = image_metric_names()[i];
-    if (metrics[i].key != name.key) throw std::logic_error("metric " + metrics[i].key + " out of order");
-    metrics[i].title = name.title;
-    metrics[i].more_is_better = name.more_is_better;
+  for (const MetricKind& kind : metric_kinds) {
+    metrics.push_back(kind.make(compared));
+    metrics.back().key = kind.name.key;
+    metrics.back().title = kind.name.title;
+    metrics.back().more_is_better = kind.name.more_is_better;
   }
   return metrics;
 }

@@ -6,7 +6,7 @@
 
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/luma.h"
-#include "compare/metrics/plane.h"
+#include "compare/metrics/separable_filter.h"
 
 namespace sturm {
 
@@ -26,12 +26,12 @@ std::array<float, 2 * window + 1> gaussian_weights() {
   return weights;
 }
 
-Plane smoothed_luma(const Image& image) {
+Image smoothed_luma(const Image& image) {
   static const auto weights = gaussian_weights();
-  Plane plane(image.width, image.height);
   const std::vector<double> values = luma(image);
-  for (std::size_t i = 0; i < values.size(); ++i) plane.values[i] = static_cast<float>(values[i]);
-  return filtered_along_y(filtered_along_x(plane, weights), weights);
+  Image plane(image.width, image.height, 1);
+  for (std::size_t i = 0; i < values.size(); ++i) plane.pixels[i] = static_cast<float>(values[i]);
+  return filtered(plane, weights, weights);
 }
 
 }  // namespace
@@ -39,10 +39,10 @@ Plane smoothed_luma(const Image& image) {
 std::optional<Eigen::Vector2d> displacement_px(const Image& test, const Image& reference) {
   require_colour_pair(test, reference);
   if (test.width < smallest_px || test.height < smallest_px) return std::nullopt;
-  const Plane t = smoothed_luma(test), r = smoothed_luma(reference);
+  const Image t = smoothed_luma(test), r = smoothed_luma(reference);
   const auto mean = [&](int x, int y) {
     const std::size_t i = static_cast<std::size_t>(y) * t.width + x;
-    return 0.5 * (static_cast<double>(t.values[i]) + r.values[i]);
+    return 0.5 * (static_cast<double>(t.pixels[i]) + r.pixels[i]);
   };
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -52,7 +52,7 @@ std::optional<Eigen::Vector2d> displacement_px(const Image& test, const Image& r
                                 mean(x, y));
       const std::size_t i = static_cast<std::size_t>(y) * t.width + x;
       normal += row * row.transpose();
-      right += (static_cast<double>(t.values[i]) - r.values[i]) * row;
+      right += (static_cast<double>(t.pixels[i]) - r.pixels[i]) * row;
     }
   const Eigen::FullPivLU<Eigen::Matrix3d> solver(normal);
   if (!solver.isInvertible()) return std::nullopt;

@@ -12,7 +12,7 @@
 #include "compare/metrics/colour_spaces.h"
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/flip_filters.h"
-#include "compare/metrics/plane.h"
+#include "compare/metrics/separable_filter.h"
 #include "io/images/tone_map.h"
 
 namespace sturm {
@@ -23,26 +23,26 @@ namespace {
 constexpr float colour_exponent = 0.7f, feature_exponent = 0.5f;
 constexpr float knee = 0.4f, knee_error = 0.95f;  // p_c and p_t: this share of the largest distance becomes this error
 
-using Opponent = std::array<Plane, 3>;  // Y, Cx, Cz
+using Opponent = std::array<Image, 3>;  // Y, Cx, Cz, one channel each
 
 Opponent opponent_planes(const Image& light) {
   Opponent planes;
-  for (Plane& p : planes) p = Plane(light.width, light.height);
+  for (Image& p : planes) p = Image(light.width, light.height, 1);
   tbb::parallel_for(0, light.height, [&](int y) {
     for (int x = 0; x < light.width; ++x) {
       const float* p = light.at(x, y);
       const Colour c = opponent_of_xyz(xyz_of_light({p[0], p[1], p[2]}));
-      for (int k = 0; k < 3; ++k) planes[k].values[static_cast<std::size_t>(y) * light.width + x] = c[k];
+      for (int k = 0; k < 3; ++k) *planes[k].at(x, y) = c[k];
     }
   });
   return planes;
 }
 
-Plane spread(const Plane& plane, const GaussianSum& filter) {
-  Plane sum(plane.width, plane.height);
+Image spread(const Image& plane, const GaussianSum& filter) {
+  Image sum(plane.width, plane.height, 1);
   for (const GaussianSum::Term& term : filter.terms) {
-    const Plane part = filtered_along_y(filtered_along_x(plane, term.weights), term.weights);
-    for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += term.share * part.values[i];
+    const Image part = filtered(plane, term.weights, term.weights);
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += term.share * part.pixels[i];
   }
   return sum;
 }
@@ -59,7 +59,7 @@ float hyab(const Colour& p, const Colour& q) {
 }
 
 Colour perceived(const Opponent& filtered, std::size_t i) {
-  Colour light = light_of_xyz(xyz_of_opponent({filtered[0].values[i], filtered[1].values[i], filtered[2].values[i]}));
+  Colour light = light_of_xyz(xyz_of_opponent({filtered[0].pixels[i], filtered[1].pixels[i], filtered[2].pixels[i]}));
   for (float& v : light) v = std::clamp(v, 0.0f, 1.0f);
   return hunt_adjusted(light);
 }
@@ -72,21 +72,22 @@ float redistributed(float distance, float largest) {
 
 /// Strength of edges or points: length of the responses along x and y.
 struct Features {
-  Plane edges, points;
+  Image edges, points;
 };
 
-Plane length_of(const Plane& a, const Plane& b) {
-  Plane result(a.width, a.height);
-  for (std::size_t i = 0; i < a.values.size(); ++i) result.values[i] = std::hypot(a.values[i], b.values[i]);
+Image length_of(const Image& a, const Image& b) {
+  Image result(a.width, a.height, 1);
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) result.pixels[i] = std::hypot(a.pixels[i], b.pixels[i]);
   return result;
 }
 
-Features features_of(const Plane& achromatic, const FeatureFilters& f) {
-  Plane y = achromatic;
-  for (float& v : y.values) v = (v + 16.0f) / 116.0f;
-  const Plane smooth_x = filtered_along_x(y, f.smooth), smooth_y = filtered_along_y(y, f.smooth);
-  return {length_of(filtered_along_x(smooth_y, f.edge), filtered_along_y(smooth_x, f.edge)),
-          length_of(filtered_along_x(smooth_y, f.point), filtered_along_y(smooth_x, f.point))};
+Features features_of(const Image& achromatic, const FeatureFilters& f) {
+  constexpr std::array as_it_is{1.0f};
+  Image y = achromatic;
+  for (float& v : y.pixels) v = (v + 16.0f) / 116.0f;
+  const Image smooth_x = filtered(y, f.smooth, as_it_is), smooth_y = filtered(y, as_it_is, f.smooth);
+  return {length_of(filtered(smooth_y, f.edge, as_it_is), filtered(smooth_x, as_it_is, f.edge)),
+          length_of(filtered(smooth_y, f.point, as_it_is), filtered(smooth_x, as_it_is, f.point))};
 }
 
 struct Seen {
@@ -116,8 +117,8 @@ Flip flip_of_light(const Image& test, const Image& reference, double pixels_per_
     for (int x = 0; x < test.width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * test.width + x;
       const float colour = redistributed(hyab(perceived(a.filtered, i), perceived(b.filtered, i)), largest);
-      const float edge = std::abs(a.features.edges.values[i] - b.features.edges.values[i]);
-      const float point = std::abs(a.features.points.values[i] - b.features.points.values[i]);
+      const float edge = std::abs(a.features.edges.pixels[i] - b.features.edges.pixels[i]);
+      const float point = std::abs(a.features.points.pixels[i] - b.features.points.pixels[i]);
       const float feature = std::pow(std::max(edge, point) / std::numbers::sqrt2_v<float>, feature_exponent);
       const float error = std::pow(colour, 1.0f - feature);
       result.map.pixels[i] = error;

@@ -2,27 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "compare/metrics/comparable.h"
 #include "compare/metrics/luma.h"
 #include "compare/metrics/similarity_maps.h"
+#include "io/images/opencv_view.h"
 
 namespace sturm {
 
 namespace {
 
 /// Means of 2 × 2 pixels.
-template <class T>
-std::vector<T> halved(const std::vector<T>& values, int width, int height) {
+std::vector<double> halved(const std::vector<double>& values, int width, int height) {
   const int w = width / 2, h = height / 2;
-  std::vector<T> result(static_cast<std::size_t>(w) * h);
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) {
-      const T* upper = &values[static_cast<std::size_t>(2 * y) * width + 2 * x];
-      const T* lower = upper + width;
-      result[static_cast<std::size_t>(y) * w + x] = (upper[0] + upper[1] + lower[0] + lower[1]) / T(4);
-    }
+  std::vector<double> result(static_cast<std::size_t>(w) * h);
+  const cv::Mat even = view(values, width, height)(cv::Rect(0, 0, 2 * w, 2 * h));
+  cv::resize(even, view(result, w, h), {w, h}, 0.0, 0.0, cv::INTER_AREA);
   return result;
 }
 
@@ -65,7 +62,7 @@ Image MsSsim::local_map(int width, int height) const {
 }
 
 std::optional<double> MsSsim::within(const Image& mask) const {
-  std::vector<float> weights = mask.pixels;
+  std::vector<double> weights(mask.pixels.begin(), mask.pixels.end());
   int width = mask.width, height = mask.height;
   double product = 1.0;
   for (int scale = 0; scale < scales; ++scale) {

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "compare/metrics/separable_filter.h"
+#include "io/images/opencv_view.h"
+
 namespace sturm {
 
 namespace {
@@ -25,37 +28,28 @@ std::array<double, taps> gaussian_window() {
   return w;
 }
 
-/// Windowed x, y, x², y², xy.
-using Moments = std::array<double, 5>;
-
 struct Similarity {
   double whole, contrast_structure;
 };
 
-Similarity similarity(const Moments& m) {
-  const double mx = m[0], my = m[1];
-  const double variance_x = m[2] - mx * mx, variance_y = m[3] - my * my, covariance = m[4] - mx * my;
+/// Of windowed x, y, x², y² and xy.
+Similarity similarity(double mx, double my, double xx, double yy, double xy) {
+  const double variance_x = xx - mx * mx, variance_y = yy - my * my, covariance = xy - mx * my;
   const double structure = 2.0 * covariance + c2, variance = variance_x + variance_y + c2;
   return {(2.0 * mx * my + c1) * structure / ((mx * mx + my * my + c1) * variance), structure / variance};
 }
 
-/// One row of the images filtered along x.
-void filter_row(const double* x, const double* y, const std::array<double, taps>& w, std::vector<Moments>& out) {
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    Moments sum{};
-    for (int t = 0; t < taps; ++t) {
-      const double a = x[i + t], b = y[i + t];
-      sum[0] += w[t] * a, sum[1] += w[t] * b;
-      sum[2] += w[t] * (a * a), sum[3] += w[t] * (b * b), sum[4] += w[t] * (a * b);
-    }
-    out[i] = sum;
-  }
+/// Windowed values of the pixels whose window lies inside.
+cv::Mat1d windowed(const cv::Mat1d& values) {
+  static const std::array<double, taps> window = gaussian_window();
+  const cv::Rect inside(radius, radius, values.cols - 2 * radius, values.rows - 2 * radius);
+  return filtered(values, window, window)(inside);
 }
 
 }  // namespace
 
 SimilarityMaps similarity_maps(const std::vector<double>& x, const std::vector<double>& y, int width, int height) {
-  const std::array<double, taps> w = gaussian_window();
+  const cv::Mat1d all_x = view(x, width, height), all_y = view(y, width, height);
   SimilarityMaps result;
   result.similarity = result.contrast_structure = Image(width - 2 * radius, height - 2 * radius, 1);
   const int rows = result.similarity.height, columns = result.similarity.width;
@@ -63,17 +57,14 @@ SimilarityMaps similarity_maps(const std::vector<double>& x, const std::vector<d
 
   tbb::parallel_for(0, (rows + strip_rows - 1) / strip_rows, [&](int strip) {
     const int first = strip * strip_rows, last = std::min(rows, first + strip_rows);
-    std::vector<std::vector<Moments>> filtered(last - first + 2 * radius, std::vector<Moments>(columns));
-    for (std::size_t i = 0; i < filtered.size(); ++i) {
-      const std::size_t offset = (first + i) * width;
-      filter_row(&x[offset], &y[offset], w, filtered[i]);
-    }
+    const cv::Range under(first, last + 2 * radius);
+    const cv::Mat1d a = all_x.rowRange(under), b = all_y.rowRange(under);
+    const cv::Mat1d mx = windowed(a), my = windowed(b);
+    const cv::Mat1d xx = windowed(a.mul(a)), yy = windowed(b.mul(b)), xy = windowed(a.mul(b));
     for (int row = first; row < last; ++row)
       for (int column = 0; column < columns; ++column) {
-        Moments sum{};
-        for (int t = 0; t < taps; ++t)
-          for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += w[t] * filtered[row - first + t][column][k];
-        const Similarity s = similarity(sum);
+        const cv::Point at(column, row - first);
+        const Similarity s = similarity(mx(at), my(at), xx(at), yy(at), xy(at));
         row_sums[row].whole += s.whole;
         row_sums[row].contrast_structure += s.contrast_structure;
         *result.similarity.at(column, row) = static_cast<float>(s.whole);

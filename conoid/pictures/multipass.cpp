@@ -12,7 +12,6 @@
 #include "conoid/pictures/lamp_reach.h"
 #include "conoid/pictures/pixel_rays.h"
 #include "conoid/pictures/pupil_passes.h"
-#include "conoid/pictures/ray_packet.h"
 #include "conoid/pictures/sharp_lookup.h"
 
 namespace sturm {
@@ -25,6 +24,9 @@ using Eigen::Vector3f;
 /// The most that one ray which meets a lamp may be of what its pixel has: beyond it, the lamp's rim shows steps. Of
 /// very bright lamps much more would take too many rays, so that their many passes are left alone sooner.
 constexpr double coarsest_step = 1.0 / 32.0, coarsest_step_of_many = 0.25;
+
+/// So many rays are sent into the scene together.
+constexpr int packet_size = 8;
 
 /// One ray that met what the sharp view does not show.
 struct Unseen {
@@ -82,10 +84,10 @@ class PassSets {
 
 class Passes {
  public:
-  Passes(const FragmentImage& view, int oversampling, const SightField& field, const SeenScene& scene,
+  Passes(const FragmentImage& view, int oversampling, const SightField& field, const FirstHits& first_hits,
          const PassSettings& settings, bool tell_lamps)
       : field_(field),
-        scene_(scene),
+        first_hits_(first_hits),
         settings_(settings),
         lookup_(view, oversampling, field.plane().pixel_slope, tell_lamps),
         oversampling_(oversampling),
@@ -153,22 +155,20 @@ class Passes {
     constexpr int rows = 16;
     const auto depth = static_cast<float>(cell.distance());
     const float nearest = 0.97f * depth, farthest = 1.03f * depth;  // twice the step of a cell's distance either way
-    static_assert(rows % RayPacket::lanes == 0);
+    static_assert(rows % packet_size == 0);
     int met = 0;
-    for (int k = 0; k < rows * rows; k += RayPacket::lanes) {
-      UnseenPlaces::Ray rays[RayPacket::lanes];
+    for (int k = 0; k < rows * rows; k += packet_size) {
+      SeenRay rays[packet_size];
+      FirstHit hits[packet_size];
       int count = 0;
-      for (int lane = 0; lane < RayPacket::lanes; ++lane) {
+      for (int lane = 0; lane < packet_size; ++lane) {
         const Vector2d within(((k + lane) % rows + 0.5) / rows, ((k + lane) / rows + 0.5) / rows);
         const auto chief = field_.chief_ray((Vector2d(cell.x, cell.y) + within) / oversampling_);
         if (chief) rays[count++] = {chief->origin.cast<float>(), chief->direction.cast<float>()};
       }
-      RayPacket packet;
-      packet.trace(scene_.embree, rays, count, nearest);
-      for (int i = 0; i < count; ++i) {
-        const float distance = packet.distance(i) * rays[i].direction.norm();
-        if (distance <= farthest && scene_.emits(packet.hit(i), rays[i].direction)) ++met;
-      }
+      find_hits(rays, hits, count, nearest);
+      for (int i = 0; i < count; ++i)
+        if (hits[i].emits && hits[i].distance * rays[i].direction.norm() <= farthest) ++met;
     }
     return static_cast<float>(met) / static_cast<float>(rows * rows);
   }
@@ -222,17 +222,17 @@ class Passes {
             std::vector<Unseen>& unseen) const {
     const auto& points = stage.points(set_of(pixel));
     const auto& weights = stage.weights(set_of(pixel));
-    UnseenPlaces::Ray bent[RayPacket::lanes];
-    RayPacket packet;
-    for (std::size_t first = 0; first < points.size(); first += RayPacket::lanes) {
-      const int count = static_cast<int>(std::min<std::size_t>(RayPacket::lanes, points.size() - first));
+    SeenRay bent[packet_size];
+    FirstHit hits[packet_size];
+    for (std::size_t first = 0; first < points.size(); first += packet_size) {
+      const int count = static_cast<int>(std::min<std::size_t>(packet_size, points.size() - first));
       bent_rays(rays, &points[first], count, bent);
-      packet.trace(scene_.embree, bent, count);
+      find_hits(bent, hits, count);
       for (int i = 0; i < count; ++i) {
         const std::size_t pass = first + static_cast<std::size_t>(i);
         UnseenCell cell{static_cast<std::int32_t>(pixel % static_cast<std::uint32_t>(width_)),
                         static_cast<std::int32_t>(pixel / static_cast<std::uint32_t>(width_)), 0, UnseenCell::nowhere};
-        if (const auto known = looked_up(rays, bent[i], packet, i, cell)) {
+        if (const auto known = looked_up(rays, bent[i], hits[i], cell)) {
           sum.radiance += weights[pass] * known->cast<double>();
         } else {
           sum.unseen += weights[pass];
@@ -242,48 +242,53 @@ class Passes {
     }
   }
 
+  /// The first `count` rays of a packet.
+  void find_hits(const SeenRay* rays, FirstHit* hits, int count, float from_m = 0.0f) const {
+    const auto size = static_cast<std::size_t>(count);
+    first_hits_({rays, size}, from_m, {hits, size});
+  }
+
   /// An eye that accommodates does so to what each ray's place in the pixel shows at its chief ray.
-  void bent_rays(PixelRays& rays, const PupilPass* passes, int count, UnseenPlaces::Ray* bent) const {
+  void bent_rays(PixelRays& rays, const PupilPass* passes, int count, SeenRay* bent) const {
     if (!field_.seeks_focus()) {
       for (int i = 0; i < count; ++i) bent[i] = rays.through(passes[i]);
       return;
     }
-    RayPacket packet;
+    FirstHit hits[packet_size];
     for (int i = 0; i < count; ++i) bent[i] = rays.chief(passes[i].film);
-    packet.trace(scene_.embree, bent, count);
+    find_hits(bent, hits, count);
     for (int i = 0; i < count; ++i) {
-      rays.bend(1.0 / static_cast<double>(packet.distance(i)));
+      rays.bend(1.0 / static_cast<double>(hits[i].distance));
       bent[i] = rays.through(passes[i]);
     }
   }
 
-  std::optional<Vector3f> looked_up(const PixelRays& rays, const UnseenPlaces::Ray& ray, const RayPacket& packet,
-                                    int lane, UnseenCell& cell) const {
+  std::optional<Vector3f> looked_up(const PixelRays& rays, const SeenRay& ray, const FirstHit& hit,
+                                    UnseenCell& cell) const {
     constexpr float far_away = 1e6f;  // [m]: a direction as a point; its place is off by a millionth of the pupil
-    const float t = packet.distance(lane);
+    const float t = hit.distance;
     const bool surroundings = std::isinf(t);
     const Vector3f along = (surroundings ? far_away : t) * ray.direction, position = ray.origin + along;
     const auto place = rays.around.place_of(position.cast<double>());
     if (!place || !(place->cwiseAbs().maxCoeff() < 1e6)) return std::nullopt;
-    const MetPoint point{*place, position, along.norm(), surroundings,
-                         !surroundings && scene_.emits(packet.hit(lane), ray.direction)};
+    const MetPoint point{*place, position, along.norm(), surroundings, hit.emits};
     const auto known = lookup_.find(point);
     if (!known) cell = lookup_.cell_of(point);
     return known;
   }
 
-  UnseenPlaces::Ray ray_of(const Unseen& u) const {
+  SeenRay ray_of(const Unseen& u) const {
     const auto w = static_cast<std::uint32_t>(width_);
     PixelRays rays(field_, {u.pixel % w + 0.5, u.pixel / w + 0.5});
     if (!field_.seeks_focus()) rays.bend(0.0);
     const PassSets& stage = stage_of(u.pass);
-    UnseenPlaces::Ray ray;
+    SeenRay ray;
     bent_rays(rays, &stage.points(set_of(u.pixel))[u.pass - stage.first()], 1, &ray);
     return ray;
   }
 
   const SightField& field_;
-  const SeenScene& scene_;
+  const FirstHits& first_hits_;
   PassSettings settings_;
   SharpLookup lookup_;
   int oversampling_, width_, height_;
@@ -294,8 +299,8 @@ class Passes {
 }  // namespace
 
 PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, const SightField& field,
-                                 const SeenScene& scene, const PlaceShader& shade, const PassSettings& settings) {
-  const Passes passes(view, oversampling, field, scene, settings, true);
+                                 const FirstHits& first_hits, const PlaceShader& shade, const PassSettings& settings) {
+  const Passes passes(view, oversampling, field, first_hits, settings, true);
   PassPrediction result{
       Image(field.plane().width, field.plane().height, 3), Image(field.plane().width, field.plane().height, 1), {}};
   std::vector<PixelSum> sums;
@@ -316,11 +321,11 @@ PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, co
 }
 
 std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field,
-                                       const SeenScene& scene, const PlaceShader& shade, const PassSettings& settings,
-                                       PassCounters& counters) {
+                                       const FirstHits& first_hits, const PlaceShader& shade,
+                                       const PassSettings& settings, PassCounters& counters) {
   PassSettings everywhere = settings;
   everywhere.lamp_factor = 1;
-  const Passes passes(view, oversampling, field, scene, everywhere, false);
+  const Passes passes(view, oversampling, field, first_hits, everywhere, false);
   std::vector<PixelSum> sums;
   std::vector<Unseen> unseen = passes.trace(sums, counters);
   std::erase_if(unseen, [](const Unseen& u) { return u.cell.kind == UnseenCell::nowhere; });

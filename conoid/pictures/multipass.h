@@ -48,12 +48,12 @@ struct PassPrediction {
 /// the chief ray, so highlights and reflections stay where the pupil's centre sees them; rays are first order in the
 /// pupil; N points stand for the disc.
 ///
-/// `view` covers the picture of `field`, `oversampling` pixels of it for each along each side. `scene` is only asked
-/// for first hits, as packets of 8, and whether these are lamps. A pupil with Stiles–Crawford apodization weights its
-/// passes. The result is the same, bit for bit, for any number of threads. Throws std::invalid_argument where view and
-/// field do not fit.
+/// `view` covers the picture of `field`, `oversampling` pixels of it for each along each side. `first_hits` is asked by
+/// up to 8 rays at a time. A pupil with Stiles–Crawford apodization weights its passes. The result is the same, bit for
+/// bit, for any number of threads. Throws std::invalid_argument where view and field do not fit.
 PassPrediction predict_by_passes(const FragmentImage& view, int oversampling, const SightField& field,
-                                 const SeenScene& scene, const PlaceShader& shade, const PassSettings& settings = {});
+                                 const FirstHits& first_hits, const PlaceShader& shade,
+                                 const PassSettings& settings = {});
 
 /// What the passes would miss in a sharp view, shaded: for predictors that spread surfaces instead of tracing pupil
 /// points.
@@ -65,7 +65,7 @@ struct UnseenPiece {
                        ///< of all else unknown: 1
 };
 std::vector<UnseenPiece> unseen_pieces(const FragmentImage& view, int oversampling, const SightField& field,
-                                       const SeenScene& scene, const PlaceShader& shade, const PassSettings& settings,
-                                       PassCounters& counters);
+                                       const FirstHits& first_hits, const PlaceShader& shade,
+                                       const PassSettings& settings, PassCounters& counters);
 
 }  // namespace sturm

@@ -19,12 +19,12 @@ struct PixelRays {
   /// 1/100 of a pixel.
   void bend(double vergence_D);
 
-  UnseenPlaces::Ray chief(const Eigen::Vector2f& film) const {
+  SeenRay chief(const Eigen::Vector2f& film) const {
     const Eigen::Vector2f d = film - Eigen::Vector2f(0.5f, 0.5f);
     return {origin_ + origin_by_place_ * d, direction_ + direction_by_place_ * d};
   }
-  UnseenPlaces::Ray through(const PupilPass& pass) const {
-    const UnseenPlaces::Ray c = chief(pass.film);
+  SeenRay through(const PupilPass& pass) const {
+    const SeenRay c = chief(pass.film);
     return {c.origin + origin_by_pupil_ * pass.pupil, c.direction + direction_by_pupil_ * pass.pupil};
   }
 

@@ -6,7 +6,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/sha256.h"
 #include "reports/plots/lens_study_figures.h"
-#include "reports/text/csv.h"
+#include "reports/text/lens_study_csv.h"
 
 namespace sturm {
 

@@ -36,6 +36,10 @@ class SectionRun {
   /// Enters the section, and the deliberate errors that it noticed, into the report.
   virtual void run(const SectionPlace& place, Json& report) = 0;
 
+  /// Puts what a mutated predictor would have found in the section's place in the report; nothing where the mutation is
+  /// none of this section.
+  virtual void mutate(const std::string& mutation, Json& report) const { (void)mutation, (void)report; }
+
   /// Pictures of the finished section; `command` is how a reader gets them again.
   virtual std::vector<Figure> figures(const Json& report, const RunFolder& folder, const std::string& command) const {
     (void)report, (void)folder, (void)command;

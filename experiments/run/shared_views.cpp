@@ -11,17 +11,19 @@ namespace sturm {
 SharedViews::SharedViews(const ExperimentSpec& spec, const std::vector<SceneDescription>& scenes) : spec_(spec) {
   if (!spec.share_views) return;
   for (const SceneDescription& scene : scenes) fingerprints_.push_back(scene_fingerprint(scene));
-  for (std::size_t i = 0; i < spec.images.size(); ++i)
-    for (const RayModel model : spec.images[i].ray_models) ++views_[key(i, model)].requests;
+  for (std::size_t i = 0; i < spec.pictures.size(); ++i)
+    if (spec.pictures[i].measures == PictureMeasures::Metrics)
+      for (const RayModel model : spec.pictures[i].ray_models) ++views_[key(i, model)].requests;
 }
 
 /// All that the bits of a picture depend on within one experiment.
 std::string SharedViews::key(std::size_t index, RayModel model) const {
-  const ImageExperiment& image = spec_.images[index];
-  const CameraSpec& camera = image.camera;
-  const SimplestModel simplest = simplest_model(model, image.eye);
+  const PictureExperiment& picture = spec_.pictures[index];
+  const CameraSpec& camera = picture.camera;
+  const Eye& eye = picture.worn.eye;
+  const SimplestModel simplest = simplest_model(model, eye);
   const RayModel used = simplest.claim == PlanClaim::same_bits ? simplest.model : model;
-  const PowerMatrix& power = image.eye.correction;
+  const PowerMatrix& power = eye.correction;
   return Json{fingerprints_[index],
               json_of(camera.position),
               json_of(camera.look_at),
@@ -29,13 +31,13 @@ std::string SharedViews::key(std::size_t index, RayModel model) const {
               camera.vfov,
               camera.width,
               camera.height,
-              {power.xx(), power.xy(), power.yy(), image.eye.pupil_radius_m, image.eye.accommodation_for(0.0)},
-              number_or_null(image.eye.stated_focus_distance_m()),
+              {power.xx(), power.xy(), power.yy(), eye.pupil_radius_m, eye.accommodation_for(0.0)},
+              number_or_null(eye.stated_focus_distance_m()),
               name_of(used),
-              image.samples_per_pixel,
-              image.max_bounces,
-              image.guide_emitters,
-              image.replicates}
+              picture.samples_per_pixel,
+              picture.max_bounces,
+              picture.guide_emitters,
+              picture.replicates}
       .dump();
 }
 

@@ -5,7 +5,7 @@
 #include "compare/images/paired_bias.h"
 #include "compare/statistics/jackknife.h"
 #include "experiments/run/replicates.h"
-#include "pathtrace/cameras/view_camera.h"
+#include "pathtrace/cameras/general_camera.h"
 #include "stages/image_files.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/stopwatch.h"
@@ -62,7 +62,7 @@ Replicates sampled(const Scene& scene, const SamplingStudySpec& study, const Sam
                    const PupilSamplingSpec& sampling, Sequence sampler, std::uint64_t seed) {
   ViewOptions options;
   options.pupil = PupilSampler(sampling, 0.0);
-  const ViewCamera camera(camera_pose(study.camera), configuration.eye, configuration.ray_model, std::move(options));
+  const GeneralCamera camera(camera_pose(study.camera), configuration.eye, configuration.ray_model, std::move(options));
   RenderSettings settings = settings_of(study);
   settings.sequence = sampler;
   Replicates replicates;

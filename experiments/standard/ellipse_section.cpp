@@ -2,7 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/sections.h"
+#include "compare/findings/sin2.h"
+#include "experiments/run/mutated_entries.h"
+#include "experiments/standard/ellipse_findings.h"
+#include "experiments/standard/must_fail_checks.h"
+#include "experiments/standard/sin2_findings.h"
 
 namespace sturm {
 
@@ -13,18 +17,32 @@ class EllipseRun : public SectionRun {
   EllipseRun(const EllipseExperiment& spec, std::uint64_t seed) : spec_(spec), seed_(seed) {}
 
   void run(const SectionPlace& place, Json& report) override {
-    report["ellipses"] = place.steps("ellipses", "ellipses", [&](const ProgressFunction& progress) {
-      return ellipse_results(spec_, seed_, place.mutations, progress);
+    const Json found = place.steps("ellipses", "ellipses", [&](const ProgressFunction& progress) -> Json {
+      const std::vector<TracedCase> cases = traced_cases(spec_, seed_, progress);
+      return {{"ellipses", to_json(ellipse_findings(spec_, cases, place.mutations))},
+              {"sin2", to_json(sin2_findings(cases))},
+              {"must_fail", to_json(must_fail_checks(cases))}};
     });
-    report["sin2"] = sin2_findings(report["ellipses"]);
-    append(report["must_fail"], must_fail_checks(spec_, report["ellipses"]));
+    cases_ = found.at("ellipses").at("cases");
+    report["ellipses"] = {{"conditions", found.at("ellipses").at("conditions")}, {"cases", honest_entries(cases_)}};
+    report["sin2"] = found.at("sin2");
+    append(report["must_fail"], found.at("must_fail"));
   }
 
-  Json sentence(const Json& report) const override { return sin2_sentence(report.at("sin2")); }
+  void mutate(const std::string& mutation, Json& report) const override {
+    report["ellipses"]["cases"] = mutated_entries(cases_, mutation);
+  }
+
+  Json sentence(const Json& report) const override {
+    const std::optional<Sin2Findings> sin2 = read_sin2(report);
+    const std::optional<std::string> text = sin2 ? sin2_sentence(*sin2) : std::nullopt;
+    return text ? Json(*text) : Json(nullptr);
+  }
 
  private:
   const EllipseExperiment& spec_;
   std::uint64_t seed_;
+  Json cases_ = Json::array();  ///< with what mutations make of them
 };
 
 }  // namespace

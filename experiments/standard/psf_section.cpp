@@ -2,7 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/sections.h"
+#include "experiments/run/mutated_entries.h"
+#include "experiments/standard/psf_findings.h"
 
 namespace sturm {
 
@@ -16,13 +17,19 @@ class PsfRun : public SectionRun {
 
   void run(const SectionPlace& place, Json& report) override {
     for (const PsfExperiment& psf : spec_.psfs)
-      append(report["psfs"], place.steps("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) {
-        return psf_entries(psf, spec_.seed, place.mutations, place.folder.path(), progress);
+      append(entries_, place.steps("psf_" + psf.id, "PSF " + psf.id, [&](const ProgressFunction& progress) {
+        return to_json(psf_findings(psf, spec_.seed, place.mutations, place.folder.path(), progress));
       }));
+    report["psfs"] = honest_entries(entries_);
+  }
+
+  void mutate(const std::string& mutation, Json& report) const override {
+    report["psfs"] = mutated_entries(entries_, mutation);
   }
 
  private:
   const ExperimentSpec& spec_;
+  Json entries_ = Json::array();  ///< with what mutations make of them
 };
 
 }  // namespace

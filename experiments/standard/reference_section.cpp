@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/sections.h"
+#include "experiments/standard/reference_agreement.h"
 
 namespace sturm {
 
@@ -12,10 +12,10 @@ class ReferenceRun : public SectionRun {
  public:
   explicit ReferenceRun(const std::filesystem::path& file) : agreement_(reference_agreement(file)) {}
 
-  void run(const SectionPlace&, Json& report) override { report["reference"] = agreement_; }
+  void run(const SectionPlace&, Json& report) override { report["reference"] = to_json(agreement_); }
 
  private:
-  Json agreement_;
+  ReferenceFinding agreement_;
 };
 
 }  // namespace

@@ -7,7 +7,8 @@ namespace sturm {
 
 std::optional<std::string> file_contents(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
+  // A directory can be opened, but not read.
+  if (!stream || std::filesystem::is_directory(file)) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 

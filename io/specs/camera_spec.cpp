@@ -5,6 +5,7 @@
 
 #include "io/files/error.h"
 #include "io/json/values.h"
+#include "io/specs/words.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -24,8 +25,8 @@ LineOfSight read_line_of_sight(const Json& value, const Source& where) {
 
 CameraSpec read_camera(const Json& value, const Source& where) {
   CameraSpec camera;
-  if (value.value("projection", "perspective") == "equirectangular") camera.projection = Projection::Equirectangular;
-  if (value.value("gaze", "camera") == "foveal") camera.gaze = Gaze::Foveal;
+  camera.projection = word_or(value, "projection", camera.projection, where, projection_words);
+  camera.gaze = word_or(value, "gaze", camera.gaze, where, gaze_words);
   if (camera.projection == Projection::Equirectangular) {
     if (value.contains("vfov_deg"))
       (where / "vfov_deg").fail(value["vfov_deg"], "no \"vfov_deg\" for an equirectangular picture");

@@ -4,13 +4,19 @@
 #include <string>
 
 #include "io/json/json.h"
+#include "lensmodel/words.h"
 
 namespace sturm {
 
 enum class Projection { Perspective, Equirectangular };
 
+inline constexpr Words<Projection, 2> projection_words{
+    {{Projection::Perspective, "perspective"}, {Projection::Equirectangular, "equirectangular"}}};
+
 /// docs/theory.md#32-gaze-models: one gaze for the whole picture, or the eye turns to each of its points.
 enum class Gaze { Camera, Foveal };
+
+inline constexpr Words<Gaze, 2> gaze_words{{{Gaze::Camera, "camera"}, {Gaze::Foveal, "foveal"}}};
 
 /// In primary gaze the pupil's centre is `position` and the line of sight meets `look_at`; in a stereo pair `position`
 /// is midway between the pupils, whose lines of sight are parallel.

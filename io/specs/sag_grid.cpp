@@ -4,11 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
+#include "io/files/csv.h"
 #include "io/files/error.h"
+#include "io/files/text_file.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -38,50 +39,33 @@ std::string place_text(const Eigen::Vector2d& at) {
          ") mm";
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t start = 0; start <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', start), line.size());
-    std::string_view cell = line.substr(start, comma - start);
-    while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
-    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t' || cell.back() == '\r')) cell.remove_suffix(1);
-    cells.push_back(cell);
-    start = comma + 1;
-  }
-  return cells;
-}
-
 using Columns = std::array<std::size_t, 3>;
 
-Columns columns_of(const std::vector<std::string_view>& names, const std::string& file, int line) {
+Columns columns_of(const std::vector<std::string>& names, const std::string& file, int line) {
   const auto position = [&](std::string_view name) {
     return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
   };
   const Columns columns{position("x_mm"), position("y_mm"), std::min(position("z_mm"), position("sag_mm"))};
   if (*std::ranges::max_element(columns) == names.size())
-    fail(file, line, "\"" + std::string(names[0]) + (names.size() > 1 ? ", …\"" : "\""),
+    fail(file, line, "\"" + names[0] + (names.size() > 1 ? ", …\"" : "\""),
          "a line of column names with x_mm, y_mm and z_mm (or sag_mm)");
   return columns;
 }
 
-double number_in(std::string_view cell, const std::string& file, int line) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    fail(file, line, "\"" + std::string(cell.substr(0, 40)) + "\"", "a finite number [mm]");
-  return metres_per_millimetre * value;
+double number_in(const std::string& cell, const std::string& file, int line) {
+  const std::optional<double> value = csv_number(cell);
+  if (!value || !std::isfinite(*value)) fail(file, line, "\"" + cell.substr(0, 40) + "\"", "a finite number [mm]");
+  return metres_per_millimetre * *value;
 }
 
 std::vector<Row> rows_of(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) fail(file, 0, "a file that cannot be read", "a table of x_mm, y_mm, z_mm");
+  const std::optional<std::string> contents = file_contents(file);
+  if (!contents) fail(file, 0, "a file that cannot be read", "a table of x_mm, y_mm, z_mm");
   std::vector<Row> rows;
   std::optional<Columns> columns;
-  int line = 0;
-  for (std::string text; std::getline(in, text);) {
-    ++line;
-    const auto cells = cells_of(text);
-    if (text.starts_with('#') || (cells.size() == 1 && cells[0].empty())) continue;
+  CsvReader table(*contents, file);
+  while (const std::optional<CsvRow> row = table.next()) {
+    const auto& [line, text, cells] = *row;
     if (!columns) {
       columns = columns_of(cells, file, line);
       continue;

@@ -8,6 +8,7 @@
 #include "io/json/named_file.h"
 #include "io/json/suggest.h"
 #include "io/json/values.h"
+#include "io/specs/words.h"
 
 namespace sturm {
 
@@ -58,9 +59,9 @@ ModelSpec read_model(const Json& value, const Source& where, const std::vector<M
   model.scale = value.value("scale", model.scale);
   model.turn = value.value("turn_deg", 0.0) * std::numbers::pi / 180.0;
   if (value.contains("position_m")) model.position = read_vector3(value["position_m"]);
-  if (value.value("texture_encoding", "srgb") == "linear") model.texture_encoding = TextureEncoding::Linear;
-  if (value.value("texture_filter", "bilinear") == "nearest") model.texture_filter = TextureFilter::Nearest;
-  if (value.value("texture_wrap", "clamp") == "repeat") model.texture_wrap = TextureWrap::Repeat;
+  model.texture_encoding = word_or(value, "texture_encoding", model.texture_encoding, where, texture_encoding_words);
+  model.texture_filter = word_or(value, "texture_filter", model.texture_filter, where, texture_filter_words);
+  model.texture_wrap = word_or(value, "texture_wrap", model.texture_wrap, where, texture_wrap_words);
   model.overrides = read_overrides(member(value, "overrides"), where / "overrides", materials);
   return model;
 }

@@ -9,13 +9,20 @@
 
 #include "io/json/json.h"
 #include "io/specs/material_spec.h"
+#include "lensmodel/words.h"
 
 namespace sturm {
 
 enum class TextureEncoding { Linear, Srgb };
 enum class TextureFilter { Nearest, Bilinear };
-
 enum class TextureWrap { Clamp, Repeat };
+
+inline constexpr Words<TextureEncoding, 2> texture_encoding_words{
+    {{TextureEncoding::Linear, "linear"}, {TextureEncoding::Srgb, "srgb"}}};
+inline constexpr Words<TextureFilter, 2> texture_filter_words{
+    {{TextureFilter::Nearest, "nearest"}, {TextureFilter::Bilinear, "bilinear"}}};
+inline constexpr Words<TextureWrap, 2> texture_wrap_words{
+    {{TextureWrap::Clamp, "clamp"}, {TextureWrap::Repeat, "repeat"}}};
 
 /// A material for one mesh of a model, in place of what the file says.
 struct MaterialOverride {

@@ -4,7 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "pathtrace/cameras/camera.h"
+#include "lensmodel/eye.h"
+#include "pathtrace/cameras/camera_pose.h"
 #include "pathtrace/scene/scene_description.h"
 
 namespace sturm {

@@ -13,8 +13,9 @@
 #include "pathtrace/film/adaptive_render.h"
 #include "pathtrace/film/progressive_render.h"
 #include "pathtrace/film/result_layers.h"
+#include "pathtrace/guide/emitter_guide.h"
 #include "pathtrace/guide/guided_pixel.h"
-#include "pathtrace/guide/guided_view_pixel.h"
+#include "pathtrace/guide/view_guide.h"
 #include "pathtrace/integrator/path_tracer.h"
 
 namespace sturm {
@@ -29,27 +30,27 @@ constexpr int tile_size = 16;
 }
 
 /// What guides the samples of a camera.
-template <class Camera>
+template <Camera C>
 struct GuideOf;
 template <>
 struct GuideOf<EyeCamera> {
-  using Guide = SceneGuide;
-  using Pixel = GuidedPixel;
+  using type = EmitterGuide;
 };
 template <>
-struct GuideOf<ViewCamera> {
-  using Guide = ViewGuide;
-  using Pixel = GuidedViewPixel;
+struct GuideOf<GeneralCamera> {
+  using type = ViewGuide;
 };
 
 /// What a stream adds to the seed: beyond all seeds of documents (2⁵³) and of their left eyes (as much again).
 constexpr std::uint64_t stream_seed = std::uint64_t{1} << 54;
 
-/// The samples of pixels as a camera sees them. Camera: EyeCamera or ViewCamera.
-template <class Camera>
+/// The samples of pixels as a camera sees them.
+template <Camera C>
 class PixelRenderer final : public PixelSource {
+  using Guide = typename GuideOf<C>::type;
+
  public:
-  PixelRenderer(const Scene& scene, const Camera& camera, const RenderSettings& settings)
+  PixelRenderer(const Scene& scene, const C& camera, const RenderSettings& settings)
       : scene_(scene), camera_(camera), settings_(settings), tracer_(scene, settings) {
     if (settings.guide_emitters) guide_.emplace(scene, camera);
   }
@@ -66,7 +67,7 @@ class PixelRenderer final : public PixelSource {
     VertexNumbers numbers(sequence);
     CameraHits hits;
     FirstVertices vertices;
-    std::optional<typename GuideOf<Camera>::Pixel> guided;
+    std::optional<GuidedPixel<Guide>> guided;
     if (guide_ && !guide_->empty()) guided.emplace(*guide_, x, y, sequence);
     const std::uint32_t end = range.first + range.count;
     for (std::uint32_t first = range.first; first < end; first += CameraRayBlock::size) {
@@ -78,7 +79,7 @@ class PixelRenderer final : public PixelSource {
           vertices.at[i] = scene_.surface_point(hits.record(i), hits.origin(i), hits.direction(i), hits.distance(i));
       tracer_.light(vertices, hits, first, count, numbers, counters);
       for (int i = 0; i < count; ++i) {
-        if constexpr (Camera::weighted)
+        if constexpr (C::weighted)
           count_with_losses(counters.camera, hits.rays.status[i]);
         else
           sturm::count(counters.camera, hits.rays.status[i]);
@@ -91,14 +92,14 @@ class PixelRenderer final : public PixelSource {
           if (guided && point.emitter >= 0) known.emission_weight = guided->plain_weight(point.emitter, sample);
           if (vertices.lit) known.direct_light = &vertices.direct_light[i];
           value = tracer_.radiance(point, hits.direction(i), numbers, sample, counters, known);
-          if constexpr (Camera::weighted) value *= hits.rays.weight[i];
+          if constexpr (C::weighted) value *= hits.rays.weight[i];
           if (!value.allFinite()) fail_on_sample(x, y, first + static_cast<std::uint32_t>(i), settings_.seed);
           records.first_hit.add(point.albedo, point.normal, hits.distance(i));
           if (records.guide) records.guide->add(point.albedo, point.normal, hits.distance(i));
         } else {
           if (scene_.has_environment() && goes_on(hits.rays.status[i])) {
             value = scene_.environment(hits.direction(i));
-            if constexpr (Camera::weighted) value *= hits.rays.weight[i];
+            if constexpr (C::weighted) value *= hits.rays.weight[i];
           }
           records.first_hit.add_miss();
           if (records.guide) records.guide->add_miss();
@@ -111,15 +112,15 @@ class PixelRenderer final : public PixelSource {
 
  private:
   const Scene& scene_;
-  const Camera& camera_;
+  const C& camera_;
   const RenderSettings& settings_;
   PathTracer tracer_;
-  std::optional<typename GuideOf<Camera>::Guide> guide_;
+  std::optional<Guide> guide_;
 };
 
 /// Every pixel in one go, its statistics on the stack of one thread.
-template <class Camera>
-RenderResult render_at_once(const PixelRenderer<Camera>& renderer, const RenderSettings& settings) {
+template <Camera C>
+RenderResult render_at_once(const PixelRenderer<C>& renderer, const RenderSettings& settings) {
   const int width = renderer.width(), height = renderer.height();
   RenderResult result = empty_result(width, height, settings);
   const SampleRange all{0, 0, static_cast<std::uint32_t>(settings.samples_per_pixel)};
@@ -147,9 +148,9 @@ RenderResult render_at_once(const PixelRenderer<Camera>& renderer, const RenderS
   return result;
 }
 
-template <class Camera>
-RenderResult render_with(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
-  const PixelRenderer<Camera> renderer(scene, camera, settings);
+template <Camera C>
+RenderResult render_with(const Scene& scene, const C& camera, const RenderSettings& settings) {
+  const PixelRenderer<C> renderer(scene, camera, settings);
   RenderResult result = settings.relative_error ? render_to_error(renderer, settings)
                         : settings.after_pass   ? render_in_passes(renderer, settings)
                                                 : render_at_once(renderer, settings);
@@ -163,7 +164,7 @@ RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSet
   return render_with(scene, camera, settings);
 }
 
-RenderResult render(const Scene& scene, const ViewCamera& camera, const RenderSettings& settings) {
+RenderResult render(const Scene& scene, const GeneralCamera& camera, const RenderSettings& settings) {
   return render_with(scene, camera, settings);
 }
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "io/images/image.h"
-#include "pathtrace/cameras/camera.h"
-#include "pathtrace/cameras/view_camera.h"
+#include "pathtrace/cameras/eye_camera.h"
+#include "pathtrace/cameras/general_camera.h"
 #include "pathtrace/guide/guided_target.h"
 #include "pathtrace/integrator/render_counters.h"
 #include "pathtrace/integrator/render_settings.h"
@@ -41,6 +41,6 @@ struct RenderResult {
 RenderResult render(const Scene& scene, const EyeCamera& camera, const RenderSettings& settings);
 
 /// The same through spectacles, another projection or pupil, or with turning eyes. What spectacles stop is black.
-RenderResult render(const Scene& scene, const ViewCamera& camera, const RenderSettings& settings);
+RenderResult render(const Scene& scene, const GeneralCamera& camera, const RenderSettings& settings);
 
 }  // namespace sturm

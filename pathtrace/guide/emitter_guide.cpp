@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "pathtrace/guide/pupil_guide.h"
+
 namespace sturm {
 
 namespace {
@@ -12,17 +14,27 @@ namespace {
 /// 1/cos of the angle off the centre. What lies outside all the same is left to plain sampling.
 constexpr float margin = 1.5f;
 
+/// Emitters that are seen from more than this share of the pupil at a time are left to plain sampling.
+constexpr float largest_share = 0.9f;
+
 /// More than what single precision loses in a distance across the line of sight.
 constexpr float rounding = 1.0f + 1e-4f;
 
 }  // namespace
 
-EmitterGuide::EmitterGuide(const EmitterClusters& clusters, const EyeCamera& camera, float largest_share)
-    : camera_(camera), radius_(camera.rays().pupil_radius()), lens_of_cluster_(clusters.clusters().size(), -1) {
+static_assert(PupilGuide<EmitterGuide>);
+
+EmitterGuide::EmitterGuide(const Scene& scene, const EyeCamera& camera)
+    : scene_(scene),
+      camera_(camera),
+      clusters_(scene.lights()),
+      radius_(camera.rays().pupil_radius()),
+      plain_pdf_(1.0f / (std::numbers::pi_v<float> * radius_ * radius_)),
+      lens_of_cluster_(clusters_.clusters().size(), -1) {
   const float pupil_area = std::numbers::pi_v<float> * radius_ * radius_;
   if (!(pupil_area > 0.0f) || camera.rays().model() == RayModel::metalstigmatism) return;
-  for (std::size_t k = 0; k < clusters.clusters().size(); ++k) {
-    const EmitterCluster& cluster = clusters.clusters()[k];
+  for (std::size_t k = 0; k < clusters_.clusters().size(); ++k) {
+    const EmitterCluster& cluster = clusters_.clusters()[k];
     const Eigen::Vector3f local = camera.in_eye_frame(cluster.center);
     if (!(local.z() > 2.0f * cluster.radius) || !(cluster.luminance > 0.0f)) continue;  // behind the eye, or around it
     const Eigen::Matrix2f x = Eigen::Matrix2f::Identity() + local.z() * camera.rays().slope_matrix();
@@ -47,15 +59,23 @@ EmitterGuide::EmitterGuide(const EmitterClusters& clusters, const EyeCamera& cam
   }
 }
 
+GuideUse EmitterGuide::use() const {
+  if (!(radius_ > 0.0f)) return GuideUse::no_pupil;
+  if (camera_.rays().model() == RayModel::metalstigmatism) return GuideUse::dropped_rays;
+  return empty() ? GuideUse::no_small_emitter : GuideUse::in_use;
+}
+
 PupilRectangle EmitterGuide::rectangle(const Lens& lens, float qx, float qy, float widening) const {
   const Eigen::Vector2f offset = lens.lateral - lens.distance * Eigen::Vector2f(qx, qy);
   return PupilRectangle::that_reaches({lens.u1.dot(offset), lens.u2.dot(offset)}, lens.sigma, lens.reach + widening,
                                       radius_);
 }
 
-void EmitterGuide::find_targets(int x, int y, std::vector<GuidedTarget>& targets) const {
+void EmitterGuide::find_targets(const EyeCamera::Pixel& pixel, std::vector<GuidedTarget>& targets) const {
   targets.clear();
-  const float qx = camera_.slope_x(static_cast<float>(x) + 0.5f), qy = camera_.slope_y(static_cast<float>(y) + 0.5f);
+  if (pixel.pinhole) return;
+  const float qx = camera_.slope_x(static_cast<float>(pixel.x) + 0.5f),
+              qy = camera_.slope_y(static_cast<float>(pixel.y) + 0.5f);
   const float diagonal = std::numbers::sqrt2_v<float> * (camera_.slope_x(1.0f) - camera_.slope_x(0.0f));
   float sum = 0.0f;
   for (const Lens& lens : lenses_) {
@@ -71,25 +91,15 @@ void EmitterGuide::find_targets(int x, int y, std::vector<GuidedTarget>& targets
   for (GuidedTarget& target : targets) target.probability /= sum;
 }
 
-EmitterGuide::Proposal EmitterGuide::propose(int cluster, float qx, float qy, float u, float v) const {
+std::optional<PupilRegion> EmitterGuide::region(int cluster, const Place& place) const {
   const Lens& lens = lens_of(cluster);
-  const PupilRectangle r = rectangle(lens, qx, qy);
-  const float area = r.area();
-  if (!(area > 0.0f)) return {0.0f, 0.0f, 0.0f};
-  const Eigen::Vector2f t = r.point(u, v), p = t.x() * lens.v1 + t.y() * lens.v2;
-  if (p.squaredNorm() > radius_ * radius_) return {0.0f, 0.0f, 0.0f};
-  return {p.x(), p.y(), 1.0f / area};
+  const PupilRegion region{rectangle(lens, place.qx, place.qy), lens.v1, lens.v2};
+  return region.rectangle.area() > 0.0f ? std::optional(region) : std::nullopt;
 }
 
-float EmitterGuide::pdf(int cluster, float qx, float qy, float px, float py) const {
-  const int index = lens_of_cluster_[static_cast<std::size_t>(cluster)];
-  if (index < 0) return 0.0f;
-  const Lens& lens = lenses_[static_cast<std::size_t>(index)];
-  const PupilRectangle r = rectangle(lens, qx, qy);
-  const Eigen::Vector2f p(px, py), t(lens.v1.dot(p), lens.v2.dot(p));
-  if (!r.contains(t)) return 0.0f;
-  const float area = r.area();
-  return area > 0.0f ? 1.0f / area : 0.0f;
+std::optional<CameraRay> EmitterGuide::ray(const Place& place, const Eigen::Vector2f& point) const {
+  if (point.squaredNorm() > radius_ * radius_) return std::nullopt;
+  return camera_.single(place.pixel, {place.film, point.x(), point.y()});
 }
 
 }  // namespace sturm

@@ -18,8 +18,8 @@ struct Deviation {
 };
 
 /// Of two rings of rays, at the pupil's rim and at half its radius; those that are lost are missing.
-std::vector<Deviation> deviations(const ViewConoid& conoid, const ViewCamera& camera, const ViewCamera::Sight& sight,
-                                  const LightRay& chief, const PupilSlopes& slopes) {
+std::vector<Deviation> deviations(const ViewConoid& conoid, const GeneralCamera& camera,
+                                  const GeneralCamera::Sight& sight, const LightRay& chief, const PupilSlopes& slopes) {
   const Eigen::Matrix<double, 2, 3> across = axes_across(chief);
   std::vector<Deviation> result;
   for (int k = 0; k < rays_of_fit; ++k) {
@@ -29,7 +29,7 @@ std::vector<Deviation> deviations(const ViewConoid& conoid, const ViewCamera& ca
                           s = slopes.constant + slopes.matrix * p;
     const auto ray = camera.leaving(sight, {p.x(), p.y(), s.x(), s.y(), LaunchStatus::ok});
     if (!ray) continue;
-    const ViewCamera::Bundle& b = conoid.bundle;
+    const GeneralCamera::Bundle& b = conoid.bundle;
     result.push_back(
         {p, offset_across(across, chief, *ray) - conoid.offset - b.offset_by_point * p - b.offset_by_slope * s,
          across * ray->direction / ray->direction.dot(chief.direction) - conoid.direction - b.direction_by_point * p -
@@ -38,8 +38,9 @@ std::vector<Deviation> deviations(const ViewConoid& conoid, const ViewCamera& ca
   return result;
 }
 
-std::optional<ViewConoid> conoid_at(const ViewCamera& camera, const PupilSlopes& slopes, double film_x, double film_y) {
-  const ViewCamera::Sight sight = camera.sight_at(film_x, film_y);
+std::optional<ViewConoid> conoid_at(const GeneralCamera& camera, const PupilSlopes& slopes, double film_x,
+                                    double film_y) {
+  const GeneralCamera::Sight sight = camera.sight_at(film_x, film_y);
   const auto chief = camera.leaving(sight, {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
   if (!chief) return std::nullopt;
   ViewConoid conoid{camera.differences(sight, *chief)};
@@ -81,7 +82,7 @@ ViewConoid nothing() {
 
 }  // namespace
 
-ViewConoidField::ViewConoidField(const ViewCamera& camera, const PupilSlopes& slopes) {
+ViewConoidField::ViewConoidField(const GeneralCamera& camera, const PupilSlopes& slopes) {
   const int longer = std::max(camera.width(), camera.height());
   spacing_ = std::max(least_spacing, (longer + most_cells - 1) / most_cells);
   across_ = (camera.width() + spacing_ - 1) / spacing_ + 1;

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "pathtrace/cameras/view_camera.h"
+#include "pathtrace/cameras/general_camera.h"
 #include "pathtrace/guide/pupil_slopes.h"
 
 namespace sturm {
@@ -12,7 +12,7 @@ namespace sturm {
 /// and P are corrected to the least-squares map over the pupil, and the residual is what aberrations of the spectacles
 /// are left.
 struct ViewConoid {
-  ViewCamera::Bundle bundle;
+  GeneralCamera::Bundle bundle;
   Eigen::Vector2d offset = Eigen::Vector2d::Zero(), direction = Eigen::Vector2d::Zero();  ///< c₀ [m], c₁
   double offset_residual_m = 0.0, direction_residual = 0.0;
 
@@ -30,7 +30,7 @@ struct ViewConoid {
 /// costs efficiency and nothing else.
 class ViewConoidField {
  public:
-  ViewConoidField(const ViewCamera& camera, const PupilSlopes& slopes);
+  ViewConoidField(const GeneralCamera& camera, const PupilSlopes& slopes);
 
   /// At a film place [px]; none where the chief rays of all corners around it are lost.
   std::optional<ViewConoid> at(double film_x, double film_y) const;

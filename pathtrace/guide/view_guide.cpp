@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lensmodel/symmetric2.h"
+#include "pathtrace/guide/pupil_guide.h"
 #include "pathtrace/sampling/across.h"
 
 namespace sturm {
@@ -24,16 +25,9 @@ Eigen::Vector2d quarter_turned(const Eigen::Vector2d& v) {
 
 }  // namespace
 
-Eigen::Vector2f PupilRegion::point(float u, float v) const {
-  const Eigen::Vector2f t = rectangle.point(u, v);
-  return t.x() * v1 + t.y() * v2;
-}
+static_assert(PupilGuide<ViewGuide>);
 
-float PupilRegion::pdf(const Eigen::Vector2f& p) const {
-  return rectangle.contains({v1.dot(p), v2.dot(p)}) ? 1.0f / rectangle.area() : 0.0f;
-}
-
-ViewGuide::ViewGuide(const Scene& scene, const ViewCamera& camera)
+ViewGuide::ViewGuide(const Scene& scene, const GeneralCamera& camera)
     : scene_(scene),
       camera_(camera),
       radius_(camera.rays().pupil_radius()),
@@ -52,11 +46,11 @@ ViewGuide::ViewGuide(const Scene& scene, const ViewCamera& camera)
   if (!worth_it_somewhere()) use_ = GuideUse::no_small_emitter;
 }
 
-std::optional<ViewGuide::Place> ViewGuide::place(double film_x, double film_y,
-                                                 const ViewCamera::Bundle& focus_bundle) const {
-  const auto conoid = conoids_->at(film_x, film_y);
+std::optional<ViewGuide::Place> ViewGuide::place(const GeneralCamera::Pixel& pixel,
+                                                 const GeneralCamera::FilmPlace& film) const {
+  const auto conoid = conoids_->at(film.x(), film.y());
   if (!conoid) return std::nullopt;
-  Place place{camera_.place(film_x, film_y, focus_bundle), {}, {}, *conoid, slopes_.matrix};
+  Place place{camera_.place(pixel, film), {}, {}, *conoid, slopes_.matrix};
   const auto chief = camera_.leaving(place.camera.sight, {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
   if (!chief) return std::nullopt;
   place.chief = *chief;
@@ -133,13 +127,12 @@ bool ViewGuide::worth_it_somewhere() const {
   return false;
 }
 
-void ViewGuide::find_targets(int x, int y, const ViewCamera::Bundle& focus_bundle,
-                             std::vector<GuidedTarget>& targets) const {
+void ViewGuide::find_targets(const GeneralCamera::Pixel& pixel, std::vector<GuidedTarget>& targets) const {
   targets.clear();
   // An eye that seeks focus may find it at another distance in a corner of the pixel.
   std::vector<Place> places;
   for (const Eigen::Vector2d& at : {Eigen::Vector2d(0.5, 0.5), {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}) {
-    if (const auto there = place(x + at.x(), y + at.y(), focus_bundle)) places.push_back(*there);
+    if (const auto there = place(pixel, {pixel.x + at.x(), pixel.y + at.y()})) places.push_back(*there);
     if (!camera_.seeks_focus()) break;
   }
   // Half a diagonal of the pixel, and half as much again for spectacles that magnify; 50 mm for an eye that turns about
@@ -164,8 +157,19 @@ void ViewGuide::find_targets(int x, int y, const ViewCamera::Bundle& focus_bundl
   for (GuidedTarget& target : targets) target.probability /= sum;
 }
 
-float ViewGuide::plain_pdf(const Eigen::Vector2f& point) const {
-  return static_cast<float>(camera_.pupil().density(point.cast<double>() / radius_) / (radius_ * radius_));
+std::optional<CameraRay> ViewGuide::ray(const Place& place, const Eigen::Vector2f& point) const {
+  if ((point.cast<double>() / radius_).squaredNorm() > 1.0) return std::nullopt;
+  return camera_.through(place.camera, static_cast<double>(point.x()), static_cast<double>(point.y()));
+}
+
+float ViewGuide::plain_weight(const Eigen::Vector2f& point) const {
+  return static_cast<float>(camera_.pupil().weight(point.cast<double>() / radius_));
+}
+
+float ViewGuide::share_of_plain(float guided_pdf, const Eigen::Vector2f& point) const {
+  const auto plain_pdf =
+      static_cast<float>(camera_.pupil().density(point.cast<double>() / radius_) / (radius_ * radius_));
+  return 1.0f / (1.0f + guided_pdf / plain_pdf);  // the plain density may be infinite
 }
 
 }  // namespace sturm

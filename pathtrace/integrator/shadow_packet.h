@@ -12,17 +12,7 @@ class ShadowPacket {
   /// Something may lie between origin and origin + direction.
   void add(int lane, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) {
     valid_[lane] = -1;
-    rays_.org_x[lane] = origin.x();
-    rays_.org_y[lane] = origin.y();
-    rays_.org_z[lane] = origin.z();
-    rays_.dir_x[lane] = direction.x();
-    rays_.dir_y[lane] = direction.y();
-    rays_.dir_z[lane] = direction.z();
-    rays_.tnear[lane] = 0.0f;
-    rays_.tfar[lane] = shadow_end;
-    rays_.time[lane] = 0.0f;
-    rays_.mask[lane] = ~0u;
-    rays_.flags[lane] = 0;
+    set_lane(rays_, lane, origin, direction, shadow_end);
   }
 
   void trace(RTCScene scene) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "pathtrace/cameras/camera.h"
+#include "pathtrace/cameras/camera_concept.h"
 #include "pathtrace/sampling/sequence.h"
 #include "pathtrace/sampling/vector_math.h"
 

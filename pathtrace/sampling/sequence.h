@@ -16,6 +16,12 @@ inline constexpr std::uint32_t scatter = 0, light = 1, survive = 2;
 inline constexpr std::uint32_t guided_film = 1u << 20, guided_lens = guided_film + 1, guided_choice = guided_film + 2;
 }  // namespace dimension
 
+/// Pairs of words of `count` consecutive samples.
+template <int count>
+struct PairBlock {
+  alignas(64) std::uint32_t x[count], y[count];
+};
+
 /// The samples of one pixel, addressed by (sample, dimension).
 class PixelSequence {
  public:
@@ -37,6 +43,27 @@ class PixelSequence {
     const owen_sobol::Keys k = keys(dimension);
     if (kind_ == Sequence::Halton) return halton::pair(sample, dimension, k);
     return kind_ == Sequence::Sobol ? owen_sobol::pair(sample, k) : independent(sample, k.order);
+  }
+
+  /// The pairs of the samples from `first_sample` on, as `pair` gives them; the loop over Sobol' points vectorises.
+  template <int count>
+  PairBlock<count> pairs(std::uint32_t first_sample, std::uint32_t dimension) const {
+    const owen_sobol::Keys k = keys(dimension);
+    PairBlock<count> block;
+    const auto fill = [&](auto&& pair_of) {
+      for (int i = 0; i < count; ++i) {
+        const owen_sobol::Pair p = pair_of(first_sample + static_cast<std::uint32_t>(i));
+        block.x[i] = p.x;
+        block.y[i] = p.y;
+      }
+    };
+    if (kind_ == Sequence::Sobol)
+      fill([&](std::uint32_t sample) { return owen_sobol::pair(sample, k); });
+    else if (kind_ == Sequence::Halton)
+      fill([&](std::uint32_t sample) { return halton::pair(sample, dimension, k); });
+    else
+      fill([&](std::uint32_t sample) { return independent(sample, k.order); });
+    return block;
   }
 
   std::uint32_t single(std::uint32_t sample, std::uint32_t dimension) const {

@@ -27,6 +27,22 @@ inline RTCRayHit ray_from(const Eigen::Vector3f& origin, const Eigen::Vector3f& 
   return r;
 }
 
+/// Puts a ray into a lane of a packet, [0, tfar] of it.
+inline void set_lane(RTCRay8& rays, int lane, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                     float tfar) {
+  rays.org_x[lane] = origin.x();
+  rays.org_y[lane] = origin.y();
+  rays.org_z[lane] = origin.z();
+  rays.dir_x[lane] = direction.x();
+  rays.dir_y[lane] = direction.y();
+  rays.dir_z[lane] = direction.z();
+  rays.tnear[lane] = 0.0f;
+  rays.tfar[lane] = tfar;
+  rays.time[lane] = 0.0f;
+  rays.mask[lane] = ~0u;
+  rays.flags[lane] = 0;
+}
+
 /// True where the ray hit something; then ray.tfar and hit are set.
 inline bool intersect(RTCScene scene, RTCRayHit& ray) {
   RTCIntersectContext context;

@@ -116,6 +116,10 @@ Html duration_html(std::optional<double> seconds) {
   return text(buffer);
 }
 
+Html distance_html(std::optional<double> distance_m) {
+  return distance_m && std::isinf(*distance_m) ? "∞"_html : exact_html(distance_m);
+}
+
 Html distance_html(const Json& distance_m) {
   return distance_m == "inf" ? "∞"_html : exact_html(number_at(distance_m, ""));
 }

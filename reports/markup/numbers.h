@@ -30,6 +30,9 @@ Html count_html(std::optional<double> value);
 /// "8.2 s", "3 min 20 s", "1 h 05 min", with spaces that do not break.
 Html duration_html(std::optional<double> seconds);
 
+/// Metres, ∞ allowed.
+Html distance_html(std::optional<double> distance_m);
+
 /// A distance of the report: metres as a number, or the text "inf" → "∞".
 Html distance_html(const Json& distance_m);
 Html distance_html(const std::optional<StoredDistance>& distance);

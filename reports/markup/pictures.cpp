@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <opencv2/imgproc.hpp>
 
 #include "compare/metrics/luma.h"
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
 #include "io/images/exr.h"
 #include "io/images/image_formats.h"
+#include "io/images/opencv_view.h"
 #include "reports/markup/false_colour.h"
 
 namespace sturm {
@@ -16,6 +18,20 @@ namespace sturm {
 namespace {
 
 constexpr double round_steps[] = {1.0, 2.0, 5.0, 10.0};
+
+/// Pixels along a side, and the means of the blocks that they fall into.
+struct Blocks {
+  cv::Range pixels, means;
+};
+
+/// The whole blocks along a side, and the last one if the border cuts it off.
+std::vector<Blocks> blocks_of(int side, int factor) {
+  const int whole = side / factor;
+  std::vector<Blocks> blocks;
+  if (whole > 0) blocks.push_back({{0, whole * factor}, {0, whole}});
+  if (side % factor > 0) blocks.push_back({{whole * factor, side}, {whole, whole + 1}});
+  return blocks;
+}
 
 }  // namespace
 
@@ -64,19 +80,14 @@ Image luma_image(const Image& image) {
 Image shrunk(const Image& image, int factor) {
   if (factor <= 1) return image;
   Image result((image.width + factor - 1) / factor, (image.height + factor - 1) / factor, image.channels);
-  for (int y = 0; y < result.height; ++y) {
-    for (int x = 0; x < result.width; ++x) {
-      const int x_end = std::min(image.width, (x + 1) * factor), y_end = std::min(image.height, (y + 1) * factor);
-      const double count = static_cast<double>(x_end - x * factor) * (y_end - y * factor);
-      for (int c = 0; c < image.channels; ++c) {
-        double sum = 0.0;
-        for (int v = y * factor; v < y_end; ++v) {
-          for (int u = x * factor; u < x_end; ++u) sum += image.at(u, v)[c];
-        }
-        result.at(x, y)[c] = static_cast<float>(sum / count);
-      }
+  cv::Mat values;
+  view(image).convertTo(values, CV_64F);
+  for (const Blocks& y : blocks_of(image.height, factor))
+    for (const Blocks& x : blocks_of(image.width, factor)) {
+      cv::Mat means;
+      cv::resize(values(y.pixels, x.pixels), means, {x.means.size(), y.means.size()}, 0.0, 0.0, cv::INTER_AREA);
+      means.convertTo(view(result)(y.means, x.means), CV_32F);
     }
-  }
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "io/files/formatted_text.h"
-#include "io/json/stored.h"
 #include "reports/markup/parts.h"
 #include "reports/plots/gnuplot.h"
 
@@ -37,20 +36,20 @@ std::string point(double x, double y) {
 }
 
 /// V₂/V₁ with the larger in the denominator; nothing where both vanish.
-std::optional<double> ratio_of_vergences(const Json& row) {
-  const auto v1 = number_at(row, "V1_D"), v2 = number_at(row, "V2_D");
-  if (!v1 || !v2 || (*v1 == 0.0 && *v2 == 0.0)) return std::nullopt;
-  return std::abs(*v1) >= std::abs(*v2) ? *v2 / *v1 : *v1 / *v2;
+Number ratio_of_vergences(const Sin2Case& c) {
+  if (!c.high_D || !c.low_D || (*c.high_D == 0.0 && *c.low_D == 0.0)) return std::nullopt;
+  return std::abs(*c.high_D) >= std::abs(*c.low_D) ? *c.low_D / *c.high_D : *c.high_D / *c.low_D;
 }
 
 struct RatioPlot {
-  std::string key, axis_label, closed_form, range;
+  Number Sin2Case::*ratio;
+  std::string id, axis_label, closed_form, range;
 };
 
-Html ratio_plot(const Json& table, const RatioPlot& plot) {
+Html ratio_plot(const std::vector<Sin2Case>& cases, const RatioPlot& plot) {
   std::string rows;
-  for (const Json& row : table) {
-    const auto t = ratio_of_vergences(row), ratio = number_at(row, plot.key);
+  for (const Sin2Case& c : cases) {
+    const Number t = ratio_of_vergences(c), ratio = c.*plot.ratio;
     if (t && ratio && *ratio > 0.0) rows += point(*t, *ratio);
   }
   if (rows.empty()) return {};
@@ -59,72 +58,57 @@ Html ratio_plot(const Json& table, const RatioPlot& plot) {
       "\"\nplot 1 with lines lw 2 lc rgb '#2166ac' title 'wavefront theory: 1', " + plot.closed_form +
       " with lines lw 1.5 lc rgb '#333333' title 'closed form of sin²', "
       "$measured with points pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b' title 'sin² rays, measured'";
-  return gnuplot_svg(script, {.id = slug(plot.key),
+  return gnuplot_svg(script, {.id = plot.id,
                               .label = plot.axis_label + " against V2/V1: measured points on the closed-form curve",
                               .height = 430});
 }
 
-/// ‖a − b‖_F/‖b‖_F of symmetric matrices [xx, xy, yy].
-std::optional<double> relative_difference(const Json& a, const Json& b) {
-  double difference = 0.0, size = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    const auto x = number_at(a, std::to_string(i)), y = number_at(b, std::to_string(i));
-    if (!x || !y) return std::nullopt;
-    const double weight = i == 1 ? 2.0 : 1.0;
-    difference += weight * (*x - *y) * (*x - *y);
-    size += weight * *y * *y;
-  }
-  return size > 0.0 ? std::optional(std::sqrt(difference / size)) : std::nullopt;
-}
-
-std::string differences_of(const Json& cases, const std::string& ray_model) {
+std::string differences_of(const std::vector<EllipseFinding>& cases, RayModel model) {
   std::string rows;
-  for (const Json& item : cases) {
-    const auto cylinder = number_at(item, "cylinder_D");
-    for (const Json& rays : array_at(item, "rays")) {
-      if (text_at(rays, "ray_model") != ray_model) continue;
-      const auto difference = number_at(rays, "against_conoid/relative_frobenius");
-      if (cylinder && difference && *difference > 0.0) rows += point(std::abs(*cylinder), *difference);
+  for (const EllipseFinding& item : cases)
+    for (const RayFinding& rays : item.rays) {
+      if (rays.model != model || !rays.against_conoid || !item.cylinder_D) continue;
+      const Number& difference = rays.against_conoid->agreement.relative_frobenius;
+      if (difference && *difference > 0.0) rows += point(std::abs(*item.cylinder_D), *difference);
     }
-  }
   return rows;
 }
 
-std::string closed_form_differences(const Json& cases) {
+std::string closed_form_differences(const std::vector<EllipseFinding>& cases) {
   std::string rows;
-  for (const Json& item : cases) {
-    const auto cylinder = number_at(item, "cylinder_D");
-    const auto difference = relative_difference(value_at(item, "sin2_closed_form/covariance_rad2"),
-                                                value_at(item, "conoid/covariance_rad2"));
-    if (cylinder && difference && *difference > 1e-9) rows += point(std::abs(*cylinder), *difference);
+  for (const EllipseFinding& item : cases) {
+    const Number difference = item.predicted_difference();
+    if (item.cylinder_D && difference && *difference > 1e-9) rows += point(std::abs(*item.cylinder_D), *difference);
   }
   return rows;
 }
 
 }  // namespace
 
-Html sin2_ratio_plots(const Json& report) {
-  const Json& table = array_at(report, "sin2/table");
-  return ratio_plot(table, {.key = "ratio_major",
+Html sin2_ratio_plots(const std::vector<Sin2Case>& cases) {
+  return ratio_plot(cases, {.ratio = &Sin2Case::ratio_major,
+                            .id = "ratio-major",
                             .axis_label = "major semi-axis, sin² ÷ true",
                             .closed_form = "sqrt((5 + 2*x + x**2)/8)",
                             .range = "set yrange [0.6:1.15]\n"}) +
-         ratio_plot(table, {.key = "ratio_minor",
+         ratio_plot(cases, {.ratio = &Sin2Case::ratio_minor,
+                            .id = "ratio-minor",
                             .axis_label = "minor semi-axis, sin² ÷ true (logarithmic)",
                             .closed_form = "sqrt((1 + 2*x + 5*x**2)/8)/abs(x)",
                             .range = "set logscale y\nset yrange [0.5:*<1000]\nset key top right\n"});
 }
 
-Html difference_plot(const Json& report) {
-  const Json& cases = array_at(report, "ellipses/cases");
+Html difference_plot(const std::vector<EllipseFinding>& cases) {
   struct Series {
     std::string name, title, look, rows;
   };
   const Series all[] = {
-      {"sin2", "sin² rays", "pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b'", differences_of(cases, "sin2_radial")},
+      {"sin2", "sin² rays", "pt 6 ps 0.7 lw 1.4 lc rgb '#b2182b'", differences_of(cases, RayModel::sin2_radial)},
       {"closed", "closed form of sin²", "pt 2 ps 0.5 lw 1 lc rgb '#333333'", closed_form_differences(cases)},
-      {"thin", "spherical-equivalent rays", "pt 8 ps 0.7 lw 1.2 lc rgb '#b8860b'", differences_of(cases, "thin_lens")},
-      {"matrix", "power-matrix rays", "pt 4 ps 0.6 lw 1.4 lc rgb '#2166ac'", differences_of(cases, "power_matrix")}};
+      {"thin", "spherical-equivalent rays", "pt 8 ps 0.7 lw 1.2 lc rgb '#b8860b'",
+       differences_of(cases, RayModel::thin_lens)},
+      {"matrix", "power-matrix rays", "pt 4 ps 0.6 lw 1.4 lc rgb '#2166ac'",
+       differences_of(cases, RayModel::power_matrix)}};
   std::string blocks, plots;
   for (const Series& series : all) {
     if (series.rows.empty()) continue;

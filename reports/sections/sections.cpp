@@ -33,8 +33,7 @@ std::span<const ReportSection> report_sections() {
       ReportSection{"bench", "Run time against error", of_folder<bench_section>},
       ReportSection{"figures", "Figures", of_folder<figure_section>},
       ReportSection{"psfs", "Point-spread functions", psf_section},
-      ReportSection{"images", "Images", image_section},
-      ReportSection{"agreement", "Predictions", agreement_section},
+      ReportSection{"pictures", "Pictures", picture_section},
       ReportSection{"ellipses", "All ellipses", of_report<ellipse_section>},
       ReportSection{"provenance", "Provenance", of_report<provenance_section>},
   };

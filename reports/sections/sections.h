@@ -23,8 +23,7 @@ Html bench_section(const Json& report, const std::filesystem::path& run_folder);
 Html sampling_section(const Json& report, const std::filesystem::path& run_folder);
 Html figure_section(const Json& report, const std::filesystem::path& run_folder);
 Html psf_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
-Html image_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
-Html agreement_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
+Html picture_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 Html ellipse_section(const Json& report);
 Html provenance_section(const Json& report);
 

@@ -1,6 +1,8 @@
+#include "compare/findings/sin2.h"
+
 #include <cmath>
 
-#include "io/json/stored.h"
+#include "compare/findings/ellipses.h"
 #include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
 #include "reports/markup/parts.h"
@@ -11,8 +13,9 @@ namespace sturm {
 
 namespace {
 
-Html pair_html(const Json& pair) {
-  return number_html(number_at(pair, "0")) + " × "_html + number_html(number_at(pair, "1"));
+Cell semi_axes_cell(const std::optional<Eigen::Vector2d>& axes) {
+  const Number major = axes ? Number(axes->x()) : std::nullopt, minor = axes ? Number(axes->y()) : std::nullopt;
+  return {number_html(major) + " × "_html + number_html(minor), major};
 }
 
 Html explanation() {
@@ -27,21 +30,18 @@ principal vergence errors at the target and <i>a</i> the pupil's radius, the sec
 )"_html;
 }
 
-Html headline(const Json& sin2) {
-  const Json& ratio = value_at(sin2, "ratio_of_difference_of_principal_variances");
-  const Json& lost = value_at(sin2, "lost_total_variance");
+Html headline(const Sin2Findings& sin2) {
+  const VarianceRatio ratio = sin2.ratio.value_or(VarianceRatio{});
   HtmlTable table("What sin² rays lose, measured against prediction", "compact",
                   {{"Quantity"_html, false}, {"Measured (median)"_html}, {"Predicted"_html}, {"Worst deviation"_html}});
-  table.add_row({"difference of the principal variances, sin² ÷ true"_html,
-                 number_html(number_at(ratio, "measured_median"), 6), exact_html(number_at(ratio, "predicted")),
-                 number_html(number_at(ratio, "worst_deviation"), 2)});
+  table.add_row({"difference of the principal variances, sin² ÷ true"_html, number_html(ratio.measured_median, 6),
+                 exact_html(ratio.predicted), number_html(ratio.worst_deviation, 2)});
   table.add_row({"total variance lost ÷ (<i>a</i>²<i>C</i>²/16)"_html, absent_html(), "1"_html,
-                 number_html(number_at(lost, "worst_deviation_relative"), 2)});
-  return element("p", "Cases with a cylinder: "_html + count_html(number_at(sin2, "cases_with_cylinder")) + "."_html) +
-         table.html();
+                 number_html(sin2.worst_deviation_of_lost_variance, 2)});
+  return element("p", "Cases with a cylinder: "_html + count_html(sin2.cases_with_cylinder) + "."_html) + table.html();
 }
 
-Html case_table(const Json& rows) {
+Html case_table(const std::vector<Sin2Case>& rows) {
   HtmlTable table("Semi-axes (2 × standard deviation) of the blur, major × minor", "sortable",
                   {{"Case"_html, false},
                    {"V<sub>1</sub> [D]"_html},
@@ -51,19 +51,15 @@ Html case_table(const Json& rows) {
                    {"sin², closed form [arcmin]"_html},
                    {"Major, sin² ÷ true"_html},
                    {"Minor, sin² ÷ true"_html}});
-  for (const Json& row : rows) {
-    const auto v1 = number_at(row, "V1_D"), v2 = number_at(row, "V2_D");
-    const auto major = number_at(row, "ratio_major"), minor = number_at(row, "ratio_minor");
-    table.add_row(
-        {text_or_dash(text_at(row, "case")),
-         {number_html(v1), v1},
-         {number_html(v2), v2},
-         {pair_html(value_at(row, "true_semi_axes_arcmin")), number_at(row, "true_semi_axes_arcmin/0")},
-         {pair_html(value_at(row, "sin2_semi_axes_arcmin")), number_at(row, "sin2_semi_axes_arcmin/0")},
-         {pair_html(value_at(row, "closed_form_semi_axes_arcmin")), number_at(row, "closed_form_semi_axes_arcmin/0")},
-         {number_html(major), major},
-         {number_html(minor), minor}});
-  }
+  for (const Sin2Case& row : rows)
+    table.add_row({text_or_dash(row.id),
+                   {number_html(row.high_D), row.high_D},
+                   {number_html(row.low_D), row.low_D},
+                   semi_axes_cell(row.true_semi_axes_arcmin),
+                   semi_axes_cell(row.sin2_semi_axes_arcmin),
+                   semi_axes_cell(row.closed_form_semi_axes_arcmin),
+                   {number_html(row.ratio_major), row.ratio_major},
+                   {number_html(row.ratio_minor), row.ratio_minor}});
   constexpr std::size_t rows_that_stay_open = 12;
   return folded("All "_html + text(std::to_string(rows.size())) + " cases with their semi-axes"_html, table.html(),
                 rows.size() <= rows_that_stay_open);
@@ -72,12 +68,12 @@ Html case_table(const Json& rows) {
 }  // namespace
 
 Html sin2_section(const Json& report) {
-  const Json& sin2 = value_at(report, "sin2");
-  const Html by_cylinder = difference_plot(report);
-  if (!sin2.is_object() && by_cylinder.empty()) return {};
+  const std::optional<Sin2Findings> sin2 = read_sin2(report);
+  const Html by_cylinder = difference_plot(read_ellipses(report).cases);
+  if (!sin2 && by_cylinder.empty()) return {};
   Html html = element("h2", "sin² against its closed form"_html) + explanation();
-  if (sin2.is_object()) html += headline(sin2);
-  if (const Html plots = sin2_ratio_plots(report); !plots.empty()) {
+  if (sin2) html += headline(*sin2);
+  if (const Html plots = sin2 ? sin2_ratio_plots(sin2->table) : Html(); !plots.empty()) {
     html += element("figure",
                     element("div", {{"class", "two"}}, plots) +
                         element("figcaption",
@@ -94,7 +90,7 @@ Html sin2_section(const Json& report) {
                     "place on a "
                     "logarithmic axis."_html));
   }
-  if (const Json& rows = array_at(sin2, "table"); !rows.empty()) html += case_table(rows);
+  if (sin2 && !sin2->table.empty()) html += case_table(sin2->table);
   return element("section", {{"id", "sin2"}}, html);
 }
 

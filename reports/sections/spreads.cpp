@@ -64,24 +64,24 @@ Image minus(Image a, const Image& b) {
 }
 
 /// The differences on one scale, so that they can be compared with each other.
-std::vector<ViewerCase::Map> differences(const std::vector<Loaded>& pictures, int factor) {
-  std::vector<ViewerCase::Map> maps;
+std::vector<ViewerSet::Map> differences(const std::vector<Loaded>& pictures, int factor) {
+  std::vector<ViewerSet::Map> maps;
   float largest = 0.0f;
   for (std::size_t i = 1; i < pictures.size(); ++i) {
     Image difference = minus(pictures[i].density, pictures[0].density);
     largest = std::max(largest, largest_of(shrunk(difference, factor)));
     maps.push_back({"difference_" + pictures[i].spread.key, pictures[i].spread.title + " − " + pictures[0].spread.title,
-                    std::move(difference), 1.0, ViewerCase::Map::Scale::Signed});
+                    std::move(difference), 1.0, ViewerSet::Map::Scale::Signed});
   }
-  for (ViewerCase::Map& map : maps) map.end = largest > 0.0f ? round_length_above(largest) : 1.0;
+  for (ViewerSet::Map& map : maps) map.end = largest > 0.0f ? round_length_above(largest) : 1.0;
   return maps;
 }
 
 Html place_of(const SpreadGroup& group, const LoadedGroup& loaded, int factor, ViewerPayload& payload) {
   if (loaded.pictures.empty()) return {};
-  ViewerCase shown;
+  ViewerSet shown;
   shown.title = group.title;
-  shown.kind = ViewerCase::Kind::Density;
+  shown.kind = ViewerSet::Kind::Density;
   shown.factor = factor;
   shown.quantity = group.quantity;
   if (group.side_arcmin) shown.pixel_arcmin = *group.side_arcmin / loaded.pictures[0].density.width;
@@ -94,8 +94,7 @@ Html place_of(const SpreadGroup& group, const LoadedGroup& loaded, int factor, V
   }
   if (!(shown.peak > 0.0)) shown.peak = 1.0;  // all black
   if (loaded.has_truth) shown.maps = differences(loaded.pictures, factor);
-  return viewer_place(payload.add_case(shown)) +
-         element("p", {{"class", "made-by"}}, "Files: "_html + files + "."_html);
+  return viewer_place(payload.add_set(shown)) + element("p", {{"class", "made-by"}}, "Files: "_html + files + "."_html);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "io/files/formatted_text.h"
 #include "io/json/stored.h"
+#include "io/specs/experiment/gate_kind.h"
 
 namespace sturm {
 
@@ -27,45 +28,38 @@ std::string cell(const std::string& text) {
   return out.empty() ? "–" : out;
 }
 
-std::string number(const Json& gate, const char* key) {
-  const auto value = number_at(gate, key);
+std::string number(const Number& value) {
   return value ? plain_number(*value, 3) : "none";
 }
 
-std::string bound(const Json& gate) {
-  const std::string kind = text_at(gate, "kind"), unit = text_at(gate, "unit");
-  const bool from_below = kind == "must_differ" || kind == "lower_bound" || kind == "must_fail";
-  return std::string(from_below ? "≥ " : "≤ ") + number(gate, "bound") + (unit.empty() ? "" : " " + cell(unit));
+std::string bound(const GateResult& gate) {
+  return (gate.kind ? std::string(sign_of(entry_of(*gate.kind).passing)) + " " : "") + number(gate.bound) +
+         (gate.unit.empty() ? "" : " " + cell(gate.unit));
 }
 
-bool passed(const Json& gate) {
-  return boolean_at(gate, "passed").value_or(false);
-}
-
-std::string table(const Json& gates, bool of_passed) {
+std::string table(std::span<const GateResult> gates, bool of_passed) {
   std::string rows;
-  for (const Json& gate : gates) {
-    if (passed(gate) != of_passed) continue;
-    const auto uncertainty = number_at(gate, "uncertainty");
-    rows += std::string("| ") + (of_passed ? "✓" : "✗") + " | " + cell(text_at(gate, "title")) + " | " +
-            number(gate, "value") + (uncertainty ? " ± " + plain_number(*uncertainty, 2) : "") + " | " + bound(gate) +
-            " | " + cell(text_at(gate, "worst_case")) + " |\n";
+  for (const GateResult& gate : gates) {
+    if (gate.has_passed() != of_passed) continue;
+    rows += std::string("| ") + (of_passed ? "✓" : "✗") + " | " + cell(gate.title) + " | " + number(gate.value) +
+            (gate.uncertainty ? " ± " + plain_number(*gate.uncertainty, 2) : "") + " | " + bound(gate) + " | " +
+            cell(gate.worst_case) + " |\n";
   }
   return rows.empty() ? "" : "| | gate | value | bound | worst case |\n|---|---|---|---|---|\n" + rows;
 }
 
 }  // namespace
 
-std::string report_markdown(const Json& report, const Json& gate_results, const Json& verdict) {
-  const bool all = boolean_at(verdict, "passed").value_or(false);
-  std::string text = "## " + std::string(all ? "✓ " : "✗ ") + cell(text_at(report, "title")) + "\n\n" +
-                     cell(text_at(verdict, "sentence")) + "\n";
-  if (const std::string failures = table(gate_results, false); !failures.empty()) text += "\n" + failures;
-  if (const std::string passes = table(gate_results, true); !passes.empty())
+std::string report_markdown(const Json& report, std::span<const GateResult> results, const Verdict& verdict) {
+  std::string text = "## " + std::string(verdict.has_passed() ? "✓ " : "✗ ") + cell(text_at(report, "title")) + "\n\n" +
+                     cell(verdict.sentence) + "\n";
+  if (const std::string failures = table(results, false); !failures.empty()) text += "\n" + failures;
+  if (const std::string passes = table(results, true); !passes.empty())
     text += "\n<details><summary>Gates that passed</summary>\n\n" + passes + "\n</details>\n";
-  text += "\nSeed " + number(value_at(report, "provenance"), "seed") + ", commit " +
-          cell(text_at(report, "provenance/commit")) + ", " + number(value_at(report, "provenance/seconds"), "total") +
-          " s with " + number(value_at(report, "provenance"), "threads") + " threads. Values ± one standard error.\n";
+  const Json& provenance = value_at(report, "provenance");
+  text += "\nSeed " + number(number_at(provenance, "seed")) + ", commit " + cell(text_at(provenance, "commit")) + ", " +
+          number(number_at(provenance, "seconds/total")) + " s with " + number(number_at(provenance, "threads")) +
+          " threads. Values ± one standard error.\n";
   return text;
 }
 

@@ -85,7 +85,7 @@ std::string markup_free(const std::string& json) {
   return text;
 }
 
-const char* name_of(ViewerCase::Map::Scale scale) {
+const char* name_of(ViewerSet::Map::Scale scale) {
   constexpr const char* names[] = {"signed", "error", "similarity"};
   return names[static_cast<int>(scale)];
 }
@@ -108,10 +108,10 @@ const std::vector<std::string>& viewer_maps() {
   return keys;
 }
 
-std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double difference_limit,
-                                            const std::vector<ImageMetric>& metrics, std::size_t most) {
-  using Scale = ViewerCase::Map::Scale;
-  std::vector<ViewerCase::Map> maps = {
+std::vector<ViewerSet::Map> maps_of_images(const Image& difference, double difference_limit,
+                                           const std::vector<ImageMetric>& metrics, std::size_t most) {
+  using Scale = ViewerSet::Map::Scale;
+  std::vector<ViewerSet::Map> maps = {
       {"difference", "Predicted − path traced (luma, display space)", difference, difference_limit, Scale::Signed}};
   for (const std::string& key : viewer_maps()) {
     const auto metric =
@@ -124,30 +124,18 @@ std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double diff
   return maps;
 }
 
-ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file,
-                          const std::string& predicted_file, const Image& difference, double difference_limit,
-                          const std::vector<ImageMetric>& metrics, int factor) {
-  ViewerCase shown;
-  shown.title = title;
-  shown.pictures = {{"path_traced", "Path traced", path_traced_file}, {"predicted", "Predicted", predicted_file}};
-  shown.maps = maps_of_images(difference, difference_limit, metrics, 1 + viewer_maps().size());
-  shown.factor = factor;
-  shown.quantity = viewer_radiance;
-  return shown;
-}
-
 void ViewerPayload::add_picture(const std::string& file, const Image& linear, int factor) {
   if (pictures_.contains(file)) return;
   const Image shown = shrunk(linear, factor);
   pictures_[file] = text_of(shown.channels == 1 ? scaled_pixels_json(shown) : pixels_json(shown));
 }
 
-std::size_t ViewerPayload::add_case(const ViewerCase& shown) {
-  const bool density = shown.kind == ViewerCase::Kind::Density;
+std::size_t ViewerPayload::add_set(const ViewerSet& shown) {
+  const bool density = shown.kind == ViewerSet::Kind::Density;
   Json pictures = Json::array(), maps = Json::array();
-  for (const ViewerCase::Picture& picture : shown.pictures)
+  for (const ViewerSet::Picture& picture : shown.pictures)
     pictures.push_back({{"key", picture.key}, {"title", picture.title}, {"file", picture.file}});
-  for (const ViewerCase::Map& map : shown.maps) {
+  for (const ViewerSet::Map& map : shown.maps) {
     const Image values = shrunk(map.values, shown.factor);
     Json json = density ? scaled_pixels_json(values) : pixels_json(values);
     json.update({{"key", map.key}, {"title", map.title}, {"end", map.end}, {"scale", name_of(map.scale)}});
@@ -158,15 +146,15 @@ std::size_t ViewerPayload::add_case(const ViewerCase& shown) {
                {"factor", shown.factor}, {"pictures", std::move(pictures)},          {"maps", std::move(maps)}};
   if (density) item["peak"] = shown.peak;
   if (shown.pixel_arcmin) item["pixelArcmin"] = *shown.pixel_arcmin;
-  cases_.push_back(text_of(item));
-  return cases_.size() - 1;
+  sets_.push_back(text_of(item));
+  return sets_.size() - 1;
 }
 
 Html ViewerPayload::html() const {
-  if (cases_.empty()) return {};
+  if (sets_.empty()) return {};
   std::string pictures, cases;
   for (const auto& [file, text] : pictures_) pictures += (pictures.empty() ? "" : ",") + text_of(file) + ":" + text;
-  for (const std::string& text : cases_) cases += (cases.empty() ? "" : ",") + text;
+  for (const std::string& text : sets_) cases += (cases.empty() ? "" : ",") + text;
   const Json colours = {{"sequential", colour_table([](double t) { return sequential_colour(t); })},
                         {"diverging", colour_table([](double t) { return diverging_colour(2.0 * t - 1.0); })}};
   const std::string document =

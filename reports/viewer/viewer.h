@@ -12,9 +12,9 @@ namespace sturm {
 
 /// What the viewer shows together: pictures and maps of one size, one layer each, in this order. Maps of several
 /// pictures take turns: the viewer has those of one picture at a time among its layers.
-struct ViewerCase {
+struct ViewerSet {
   /// Radiance: linear Rec. 709 pictures of three channels, with exposure and tones. Density: pictures of one channel ≥
-  /// 0 in false colour, linear or logarithmic, on one scale for the whole case.
+  /// 0 in false colour, linear or logarithmic, on one scale for the whole set.
   enum class Kind { Radiance, Density };
 
   struct Picture {
@@ -29,7 +29,7 @@ struct ViewerCase {
     Image values;  ///< one channel, before shrinking; NaN: no value there
     double end;    ///< > 0
     Scale scale;
-    std::string of{};  ///< key of the picture whose errors these are; "": of the case's only prediction
+    std::string of{};  ///< key of the picture whose errors these are; "": of the set's only prediction
   };
 
   std::string title;
@@ -45,28 +45,28 @@ struct ViewerCase {
 };
 
 /// What a page's image viewer is given: linear values and error maps as 16-bit floats, and the colours of the maps. A
-/// picture that several cases show is stored once. The viewer itself is reports/viewer/assets/viewer*.js.
+/// picture that several sets show is stored once. The viewer itself is reports/viewer/assets/viewer*.js.
 class ViewerPayload {
  public:
   /// Stores a picture under its file name, once; `factor` ≥ 1: means over blocks of that many pixels squared. One
   /// channel (a density) is stored times a power of two that brings it well within the range of 16-bit floats.
   void add_picture(const std::string& file, const Image& linear, int factor);
 
-  /// A case of the viewer; its pictures were added. Returns its number.
-  std::size_t add_case(const ViewerCase& shown);
+  /// A set for the viewer; its pictures were added. Returns its number.
+  std::size_t add_set(const ViewerSet& shown);
 
-  /// The payload as a <script> of type application/json with the id "viewer-payload"; nothing without a case.
+  /// The payload as a <script> of type application/json with the id "viewer-payload"; nothing without a set.
   Html html() const;
 
  private:
   std::map<std::string, std::string> pictures_;  ///< JSON text by file name
-  std::vector<std::string> cases_;               ///< JSON texts
+  std::vector<std::string> sets_;                ///< JSON texts
 };
 
-/// Where the page's script puts the viewer of the payload's case of this number.
+/// Where the page's script puts the viewer of the payload's set of this number.
 Html viewer_place(std::size_t number);
 
-/// What the numbers of a case of pictures in linear light are.
+/// What the numbers of a set of pictures in linear light are.
 inline constexpr const char* viewer_radiance = "pictures in linear Rec. 709 radiance, maps at exposure 0";
 
 /// Keys of the metrics whose maps the viewer shows, in its order.
@@ -74,12 +74,7 @@ const std::vector<std::string>& viewer_maps();
 
 /// The signed difference of the luma in display space of a prediction from path tracing (its colours end at
 /// ±`difference_limit`), and the maps of `metrics` that the viewer shows; no more than `most` ≥ 1.
-std::vector<ViewerCase::Map> maps_of_images(const Image& difference, double difference_limit,
-                                            const std::vector<ImageMetric>& metrics, std::size_t most);
-
-/// A path-traced and a predicted picture, and all their maps.
-ViewerCase case_of_images(const std::string& title, const std::string& path_traced_file,
-                          const std::string& predicted_file, const Image& difference, double difference_limit,
-                          const std::vector<ImageMetric>& metrics, int factor);
+std::vector<ViewerSet::Map> maps_of_images(const Image& difference, double difference_limit,
+                                           const std::vector<ImageMetric>& metrics, std::size_t most);
 
 }  // namespace sturm

@@ -1,6 +1,6 @@
 #pragma once
 #include "io/specs/camera_spec.h"
-#include "pathtrace/cameras/camera.h"
+#include "pathtrace/cameras/camera_pose.h"
 
 namespace sturm {
 

@@ -12,7 +12,7 @@ namespace sturm {
 /// How one eye's rays are launched.
 struct ViewPlan {
   RayModel model = RayModel::power_matrix;
-  bool naked = false;  ///< by EyeCamera instead of ViewCamera
+  bool naked = false;  ///< by EyeCamera instead of GeneralCamera
   CameraSkips camera;
 };
 

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <string>
 
-#include "pathtrace/cameras/camera.h"
+#include "pathtrace/cameras/eye_camera.h"
 #include "pathtrace/scene/scene_description.h"
 #include "support/reference_file.h"
 

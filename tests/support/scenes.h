@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "io/images/image.h"
-#include "pathtrace/cameras/camera.h"
+#include "pathtrace/cameras/eye_camera.h"
 #include "pathtrace/scene/scene_description.h"
 
 namespace sturm::testing {

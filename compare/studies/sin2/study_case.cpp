@@ -1,10 +1,10 @@
 #include "compare/studies/sin2/study_case.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/files/csv.h"
 #include "io/files/formatted_text.h"
 #include "io/json/values.h"
 
@@ -43,11 +43,8 @@ std::string length_text(double metres) {
   return std::isinf(metres) ? "inf" : plain_number(metres) + " m";
 }
 
-/// Nine digits: all that is to be read off so many lines; the report has the extremes in full.
-void append_number(std::string& csv, double value) {
-  char buffer[32];
-  csv.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 9).ptr);
-}
+/// All that is to be read off so many lines; the report has the extremes in full.
+constexpr int digits_in_csv = 9;
 
 /// What the checks on wrong inputs read is no finding about a case.
 constexpr std::size_t quantities_in_csv = static_cast<std::size_t>(StudyQuantity::mutant_repaired_as_sin2);
@@ -121,31 +118,26 @@ std::string label_of(const StudyCase& c, const Sin2StudySpec& spec) {
 }
 
 std::string sin2_study_csv(const std::vector<StudyCase>& cases, const Sin2StudySpec& spec) {
-  std::string csv =
-      "eye,sphere_D,cylinder_D,axis_deg,vertex_distance_mm,distance_m,pupil_mm,accommodation,ray_model,status";
-  for (std::size_t i = 0; i < quantities_in_csv; ++i) csv.append(",").append(quantity_names[i]);
-  csv += "\r\n";
+  CsvWriter csv;
+  for (const char* heading : {"eye", "sphere_D", "cylinder_D", "axis_deg", "vertex_distance_mm", "distance_m",
+                              "pupil_mm", "accommodation", "ray_model", "status"})
+    csv.text(heading);
+  for (std::size_t i = 0; i < quantities_in_csv; ++i) csv.text(quantity_names[i]);
+  csv.end_row();
   for (const StudyCase& c : cases) {
     const StudyEye& eye = spec.eyes.at(c.eye);
-    csv += eye.id;
-    const double distance = spec.distances_m.at(c.distance);
-    for (const double value :
-         {eye.prescription.sphere_D, eye.prescription.cylinder_D, eye.prescription.axis_deg,
-          1e3 * eye.prescription.vertex_distance_m, distance, 1e3 * spec.pupil_diameters_m.at(c.pupil)}) {
-      csv += ',';
-      append_number(csv, value);
-    }
-    // The only label with a comma in it.
-    const std::string accommodation = label_of(spec.accommodations.at(c.accommodation));
-    csv += accommodation.find(',') == std::string::npos ? "," + accommodation : ",\"" + accommodation + "\"";
-    csv.append(",").append(name_of(c.model)).append(",").append(name_of(c.status));
-    for (std::size_t i = 0; i < quantities_in_csv; ++i) {
-      csv += ',';
-      if (c.values[i]) append_number(csv, *c.values[i]);
-    }
-    csv += "\r\n";
+    csv.text(eye.id);
+    for (const double value : {eye.prescription.sphere_D, eye.prescription.cylinder_D, eye.prescription.axis_deg,
+                               1e3 * eye.prescription.vertex_distance_m, spec.distances_m.at(c.distance),
+                               1e3 * spec.pupil_diameters_m.at(c.pupil)})
+      csv.number(value, digits_in_csv);
+    csv.text(label_of(spec.accommodations.at(c.accommodation)));
+    csv.text(name_of(c.model));
+    csv.text(name_of(c.status));
+    for (std::size_t i = 0; i < quantities_in_csv; ++i) csv.number(c.values[i], digits_in_csv);
+    csv.end_row();
   }
-  return csv;
+  return csv.table();
 }
 
 }  // namespace sturm

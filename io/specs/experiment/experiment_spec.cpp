@@ -69,29 +69,6 @@ PsfExperiment read_psf(const Json& value, const Source& where, const std::option
   return psf;
 }
 
-ImageExperiment read_image_experiment(const Json& value, const Source& where,
-                                      const std::optional<EllipseExperiment>& ellipses) {
-  ImageExperiment image;
-  image.id = value["id"].get<std::string>();
-  image.scene_name = value["scene"].get<std::string>();
-  image.scene = read_scene(value["scene"], where / "scene");
-  image.camera = read_camera(value["camera"], where / "camera");
-  require_plain_camera(value["camera"], where / "camera", "an experiment");
-  image.prescription = value["prescription"].get<std::string>();
-  image.eye =
-      make_eye(prescription_named(value["prescription"], where / "prescription", ellipses),
-               metres_per_millimetre * value["pupil_diameter_mm"].get<double>(), accommodation_of(value, where), where);
-  image.ray_models = ray_models_of(value, where);
-  for (const RayModel ray_model : image.ray_models)
-    require_camera_accommodation(image.eye.accommodation, ray_model, where / "accommodation");
-  image.samples_per_pixel = value["samples_per_pixel"].get<std::uint64_t>();
-  image.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", image.samples_per_pixel);
-  image.replicates = value.value("replicates", 2);
-  image.guide_emitters = value.value("guide_emitters", image.guide_emitters);
-  image.max_bounces = value.value("max_bounces", image.max_bounces);
-  return image;
-}
-
 Json resolved_experiment(const Json& document) {
   Json resolved = with_defaults(document, "experiment");
   resolved.erase("$schema");
@@ -150,11 +127,6 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   }
   spec.mutations = document.value("mutations", spec.mutations);
   if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
-  if (document.contains("agreement")) {
-    require_unique_ids(document["agreement"], root / "agreement");
-    spec.agreement = read_agreement(document["agreement"], root / "agreement");
-    for (const AgreementCase& c : spec.agreement) add_files(spec.input_files, c.input_files);
-  }
   if (document.contains("lens_study")) {
     require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");
     spec.lens_study = read_lens_study(resolved["lens_study"], root / "lens_study");
@@ -179,15 +151,14 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.figures.push_back(read_figure(figures[i], root / "figures" / i));
     add_files(spec.input_files, spec.figures.back().input_files);
   }
-  const Json psfs = document.value("psfs", Json::array()), images = document.value("images", Json::array());
+  const Json psfs = document.value("psfs", Json::array());
   require_unique_ids(psfs, root / "psfs");
-  require_unique_ids(images, root / "images");
   for (std::size_t i = 0; i < psfs.size(); ++i)
     spec.psfs.push_back(read_psf(psfs[i], root / "psfs" / i, spec.ellipses));
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    spec.images.push_back(read_image_experiment(images[i], root / "images" / i, spec.ellipses));
-    add_files(spec.input_files, spec.images.back().scene.input_files);
-  }
+  spec.pictures = read_pictures(document, root, [&](const Json& id, const Source& where) -> const Prescription& {
+    return prescription_named(id, where, spec.ellipses);
+  });
+  for (const PictureExperiment& picture : spec.pictures) add_files(spec.input_files, picture.input_files);
   if (spec.bench) resolved["bench"] = *spec.bench->resolved;
   spec.resolved = std::make_shared<const Json>(std::move(resolved));
   spec.share_views = (*spec.resolved)["skip"]["same_views"].get<bool>();

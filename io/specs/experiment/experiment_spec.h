@@ -6,16 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "io/specs/camera_spec.h"
-#include "io/specs/experiment/agreement_spec.h"
 #include "io/specs/experiment/bench_spec.h"
 #include "io/specs/experiment/figure_spec.h"
 #include "io/specs/experiment/lens_study_spec.h"
+#include "io/specs/experiment/picture_experiment.h"
 #include "io/specs/experiment/sampling_study_spec.h"
 #include "io/specs/experiment/sin2_study_spec.h"
 #include "io/specs/eye_spec.h"
 #include "io/specs/ray_bundle_spec.h"
-#include "io/specs/scene_spec.h"
 
 namespace sturm {
 
@@ -45,32 +43,15 @@ struct PsfExperiment {
   std::uint64_t samples_per_pixel = 0;
 };
 
-/// One scene, path traced and predicted.
-struct ImageExperiment {
-  std::string id;
-  std::string scene_name;  ///< as given
-  SceneSpec scene;
-  CameraSpec camera;
-  std::string prescription;  ///< id
-  Eye eye;                   ///< accommodation relaxed or fixed
-  std::vector<RayModel> ray_models;
-  std::uint64_t samples_per_pixel = 0;
-  std::uint64_t sharp_samples_per_pixel = 0;  ///< of the prediction's sharp view
-  int replicates = 0;                         ///< independently seeded path-traced images, ≥ 2
-  bool guide_emitters = false;                ///< as in RenderSpec, of the path-traced images
-  int max_bounces = 16;                       ///< of the path-traced images and the sharp view
-};
-
 /// A validated document of format sturm.experiment/1.
 struct ExperimentSpec {
   std::string title;
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> reference;  ///< absolute
   std::optional<EllipseExperiment> ellipses;
-  std::vector<PsfExperiment> psfs;       ///< ids are unique
-  std::vector<ImageExperiment> images;   ///< ids are unique
-  bool share_views = true;               ///< pictures that are the same are rendered once
-  std::vector<AgreementCase> agreement;  ///< ids are unique
+  std::vector<PsfExperiment> psfs;          ///< ids are unique
+  std::vector<PictureExperiment> pictures;  ///< ids are unique among those with the same measures
+  bool share_views = true;                  ///< pictures that are the same are rendered once
   std::optional<LensStudySpec> lens_study;
   std::optional<Sin2StudySpec> sin2_study;
   std::optional<SamplingStudySpec> sampling_study;

@@ -1,9 +1,7 @@
 #include "io/specs/experiment/gate_spec.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
 
 #include "io/json/schema.h"
 #include "io/json/values.h"
@@ -11,31 +9,21 @@
 namespace sturm {
 
 namespace {
-constexpr std::array<std::pair<GateKind, const char*>, 5> kind_words = {{{GateKind::AtMost, "at_most"},
-                                                                         {GateKind::AtLeast, "at_least"},
-                                                                         {GateKind::Differs, "differs"},
-                                                                         {GateKind::Baseline, "baseline"},
-                                                                         {GateKind::MustFail, "must_fail"}}};
 
-GateKind kind_of(const Json& name) {
-  for (const auto& [kind, word] : kind_words)
-    if (name == word) return kind;
+GateKind kind_in_file(const Json& word) {
+  if (const GateKindEntry* entry = gate_kind_in_file(word.get<std::string>())) return entry->kind;
   throw std::logic_error("the schema of gates allows a comparison that is not known");
 }
+
 std::optional<double> number_or_none(const Json& value) {
   return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
+
 }  // namespace
 
-std::string to_string(GateKind kind) {
-  for (const auto& [known, word] : kind_words)
-    if (known == kind) return word;
-  throw std::logic_error("kind of gate without a word");
-}
-
-Json calibration_json(const GateSpec& gate) {
-  if (!gate.calibration) return Json::object();
-  const auto& [level, tolerance, noise] = *gate.calibration;
+Json calibration_json(const std::optional<GateCalibration>& calibration) {
+  if (!calibration) return Json::object();
+  const auto& [level, tolerance, noise] = *calibration;
   return {{"level", number_or_null(level)},
           {"tolerance", {{"value", tolerance.value}, {"reason", tolerance.reason}}},
           {"noise", {{"standard_deviation", number_or_null(noise.standard_deviation)}, {"source", noise.source}}}};
@@ -67,7 +55,7 @@ std::vector<GateSpec> read_gates(const Json& document, const std::string& file) 
     if (!ids.insert(gate.id).second) (where / "id").fail(value["id"], "an id that no other gate has");
     gate.title = value["title"].get<std::string>();
     gate.statistic = value["statistic"].get<std::string>();
-    gate.kind = kind_of(value["comparison"]);
+    gate.kind = kind_in_file(value["comparison"]);
     gate.bound = value["bound"].get<double>();
     gate.unit = value.value("unit", "");
     gate.reason = value["reason"].get<std::string>();

@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "io/json/json.h"
+#include "io/specs/experiment/gate_kind.h"
 
 namespace sturm {
-
-/// What a gate asks of its statistic.
-enum class GateKind {
-  AtMost,    ///< passes when the statistic is ≤ bound
-  AtLeast,   ///< passes when the statistic is ≥ bound
-  Differs,   ///< passes when the statistic is ≥ bound: two things that must not agree
-  Baseline,  ///< passes when the statistic is not lower than in the committed baseline by more than bound
-  MustFail,  ///< passes when the statistic, computed from a mutated input, exceeds bound
-};
 
 /// How much of the way from perfect agreement to the bound is left for what is no chance, in the gate's unit.
 struct GateTolerance {
@@ -58,12 +50,9 @@ std::vector<GateSpec> read_gates(const Json& document, const std::string& file);
 void require_calibrated(const std::vector<GateSpec>& gates, const std::string& file);
 
 /// "level", "tolerance" and "noise" of a gate, as they stand in a gates file; empty for a gate without.
-Json calibration_json(const GateSpec& gate);
+Json calibration_json(const std::optional<GateCalibration>& calibration);
 
 /// Reads them back from a gate that follows the schema of gates or of reports; none unless all are there.
 std::optional<GateCalibration> read_calibration(const Json& gate);
-
-/// The word for a kind as it stands in a gates file.
-std::string to_string(GateKind kind);
 
 }  // namespace sturm

@@ -9,6 +9,7 @@
 #include "compare/findings/healthy_report.h"
 #include "compare/findings/judged_report.h"
 #include "compare/gates/gates.h"
+#include "compare/gates/verdict.h"
 
 namespace sturm {
 namespace {
@@ -26,8 +27,8 @@ const std::vector<GateSpec>& validation_gates() {
 std::vector<std::string> failures_of(const Json& report) {
   const Json baseline = healthy_report();
   std::vector<std::string> failed;
-  for (const Json& gate : evaluate_gates(validation_gates(), report, &baseline))
-    if (!gate["passed"].get<bool>()) failed.push_back(gate["id"]);
+  for (const GateResult& gate : evaluate_gates(validation_gates(), report, &baseline))
+    if (!gate.has_passed()) failed.push_back(gate.id);
   return failed;
 }
 
@@ -238,7 +239,7 @@ TEST(Gates, ACaseWithoutTheRayModelFails) {
 }
 
 TEST(Gates, ResultsCarryWhatTheReportShows) {
-  const Json gates = evaluate_gates(validation_gates(), healthy_report(), nullptr);
+  const Json gates = to_json(evaluate_gates(validation_gates(), healthy_report(), nullptr));
   const Json& matrix = gates[2];
   EXPECT_EQ(matrix["id"], "matrix_equals_conoid");
   EXPECT_EQ(matrix["kind"], "upper_bound");
@@ -264,50 +265,51 @@ GateSpec gate(const std::string& statistic, GateKind kind, double bound, const s
           .calibration = {}};
 }
 
-Json evaluated(const GateSpec& spec, const Json& report, const Json* baseline = nullptr) {
+GateResult evaluated(const GateSpec& spec, const Json& report, const Json* baseline = nullptr) {
   return evaluate_gates(std::span(&spec, 1), report, baseline)[0];
 }
 
 TEST(Gates, UnknownStatisticFails) {
-  const Json result = evaluated(gate("no_such_thing", GateKind::AtMost, 1e9), healthy_report());
-  EXPECT_EQ(result["passed"], false);
-  EXPECT_EQ(result["value"], nullptr);
-  EXPECT_EQ(result["cases"], 0);
-  EXPECT_THAT(result["worst_case"].get<std::string>(), HasSubstr("no_such_thing"));
-  EXPECT_EQ(evaluated(gate("no_such_thing/*", GateKind::AtMost, 1e9), healthy_report())["passed"], false);
+  const GateResult result = evaluated(gate("no_such_thing", GateKind::AtMost, 1e9), healthy_report());
+  EXPECT_EQ(result.passed, false);
+  EXPECT_EQ(result.value, std::nullopt);
+  EXPECT_EQ(result.cases, 0u);
+  EXPECT_THAT(result.worst_case, HasSubstr("no_such_thing"));
+  EXPECT_EQ(evaluated(gate("no_such_thing/*", GateKind::AtMost, 1e9), healthy_report()).passed, false);
 }
 
 TEST(Gates, BoundsThemselvesPassExceptForMutants) {
   const Json report = healthy_report();
-  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", GateKind::AtMost, 1.5), report)["passed"], true);
-  EXPECT_EQ(evaluated(gate("image_ssim_display_min", GateKind::AtLeast, 0.97), report)["passed"], true);
-  EXPECT_EQ(evaluated(gate("image_ssim_display_min", GateKind::AtLeast, 0.971), report)["passed"], false);
-  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", GateKind::MustFail, 0.05), report)["passed"], false);
-  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", GateKind::MustFail, 0.04), report)["kind"], "must_fail");
+  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", GateKind::AtMost, 1.5), report).passed, true);
+  EXPECT_EQ(evaluated(gate("image_ssim_display_min", GateKind::AtLeast, 0.97), report).passed, true);
+  EXPECT_EQ(evaluated(gate("image_ssim_display_min", GateKind::AtLeast, 0.971), report).passed, false);
+  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", GateKind::MustFail, 0.05), report).passed, false);
+  EXPECT_EQ(evaluated(gate("must_fail/double_pupil", GateKind::MustFail, 0.04), report).kind, GateKind::MustFail);
 }
 
 TEST(Gates, PatternTakesTheWorst) {
-  const Json lowest = evaluated(gate("image_ssim_display/*", GateKind::AtLeast, 0.975), healthy_report());
-  EXPECT_EQ(lowest["passed"], false);
-  EXPECT_EQ(lowest["worst_case"], "cornell");
-  EXPECT_EQ(lowest["cases"], 2);
-  EXPECT_EQ(lowest["kind"], "lower_bound");
-  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::AtMost, 0.975), healthy_report())["worst_case"], "chart");
+  const GateResult lowest = evaluated(gate("image_ssim_display/*", GateKind::AtLeast, 0.975), healthy_report());
+  EXPECT_EQ(lowest.passed, false);
+  EXPECT_EQ(lowest.worst_case, "cornell");
+  EXPECT_EQ(lowest.cases, 2u);
+  EXPECT_EQ(lowest.kind, GateKind::AtLeast);
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::AtMost, 0.975), healthy_report()).worst_case, "chart");
 }
 
 TEST(Gates, BaselineInStandardErrors) {
   const Json baseline = healthy_report(), now = spoilt("/images/0/metrics/ssim_display/value", 0.95);
-  const Json result = evaluated(gate("image_ssim_display/*", GateKind::Baseline, 3.0, "σ"), now, &baseline);
-  EXPECT_NEAR(result["value"].get<double>(), 0.02 / std::hypot(0.004, 0.004), 1e-9);
-  EXPECT_EQ(result["passed"], false);
-  EXPECT_EQ(result["kind"], "baseline");
-  EXPECT_EQ(result["worst_case"], "cornell: 0.95, baseline 0.97");
-  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::Baseline, 4.0, "σ"), now, &baseline)["passed"], true);
+  const GateResult result = evaluated(gate("image_ssim_display/*", GateKind::Baseline, 3.0, "σ"), now, &baseline);
+  EXPECT_NEAR(result.value.value(), 0.02 / std::hypot(0.004, 0.004), 1e-9);
+  EXPECT_EQ(result.passed, false);
+  EXPECT_EQ(result.kind, GateKind::Baseline);
+  EXPECT_EQ(result.worst_case, "cornell: 0.95, baseline 0.97");
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::Baseline, 4.0, "σ"), now, &baseline).passed, true);
   // a better image is no failure: the value is negative then
-  EXPECT_LT(evaluated(gate("image_ssim_display/cornell", GateKind::Baseline, 1.0, "σ"), baseline, &now)["value"], -3.0);
-  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::Baseline, 1.0, "σ"), baseline, &now)["passed"], true);
+  EXPECT_LT(evaluated(gate("image_ssim_display/cornell", GateKind::Baseline, 1.0, "σ"), baseline, &now).value.value(),
+            -3.0);
+  EXPECT_EQ(evaluated(gate("image_ssim_display/*", GateKind::Baseline, 1.0, "σ"), baseline, &now).passed, true);
   // without an uncertainty there is no σ
-  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", GateKind::Baseline, 1e9, "σ"), now, &baseline)["passed"], false);
+  EXPECT_EQ(evaluated(gate("matrix_vs_conoid_max_z", GateKind::Baseline, 1e9, "σ"), now, &baseline).passed, false);
 }
 
 /// The healthy report by an experiment whose images have `replicates`, with cornell's SSIM and its error.
@@ -320,20 +322,18 @@ Json measured_by(int replicates, double ssim, double error) {
 
 TEST(Gates, BaselineTellsARegressionFromNoise) {
   const GateSpec spec = gate("image_ssim_display/cornell", GateKind::Baseline, 4.0, "σ");
-  const auto passes = [&](const Json& now, const Json& before) {
-    return evaluated(spec, now, &before)["passed"] == true;
-  };
+  const auto passes = [&](const Json& now, const Json& before) { return evaluated(spec, now, &before).passed == true; };
   // 5 standard errors of the difference: t with 6 degrees of freedom exceeds that by chance once in 800 runs (two-sided
   // 0.00245), no more than a normal deviate exceeds 3.03. What is noise with 4 replicates is a regression with 64.
   const Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
-  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.03, 0.005);
+  EXPECT_NEAR(evaluated(spec, fallen, &before).value.value(), 3.03, 0.005);
   EXPECT_TRUE(passes(fallen, before));
   EXPECT_FALSE(passes(measured_by(64, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001), measured_by(64, 0.97, 0.001)));
   // A fall of 12 standard errors (0.017 of SSIM) is one with 4 replicates, too; a rise never is.
   EXPECT_FALSE(passes(measured_by(4, 0.97 - 12.0 * std::sqrt(2.0) * 0.001, 0.001), before));
   EXPECT_TRUE(passes(measured_by(4, 0.97 + 12.0 * std::sqrt(2.0) * 0.001, 0.001), before));
   // The same run again.
-  EXPECT_EQ(evaluated(spec, before, &before)["value"], 0.0);
+  EXPECT_EQ(evaluated(spec, before, &before).value, 0.0);
 }
 
 TEST(Gates, BaselineTakesTheDegreesThatAnImageStates) {
@@ -343,34 +343,41 @@ TEST(Gates, BaselineTakesTheDegreesThatAnImageStates) {
   Json before = measured_by(4, 0.97, 0.001), fallen = measured_by(4, 0.97 - 5.0 * std::sqrt(2.0) * 0.001, 0.001);
   before["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;
   // Known so well on one side alone: Satterthwaite's 4/(1/45 + 1/3) = 11.25 degrees, a deviate of 3.556.
-  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.556, 0.001);
+  EXPECT_NEAR(evaluated(spec, fallen, &before).value.value(), 3.556, 0.001);
   fallen["images"][0]["metrics"]["ssim_display"]["degrees"] = 45.0;
-  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 4.68, 0.005);
-  EXPECT_EQ(evaluated(spec, fallen, &before)["passed"], false);
+  EXPECT_NEAR(evaluated(spec, fallen, &before).value.value(), 4.68, 0.005);
+  EXPECT_EQ(evaluated(spec, fallen, &before).passed, false);
   // Zero degrees say that there was no noise to measure: the replicates count.
   for (Json* report : {&before, &fallen}) (*report)["images"][0]["metrics"]["ssim_display"]["degrees"] = 0.0;
-  EXPECT_NEAR(evaluated(spec, fallen, &before)["value"].get<double>(), 3.03, 0.005);
+  EXPECT_NEAR(evaluated(spec, fallen, &before).value.value(), 3.03, 0.005);
 }
 
 TEST(Gates, BaselineThatIsMissingOrHasOtherImagesFails) {
   const Json now = healthy_report();
   const GateSpec spec = gate("image_ssim_display/*", GateKind::Baseline, 1.0);
   const Json null;
-  EXPECT_EQ(evaluated(spec, now, &now)["passed"], true);
-  EXPECT_EQ(evaluated(spec, now, nullptr)["passed"], false);
-  EXPECT_EQ(evaluated(spec, now, &null)["passed"], false);
+  EXPECT_EQ(evaluated(spec, now, &now).passed, true);
+  EXPECT_EQ(evaluated(spec, now, nullptr).passed, false);
+  EXPECT_EQ(evaluated(spec, now, &null).passed, false);
   Json fewer = now;
   fewer["images"].erase(2);
-  EXPECT_EQ(evaluated(spec, now, &fewer)["passed"], false);
-  EXPECT_EQ(evaluated(spec, fewer, &now)["passed"], false);
+  EXPECT_EQ(evaluated(spec, now, &fewer).passed, false);
+  EXPECT_EQ(evaluated(spec, fewer, &now).passed, false);
+}
+
+GateResult outcome(const char* id, std::optional<bool> passed) {
+  GateResult result;
+  result.id = id;
+  result.passed = passed;
+  return result;
 }
 
 TEST(Verdict, CountsAndNames) {
-  EXPECT_EQ(verdict_of(Json{{{"id", "a"}, {"passed", true}}, {{"id", "b"}, {"passed", true}}}),
-            (Json{{"passed", true}, {"sentence", "2 of 2 gates passed."}}));
-  EXPECT_EQ(verdict_of(Json{{{"id", "a"}, {"passed", false}}, {{"id", "b"}, {"passed", true}}, {{"id", "c"}}}),
-            (Json{{"passed", false}, {"sentence", "1 of 3 gates passed; failed: a, c."}}));
-  EXPECT_EQ(verdict_of(Json::array())["passed"], false);
+  const std::vector<GateResult> good = {outcome("a", true), outcome("b", true)};
+  EXPECT_EQ(to_json(verdict_of(good)), (Json{{"passed", true}, {"sentence", "2 of 2 gates passed."}}));
+  const std::vector<GateResult> bad = {outcome("a", false), outcome("b", true), outcome("c", std::nullopt)};
+  EXPECT_EQ(to_json(verdict_of(bad)), (Json{{"passed", false}, {"sentence", "1 of 3 gates passed; failed: a, c."}}));
+  EXPECT_EQ(verdict_of({}).passed, false);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #pragma once
-#include <embree3/rtcore.h>
-
 #include <Eigen/Core>
 #include <functional>
-#include <memory>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "conoid/pictures/multipass.h"
@@ -22,40 +21,29 @@ struct Card {
 
 class FlatScene {
  public:
-  explicit FlatScene(std::vector<Card> cards)
-      : cards_(std::move(cards)), device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
-    for (const Card& c : cards_) {
-      RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_QUAD);
-      auto* v = static_cast<float*>(
-          rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4));
-      const double corners[4][2] = {{c.x0, c.y0}, {c.x1, c.y0}, {c.x1, c.y1}, {c.x0, c.y1}};
-      for (int k = 0; k < 4; ++k) {
-        v[3 * k] = static_cast<float>(corners[k][0]);
-        v[3 * k + 1] = static_cast<float>(corners[k][1]);
-        v[3 * k + 2] = static_cast<float>(c.z);
+  explicit FlatScene(std::vector<Card> cards) : cards_(std::move(cards)) {}
+
+  FirstHits first_hits() const {
+    return [this](std::span<const SeenRay> rays, float from_m, std::span<FirstHit> hits) {
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Eigen::Vector3d origin = rays[i].origin.cast<double>(), direction = rays[i].direction.cast<double>();
+        Eigen::Vector3d at;
+        const Card* card = first(origin, direction, at, static_cast<double>(from_m) / direction.norm());
+        hits[i] = card ? FirstHit{static_cast<float>((at - origin).norm() / direction.norm()), card->lamp} : FirstHit{};
       }
-      auto* i = static_cast<unsigned*>(
-          rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), 1));
-      for (unsigned k = 0; k < 4; ++k) i[k] = k;
-      rtcCommitGeometry(geometry);
-      rtcAttachGeometry(scene_.get(), geometry);
-      rtcReleaseGeometry(geometry);
-    }
-    rtcCommitScene(scene_.get());
+    };
   }
 
-  SeenScene seen() const {
-    return {scene_.get(), [this](const RTCHit& hit, const Eigen::Vector3f&) { return cards_[hit.geomID].lamp; }};
-  }
-
-  /// The card that a ray meets first, and where; null for the black surroundings.
-  const Card* first(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, Eigen::Vector3d& at) const {
+  /// The card that a ray meets first behind `from`, in units of its direction, and where; null for the black
+  /// surroundings.
+  const Card* first(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, Eigen::Vector3d& at,
+                    double from = 0.0) const {
     const Card* nearest = nullptr;
     double best = std::numeric_limits<double>::infinity();
     for (const Card& c : cards_) {
       const double t = (c.z - origin.z()) / direction.z();
       const Eigen::Vector3d p = origin + t * direction;
-      if (!(t > 0.0 && t < best && p.x() >= c.x0 && p.x() <= c.x1 && p.y() >= c.y0 && p.y() <= c.y1)) continue;
+      if (!(t > from && t < best && p.x() >= c.x0 && p.x() <= c.x1 && p.y() >= c.y0 && p.y() <= c.y1)) continue;
       best = t;
       nearest = &c;
       at = p;
@@ -135,13 +123,7 @@ class FlatScene {
   }
 
  private:
-  struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-  };
   std::vector<Card> cards_;
-  std::unique_ptr<RTCDeviceTy, Release> device_;
-  std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
 }  // namespace sturm

@@ -59,7 +59,7 @@ Image by_passes(const FlatScene& scene, const SightField& field, int lamp_factor
   settings.passes = 64;
   settings.lamp_factor = lamp_factor;
   const PassPrediction predicted =
-      predict_by_passes(scene.sharp_view(field), 1, field, scene.seen(), scene.shader(), settings);
+      predict_by_passes(scene.sharp_view(field), 1, field, scene.first_hits(), scene.shader(), settings);
   if (counters) *counters = predicted.counters;
   return predicted.radiance;
 }
@@ -70,7 +70,7 @@ Image by_layers(const FlatScene& scene, const SightField& field) {
   settings.passes = 16;
   const FragmentImage view = scene.sharp_view(field);
   return predict_by_layers(view, 1, field,
-                           unseen_pieces(view, 1, field, scene.seen(), scene.shader(), settings, counters))
+                           unseen_pieces(view, 1, field, scene.first_hits(), scene.shader(), settings, counters))
       .radiance;
 }
 

@@ -37,7 +37,7 @@ double white(double, double) {
 Image by_passes(const FlatScene& scene, const SightField& field, int passes) {
   PassSettings settings;
   settings.passes = passes;
-  return predict_by_passes(scene.sharp_view(field), 1, field, scene.seen(), scene.shader(), settings).radiance;
+  return predict_by_passes(scene.sharp_view(field), 1, field, scene.first_hits(), scene.shader(), settings).radiance;
 }
 
 Image by_layers(const FlatScene& scene, const SightField& field, int oversampling = 1) {
@@ -45,7 +45,7 @@ Image by_layers(const FlatScene& scene, const SightField& field, int oversamplin
   settings.passes = 16 * oversampling * oversampling;
   PassCounters counters;
   const FragmentImage view = scene.sharp_view(field, oversampling);
-  const auto unseen = unseen_pieces(view, oversampling, field, scene.seen(), scene.shader(), settings, counters);
+  const auto unseen = unseen_pieces(view, oversampling, field, scene.first_hits(), scene.shader(), settings, counters);
   return predict_by_layers(view, oversampling, field, unseen).radiance;
 }
 
@@ -246,7 +246,7 @@ TEST(PredictedPictures, RefusesAViewThatDoesNotCoverThePicture) {
   const FlatScene scene = post_before_a_wall(-2.0);
   const SightField field(picture(12, 10), Eye::with(Prescription{}, 4e-3), std::nullopt);
   const FragmentImage view = scene.sharp_view(field);
-  EXPECT_THROW(predict_by_passes(view, 2, field, scene.seen(), scene.shader()), std::invalid_argument);
+  EXPECT_THROW(predict_by_passes(view, 2, field, scene.first_hits(), scene.shader()), std::invalid_argument);
   EXPECT_THROW(predict_by_layers(view, 2, field, {}), std::invalid_argument);
 }
 

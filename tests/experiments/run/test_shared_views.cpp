@@ -16,12 +16,12 @@ SceneDescription wall(float distance) {
   return scene;
 }
 
-ImageExperiment image(const std::string& id, const Prescription& rx, const std::vector<RayModel>& models) {
-  ImageExperiment image;
+PictureExperiment image(const std::string& id, const Prescription& rx, const std::vector<RayModel>& models) {
+  PictureExperiment image;
   image.id = id;
   image.camera.vfov = 0.5;
   image.camera.width = image.camera.height = 8;
-  image.eye = Eye::with(rx, 4e-3);
+  image.worn.eye = Eye::with(rx, 4e-3);
   image.ray_models = models;
   image.samples_per_pixel = 4;
   image.replicates = 2;
@@ -47,8 +47,8 @@ struct Asked {
 
 TEST(SharedViews, ModelsWithTheSameRaysAndImagesThatCoincide) {
   ExperimentSpec spec;
-  spec.images = {image("a", {-2.0}, {RayModel::power_matrix, RayModel::thin_lens, RayModel::sin2_radial}),
-                 image("b", {-2.0}, {RayModel::thin_lens})};
+  spec.pictures = {image("a", {-2.0}, {RayModel::power_matrix, RayModel::thin_lens, RayModel::sin2_radial}),
+                   image("b", {-2.0}, {RayModel::thin_lens})};
   Asked asked(spec, {wall(2.0f), wall(2.0f)});
   EXPECT_EQ(asked.ask(0, RayModel::power_matrix, "a/power_matrix"), "a/power_matrix");
   EXPECT_EQ(asked.ask(0, RayModel::thin_lens, "a/thin_lens"), "a/power_matrix");
@@ -59,25 +59,25 @@ TEST(SharedViews, ModelsWithTheSameRaysAndImagesThatCoincide) {
 
 TEST(SharedViews, WhatDiffersIsMade) {
   ExperimentSpec spec;
-  const ImageExperiment first = image("a", {-2.0}, {RayModel::power_matrix});
-  spec.images.assign(8, first);
-  spec.images[1].eye = Eye::with({-2.0, -0.25, 10.0}, 4e-3);
-  spec.images[2].eye = Eye::with({-2.0}, 5e-3);
-  spec.images[3].eye = Eye::with({-2.0}, 4e-3, FixedAccommodation{0.5, 0.0});
-  spec.images[4].samples_per_pixel = 8;
-  spec.images[5].replicates = 3;
-  spec.images[6].camera.position.x() = 0.1;
+  const PictureExperiment first = image("a", {-2.0}, {RayModel::power_matrix});
+  spec.pictures.assign(8, first);
+  spec.pictures[1].worn.eye = Eye::with({-2.0, -0.25, 10.0}, 4e-3);
+  spec.pictures[2].worn.eye = Eye::with({-2.0}, 5e-3);
+  spec.pictures[3].worn.eye = Eye::with({-2.0}, 4e-3, FixedAccommodation{0.5, 0.0});
+  spec.pictures[4].samples_per_pixel = 8;
+  spec.pictures[5].replicates = 3;
+  spec.pictures[6].camera.position.x() = 0.1;
   std::vector<SceneDescription> scenes(8, wall(2.0f));
   scenes[7] = wall(2.5f);
   Asked asked(spec, scenes);
-  for (std::size_t i = 0; i < spec.images.size(); ++i)
+  for (std::size_t i = 0; i < spec.pictures.size(); ++i)
     EXPECT_EQ(asked.ask(i, RayModel::power_matrix, std::to_string(i)), std::to_string(i));
 }
 
 TEST(SharedViews, TheSwitch) {
   ExperimentSpec spec;
   spec.share_views = false;
-  spec.images = {image("a", {-2.0}, {RayModel::power_matrix, RayModel::thin_lens})};
+  spec.pictures = {image("a", {-2.0}, {RayModel::power_matrix, RayModel::thin_lens})};
   Asked asked(spec, {wall(2.0f)});
   asked.ask(0, RayModel::power_matrix, "first");
   EXPECT_EQ(asked.ask(0, RayModel::thin_lens, "second"), "second");

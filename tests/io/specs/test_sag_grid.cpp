@@ -99,6 +99,8 @@ TEST_F(SagGridFile, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_THAT(error(sunflower(800, 4.0)), AllOf(HasSubstr("a gap: no point near ("), HasSubstr("knot_spacing_mm")));
   EXPECT_THAT(error(sunflower(800), 0.1 * mm),
               AllOf(HasSubstr("a knot spacing of 0.1 mm"), HasSubstr("at least 0.15")));
+  EXPECT_THAT(input_error([&] { read_sag_grid(folder_.path(), std::nullopt, 15 * mm); }),
+              HasSubstr("a file that cannot be read"));
   std::string line = "x_mm,y_mm,z_mm\n", aside = line;
   for (int i = 0; i < 20; ++i) line += row(i, 3.0, 0.0);
   for (int i = 0; i < 49; ++i) aside += row(10.0 + i / 7, i % 7 - 3.0, 0.0);

@@ -7,11 +7,13 @@
 
 #include "io/files/error.h"
 #include "io/json/schema.h"
+#include "io/specs/camera_spec.h"
 #include "io/specs/ellipse_query.h"
 #include "io/specs/experiment/bench_spec.h"
 #include "io/specs/prediction_spec.h"
 #include "io/specs/pupil_sampling_spec.h"
 #include "io/specs/ray_bundle_spec.h"
+#include "io/specs/scene_spec.h"
 #include "io/specs/words.h"
 #include "lensmodel/field_method.h"
 #include "lensmodel/lens_status.h"
@@ -48,6 +50,11 @@ TEST(Words, AreThoseOfTheSchemas) {
       table("ellipse", "/definitions/ray_model", ray_model_words),
       table("ellipse", "/definitions/sequence", sequence_words),
       table("ellipse", "/definitions/sampling", pupil_sampling_words),
+      table("render", "/definitions/camera/properties/projection", projection_words),
+      table("render", "/definitions/camera/properties/gaze", gaze_words),
+      table("scene", "/properties/models/items/properties/texture_encoding", texture_encoding_words),
+      table("scene", "/properties/models/items/properties/texture_filter", texture_filter_words),
+      table("scene", "/properties/models/items/properties/texture_wrap", texture_wrap_words),
       table("blurfield", "/properties/method", field_method_words),
       table("render", "/definitions/prediction", prediction_kind_words),
       table("experiment", "/properties/agreement/items/properties/predictions/items", prediction_kind_words),

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lensmodel/eye.h"
-#include "pathtrace/cameras/view_camera.h"
+#include "pathtrace/cameras/general_camera.h"
 #include "pathtrace/film/render.h"
 
 namespace sturm {
@@ -29,7 +29,7 @@ TEST(WeightedRays, AWorldOfRadianceOneIsSeenAsOne) {
   options.pupil = PupilSampler(sampling, 0.0);
   RenderSettings settings;
   settings.samples_per_pixel = 4096;
-  const ViewCamera camera(pose, Eye::with(Prescription{}, 20e-3), RayModel::thin_lens, options);
+  const GeneralCamera camera(pose, Eye::with(Prescription{}, 20e-3), RayModel::thin_lens, options);
   const RenderResult result = render(Scene(scene), camera, settings);
   // 4 σ of independent weights would be 4·√(1/3/4096) = 0.036; scrambled Sobol' points are ten times better.
   EXPECT_NEAR(result.radiance.at(0, 0)[0], 1.0f, 0.0036f);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "pathtrace/film/render.h"
-#include "pathtrace/guide/guided_pixel.h"
+#include "pathtrace/guide/emitter_guide.h"
 #include "support/lights_in_the_dark.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
@@ -135,15 +135,15 @@ TEST(EmitterGuide, LessNoiseForTheSameSamples) {
 TEST(EmitterGuide, DoesNothingWhereItCannotHelp) {
   SceneDescription d = lights_in_the_dark();
   const Scene scene(d);
-  EXPECT_TRUE(SceneGuide(scene, EyeCamera(pose(), testing::pinhole_rays())).empty());
+  EXPECT_TRUE(EmitterGuide(scene, EyeCamera(pose(), testing::pinhole_rays())).empty());
   // A large lamp that most of the pupil sees at a time.
   d.meshes = {testing::parallelogram({1, -1, -4}, {-2, 0, 0}, {0, 2, 0}, 1)};
   d.spheres.clear();
-  EXPECT_TRUE(SceneGuide(Scene(d), EyeCamera(pose(), eye({-3.0}, 0.0))).empty());
+  EXPECT_TRUE(EmitterGuide(Scene(d), EyeCamera(pose(), eye({-3.0}, 0.0))).empty());
   // Behind the eye.
   d.meshes = {lamp({0, 0, 1}, 0.001f, 1)};
   const Scene behind(d);
-  EXPECT_TRUE(SceneGuide(behind, EyeCamera(pose(), eye({-3.0}, 0.0))).empty());
+  EXPECT_TRUE(EmitterGuide(behind, EyeCamera(pose(), eye({-3.0}, 0.0))).empty());
   RenderCounters counters;
   EXPECT_EQ(rendered(behind, eye({-3.0}, 0.0), true, 16, 1, &counters).pixels,
             rendered(behind, eye({-3.0}, 0.0), false, 16, 1).pixels);
@@ -163,14 +163,13 @@ TEST(EmitterGuide, DensityIsThatOfTheProposals) {
   // The proposals' mean of 1/pdf is the area of the region that they fill: its rectangle within the pupil.
   const Scene scene(lights_in_the_dark());
   const EyeCamera camera(pose(), eye({-1.0, -3.0, 30.0}, 0.0));
-  const EmitterClusters clusters(scene.lights());
-  const EmitterGuide guide(clusters, camera);
+  const EmitterGuide guide(scene, camera);
   ASSERT_FALSE(guide.empty());
   std::vector<GuidedTarget> targets;
-  int pixels = 0;
+  int pixels = 0, proposals = 0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
-      guide.find_targets(x, y, targets);
+      guide.find_targets(camera.pixel(x, y), targets);
       float sum = 0.0f;
       for (const GuidedTarget& t : targets) sum += t.probability;
       if (!targets.empty()) {
@@ -178,16 +177,21 @@ TEST(EmitterGuide, DensityIsThatOfTheProposals) {
         ++pixels;
       }
       for (const GuidedTarget& t : targets) {
-        const float qx = camera.slope_x(static_cast<float>(x) + 0.3f),
-                    qy = camera.slope_y(static_cast<float>(y) + 0.6f);
+        const auto place =
+            guide.place(camera.pixel(x, y), {static_cast<float>(x) + 0.3f, static_cast<float>(y) + 0.6f});
+        ASSERT_TRUE(place);
+        const auto region = guide.region(t.cluster, *place);
+        if (!region) continue;
         for (const float u : {0.01f, 0.5f, 0.99f}) {
-          const EmitterGuide::Proposal p = guide.propose(t.cluster, qx, qy, u, 1.0f - u);
-          if (!(p.pdf > 0.0f)) continue;
-          EXPECT_LE(std::hypot(p.px, p.py), 3e-3f * 1.0001f);
-          EXPECT_FLOAT_EQ(p.pdf, guide.pdf(t.cluster, qx, qy, p.px, p.py));
+          const Eigen::Vector2f p = region->point(u, 1.0f - u);
+          if (!guide.ray(*place, p)) continue;
+          ++proposals;
+          EXPECT_LE(p.norm(), 3e-3f * 1.0001f);
+          EXPECT_FLOAT_EQ(region->proposed_pdf(), region->pdf(p));
         }
       }
     }
+  EXPECT_GT(proposals, 60);
   EXPECT_GT(pixels, 20);
 }
 

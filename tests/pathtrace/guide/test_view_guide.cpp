@@ -140,7 +140,7 @@ std::vector<ViewCase> cases() {
            {PupilSampling::UniformPolarWeighted}}};
 }
 
-RenderResult rendered(const Scene& scene, const ViewCamera& camera, bool guided, int samples, std::uint64_t seed,
+RenderResult rendered(const Scene& scene, const GeneralCamera& camera, bool guided, int samples, std::uint64_t seed,
                       int bounces = 0) {
   RenderSettings settings;
   settings.samples_per_pixel = samples;
@@ -180,7 +180,7 @@ TEST(ViewGuide, SlowTheSameMeanAsPlainSampling) {
       testing::lights_in_the_dark(10.0f));  // large enough for plain sampling to have a normal distribution
   constexpr int replicates = 16, block = 8;
   for (const ViewCase& c : cases()) {
-    const ViewCamera camera(pose(), c.eye, c.model, c.options(&scene));
+    const GeneralCamera camera(pose(), c.eye, c.model, c.options(&scene));
     const auto plain = estimates(replicates, [&](int r) {
       return block_means(rendered(scene, camera, false, 256, 100 + r, 1).radiance, 0, block);
     });
@@ -286,7 +286,7 @@ TEST(ViewGuide, SlowThePictureOfASmallLightIsThatOfItsRays) {
   constexpr int replicates = 24, block = 2, samples = 32;
   constexpr double luminance = 1e6;
   for (const ViewCase& c : {toric, progressive, rim_cut, folded, weighted_polar, raw_polar}) {
-    const ViewCamera camera(pose(narrow_field), c.eye, c.model, c.options());
+    const GeneralCamera camera(pose(narrow_field), c.eye, c.model, c.options());
     const auto chief =
         camera.leaving(camera.sight_at(0.55 * size, 0.45 * size), {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
     ASSERT_TRUE(chief);
@@ -338,7 +338,7 @@ TEST(ViewGuide, ItsRaysMeetTheirEmitters) {
   const Scene scene(d);
   const auto share = [&](const ViewCase& c) {
     const RenderCounters n =
-        rendered(scene, ViewCamera(pose(), c.eye, c.model, c.options(&scene)), true, 16, 3).counters;
+        rendered(scene, GeneralCamera(pose(), c.eye, c.model, c.options(&scene)), true, 16, 3).counters;
     return static_cast<double>(n.guided_hits) / static_cast<double>(n.guided_rays);
   };
   EXPECT_GT(share(toric), 0.35);
@@ -351,7 +351,7 @@ TEST(ViewGuide, ItsRaysMeetTheirEmitters) {
 TEST(ViewGuide, SaysWhetherItIsInUseAndWhyNot) {
   const Scene scene(testing::lights_in_the_dark());
   const auto use = [&](const ViewCase& c) {
-    return ViewGuide(scene, ViewCamera(pose(), c.eye, c.model, c.options(&scene))).use();
+    return ViewGuide(scene, GeneralCamera(pose(), c.eye, c.model, c.options(&scene))).use();
   };
   EXPECT_EQ(use(toric), GuideUse::in_use);
   EXPECT_EQ(use({"", eye({-3.0}), RayModel::pinhole}), GuideUse::no_pupil);
@@ -363,7 +363,7 @@ TEST(ViewGuide, SaysWhetherItIsInUseAndWhyNot) {
   d.meshes = {testing::parallelogram({1, -1, -4}, {-2, 0, 0}, {0, 2, 0}, 1)};  // most of the pupil sees it at a time
   d.spheres.clear();
   const Scene large(d);
-  const ViewCamera camera(pose(), toric.eye, toric.model, toric.options());
+  const GeneralCamera camera(pose(), toric.eye, toric.model, toric.options());
   EXPECT_EQ(ViewGuide(large, camera).use(), GuideUse::no_small_emitter);
   EXPECT_EQ(rendered(large, camera, true, 16, 1).radiance.pixels,
             rendered(large, camera, false, 16, 1).radiance.pixels);
@@ -373,11 +373,11 @@ TEST(ViewGuide, SaysWhetherItIsInUseAndWhyNot) {
 
 TEST(ViewConoid, RaysPassWhereItSays) {
   for (const ViewCase& c : {toric, progressive, focal_line}) {
-    const ViewCamera camera(pose(), c.eye, c.model, c.options());
+    const GeneralCamera camera(pose(), c.eye, c.model, c.options());
     const PupilSlopes slopes = fitted_slopes(camera.rays());
     const ViewConoidField field(camera, slopes);
     const double film_x = 21.3, film_y = 9.8;  // between the corners
-    const ViewCamera::Sight sight = camera.sight_at(film_x, film_y);
+    const GeneralCamera::Sight sight = camera.sight_at(film_x, film_y);
     const auto chief = camera.leaving(sight, {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
     ASSERT_TRUE(chief);
     const auto conoid = field.at(film_x, film_y);

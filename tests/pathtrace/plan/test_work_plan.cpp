@@ -138,12 +138,13 @@ Eigen::Vector2d place_of_hit(const CameraPose& pose, const Vector3d& hit) {
 /// How far from its own place in the picture [px] the ray of a sample meets something; none where it meets nothing.
 std::optional<double> wandering_px(const Scene& scene, const CameraPose& pose, const EyeCamera& camera, int x, int y,
                                    std::uint32_t sample, const PixelSequence& sequence) {
-  const EyeCamera::SamplePlace at = camera.place_of(x, y, sample, sequence);
-  const EyeCamera::SingleRay ray = camera.single(at.film_x, at.film_y, at.px, at.py);
+  const EyeCamera::Pixel pixel = camera.pixel(x, y);
+  const EyeCamera::SamplePlace at = camera.place_of(pixel, sample, sequence);
+  const CameraRay ray = camera.single(pixel, at);
   RTCRayHit hit = ray_from(ray.origin, ray.direction);
   if (!intersect(scene.embree(), hit)) return std::nullopt;
   const Eigen::Vector2d seen = place_of_hit(pose, (ray.origin + hit.ray.tfar * ray.direction).cast<double>());
-  return (seen - Eigen::Vector2d(at.film_x, at.film_y)).norm();
+  return (seen - at.film.cast<double>()).norm();
 }
 
 /// Every ray of a sharp cell meets what it meets within the bound of its own place in the picture; and cells are not

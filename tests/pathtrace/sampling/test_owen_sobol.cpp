@@ -125,6 +125,20 @@ RC_GTEST_PROP(PixelSequence, ASampleIsAFunctionOfItsAddressAlone, ()) {
   }
 }
 
+TEST(PixelSequence, ABlockHasThePairsOfItsSamples) {
+  for (Sequence kind : {Sequence::Sobol, Sequence::Halton, Sequence::Independent}) {
+    const PixelSequence sequence(kind, 7, 23);
+    for (const std::uint32_t first : {0u, 3u, 4096u})
+      for (const std::uint32_t dimension : {dimension::film, dimension::lens, dimension::guided_lens}) {
+        const auto block = sequence.pairs<16>(first, dimension);
+        for (std::uint32_t i = 0; i < 16; ++i) {
+          ASSERT_EQ(block.x[i], sequence.pair(first + i, dimension).x) << first << " " << dimension << " " << i;
+          ASSERT_EQ(block.y[i], sequence.pair(first + i, dimension).y) << first << " " << dimension << " " << i;
+        }
+      }
+  }
+}
+
 TEST(PixelSequence, IndependentNumbersAreUniform) {
   const PixelSequence sequence(Sequence::Independent, 3, 17);
   std::vector<int> counts(256, 0), successive(256, 0);

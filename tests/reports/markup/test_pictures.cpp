@@ -110,6 +110,21 @@ TEST(ReportPictures, ShrinkingTakesMeansAlsoAtTheEdge) {
   EXPECT_THAT(half.pixels, testing::ElementsAre(4.0f, 15.0f));
 }
 
+TEST(ReportPictures, ShrinkingTakesEachChannelByItself) {
+  // 5 × 4 pixels in blocks of 3: two columns and one row are left over at the edge.
+  Image image(5, 4, 3);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x) image.at(x, y)[0] = x * x, image.at(x, y)[1] = 10 * y * y, image.at(x, y)[2] = x * y;
+  const Image small = shrunk(image, 3);
+  ASSERT_EQ(small.width, 2);
+  ASSERT_EQ(small.height, 2);
+  ASSERT_EQ(small.channels, 3);
+  const float expected[] = {5.0f / 3, 50.0f / 3, 1.0f, 12.5f, 50.0f / 3, 3.5f,  //
+                            5.0f / 3, 90.0f,     3.0f, 12.5f, 90.0f,     10.5f};
+  EXPECT_THAT(small.pixels, testing::Pointwise(testing::FloatEq(), expected));
+  EXPECT_EQ(shrunk(image, 9).pixels.size(), 3u);
+}
+
 TEST(ReportPictures, LumaIsRec709) {
   Image image(1, 1, 3);
   image.pixels = {1.0f, 0.5f, 0.25f};

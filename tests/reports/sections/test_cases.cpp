@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/findings/agreement.h"
 #include "compare/findings/lens_study.h"
+#include "compare/findings/picture_numbers.h"
 #include "compare/findings/sampling_study.h"
 #include "compare/findings/sin2_study.h"
 #include "compare/findings/study_reports.h"
@@ -35,11 +35,11 @@ std::vector<CaseStatus> states(const Measurements& rows) {
 TEST(ReportCases, APredictionIsHeldAgainstThePathTracersNoise) {
   Measurements cases;
   Json report = testing::agreement_report(0.97, 4e-4);
-  add_rows(measure_agreement, report, cases);
+  add_rows(measure_pictures, report, cases);
   report["agreement"][0]["predictions"][0]["parts"][0]["rmse_display"]["value"] = 0.009;
-  add_rows(measure_agreement, report, cases);
+  add_rows(measure_pictures, report, cases);
   report["agreement"][0]["noise_floor"] = Json::object();
-  add_rows(measure_agreement, report, cases);
+  add_rows(measure_pictures, report, cases);
   EXPECT_THAT(states(cases), ElementsAre(CaseStatus::Differs, CaseStatus::Agrees, CaseStatus::NoResult));
   EXPECT_NEAR(*cases[0].value, 2.0, 1e-12);  // 0.02 over a floor of 0.01
   EXPECT_EQ(cases[0].model, "layered");

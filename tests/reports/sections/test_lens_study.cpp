@@ -18,7 +18,7 @@
 #include "reports/page/run_page.h"
 #include "reports/plots/figure.h"
 #include "reports/plots/lens_study_figures.h"
-#include "reports/text/csv.h"
+#include "reports/text/lens_study_csv.h"
 
 namespace sturm {
 namespace {

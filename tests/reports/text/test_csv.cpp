@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/fixture_report.h"
-#include "reports/text/csv.h"
+#include "reports/text/ellipses_csv.h"
 
 namespace sturm {
 namespace {
@@ -43,7 +43,7 @@ std::string at(const Rows& rows, std::size_t row, const std::string& heading) {
 
 TEST(EllipsesCsv, OneRowPerCaseAndRayModel) {
   const Json report = test::synthetic_report();
-  const Rows rows = parse(ellipses_csv(report));
+  const Rows rows = parse(ellipses_csv(read_ellipses(report).cases));
   ASSERT_EQ(rows.size(), 1 + 64 * 5u);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   EXPECT_EQ(at(rows, 1, "ray_model"), "pinhole");
@@ -56,7 +56,7 @@ TEST(EllipsesCsv, NumbersReadBackExactlyAndNullsAreEmpty) {
   Json& rays = report["ellipses"]["cases"][0]["rays"][0];
   rays["covariance_rad2"] = {0.1 + 0.2, -1.0 / 3.0, 5e-324};
   rays["orientation_deg"] = nullptr;
-  const Rows rows = parse(ellipses_csv(report));
+  const Rows rows = parse(ellipses_csv(read_ellipses(report).cases));
   EXPECT_EQ(std::stod(at(rows, 1, "covariance_xx_rad2")), 0.1 + 0.2);
   EXPECT_EQ(std::stod(at(rows, 1, "covariance_xy_rad2")), -1.0 / 3.0);
   EXPECT_EQ(at(rows, 1, "covariance_yy_rad2"), "5e-324");
@@ -65,7 +65,7 @@ TEST(EllipsesCsv, NumbersReadBackExactlyAndNullsAreEmpty) {
 }
 
 TEST(EllipsesCsv, InfiniteDistanceIsItsWord) {
-  const Rows rows = parse(ellipses_csv(test::synthetic_report()));
+  const Rows rows = parse(ellipses_csv(read_ellipses(test::synthetic_report()).cases));
   EXPECT_EQ(at(rows, 31, "distance_m"), "inf");  // the fourth distance, first pupil
 }
 
@@ -73,13 +73,13 @@ TEST(EllipsesCsv, QuotesWhatNeedsQuoting) {
   Json report = test::synthetic_report();
   const std::string hostile = "a,\"b\"\r\nc";
   report["ellipses"]["cases"][0]["id"] = hostile;
-  const std::string csv = ellipses_csv(report);
+  const std::string csv = ellipses_csv(read_ellipses(report).cases);
   EXPECT_THAT(csv, testing::HasSubstr("\r\n\"a,\"\"b\"\"\r\nc\",plano,"));
   EXPECT_EQ(at(parse(csv), 1, "case"), hostile);
 }
 
 TEST(EllipsesCsv, ReportWithoutEllipsesHasAHeaderOnly) {
-  EXPECT_EQ(parse(ellipses_csv(Json::object())).size(), 1u);
+  EXPECT_EQ(parse(ellipses_csv({})).size(), 1u);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "reports/text/junit.h"
 
 namespace sturm {
@@ -11,21 +9,29 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Json gate(const std::string& id, bool passed) {
-  return {{"id", id},
-          {"title", "A < B & \"C\""},
-          {"kind", "upper_bound"},
-          {"passed", passed},
-          {"statistic", "max_z"},
-          {"value", 7.25},
-          {"bound", 6.0},
-          {"unit", "σ"},
-          {"worst_case", "P|1 m"},
-          {"reason", "because"}};
+GateResult gate(const std::string& id, bool passed) {
+  return {.id = id,
+          .title = "A < B & \"C\"",
+          .kind = GateKind::AtMost,
+          .passed = passed,
+          .statistic = "max_z",
+          .value = 7.25,
+          .uncertainty = std::nullopt,
+          .bound = 6.0,
+          .unit = "σ",
+          .cases = std::nullopt,
+          .worst_case = "P|1 m",
+          .reason = "because",
+          .calibration = std::nullopt};
+}
+
+std::string xml_of(const std::vector<GateResult>& results, const std::string& suite,
+                   std::optional<double> seconds = std::nullopt) {
+  return junit_xml(results, suite, seconds);
 }
 
 TEST(Junit, WholeDocument) {
-  EXPECT_EQ(junit_xml(Json{gate("good", true), gate("bad", false)}, "sturm", 1.5),
+  EXPECT_EQ(xml_of({gate("good", true), gate("bad", false)}, "sturm", 1.5),
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<testsuites tests=\"2\" failures=\"1\" errors=\"0\" time=\"1.500\">\n"
             "  <testsuite name=\"sturm\" tests=\"2\" failures=\"1\" errors=\"0\" time=\"1.500\">\n"
@@ -40,31 +46,31 @@ TEST(Junit, WholeDocument) {
 }
 
 TEST(Junit, HostileNamesStayInsideTheirAttribute) {
-  const std::string xml = junit_xml(Json{gate("\"/><script>alert('x')</script>\n]]>", true)}, "a&b");
+  const std::string xml = xml_of({gate("\"/><script>alert('x')</script>\n]]>", true)}, "a&b");
   EXPECT_THAT(xml, HasSubstr("name=\"&quot;/&gt;&lt;script&gt;alert(&apos;x&apos;)&lt;/script&gt;&#10;]]&gt;\""));
   EXPECT_THAT(xml, HasSubstr("classname=\"a&amp;b.upper_bound\""));
   EXPECT_THAT(xml, Not(HasSubstr("<script>")));
 }
 
 TEST(Junit, ControlCharactersAreReplaced) {
-  const std::string xml = junit_xml(Json{gate(std::string("a\x01"
-                                                          "b\0c",
-                                                          5),
-                                              true)},
-                                    "s");
+  const std::string xml = xml_of({gate(std::string("a\x01"
+                                                   "b\0c",
+                                                   5),
+                                       true)},
+                                 "s");
   EXPECT_THAT(xml, HasSubstr("name=\"a\xEF\xBF\xBD"
                              "b\xEF\xBF\xBD"
                              "c\""));
 }
 
 TEST(Junit, MissingValueReadsNone) {
-  Json failed = gate("x", false);
-  failed["value"] = nullptr;
-  EXPECT_THAT(junit_xml(Json{failed}, "s"), HasSubstr("max_z = none σ, bound 6"));
+  GateResult failed = gate("x", false);
+  failed.value.reset();
+  EXPECT_THAT(xml_of({failed}, "s"), HasSubstr("max_z = none σ, bound 6"));
 }
 
 TEST(Junit, NoGatesIsAnEmptySuite) {
-  EXPECT_THAT(junit_xml(Json::array(), "s"), HasSubstr("tests=\"0\" failures=\"0\""));
+  EXPECT_THAT(xml_of({}, "s"), HasSubstr("tests=\"0\" failures=\"0\""));
 }
 
 }  // namespace

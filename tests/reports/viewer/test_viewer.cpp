@@ -30,7 +30,12 @@ ViewerPayload payload_with(const std::string& title) {
   ViewerPayload payload;
   payload.add_picture("a.exr", a, 1);
   payload.add_picture("b.exr", b, 1);
-  payload.add_case(case_of_images(title, "a.exr", "b.exr", luma_image(a), 0.5, measure_images(b, a, {}), 1));
+  ViewerSet shown;
+  shown.title = title;
+  shown.pictures = {{"path_traced", "Path traced", "a.exr"}, {"predicted", "Predicted", "b.exr"}};
+  shown.maps = maps_of_images(luma_image(a), 0.5, measure_images(b, a, {}), 1 + viewer_maps().size());
+  shown.quantity = viewer_radiance;
+  payload.add_set(shown);
   return payload;
 }
 
@@ -72,13 +77,13 @@ TEST(ViewerPayload, APictureOfSeveralCasesIsStoredOnce) {
 TEST(ViewerPayload, DensitiesKeepTheirPrecisionHoweverSmall) {
   Image density(2, 1, 1);
   density.pixels = {0x1p-20f, 0x1.004p-32f};  // 2⁻³² itself would round to zero; the second is 1025/1024 of it
-  ViewerCase shown;
-  shown.kind = ViewerCase::Kind::Density;
+  ViewerSet shown;
+  shown.kind = ViewerSet::Kind::Density;
   shown.pictures = {{"a", "A", "a.exr"}};
   shown.peak = 0x1p-20;
   ViewerPayload payload;
   payload.add_picture("a.exr", density, 1);
-  payload.add_case(shown);
+  payload.add_set(shown);
   const Json picture = document_of(payload)["pictures"]["a.exr"];
   ASSERT_EQ(picture["exponent"], 33);  // 2⁻²⁰ becomes 2¹³, the second 2·(1 + 2⁻¹⁰)
   // 2¹³ = 0x7000 and 2·(1 + 2⁻¹⁰) = 0x4001, little endian: 00 70 01 40.
@@ -86,13 +91,13 @@ TEST(ViewerPayload, DensitiesKeepTheirPrecisionHoweverSmall) {
 }
 
 TEST(ViewerPayload, ADensityOfZerosStaysOne) {
-  ViewerCase shown;
-  shown.kind = ViewerCase::Kind::Density;
+  ViewerSet shown;
+  shown.kind = ViewerSet::Kind::Density;
   shown.pictures = {{"a", "A", "a.exr"}};
   shown.peak = 1.0;
   ViewerPayload payload;
   payload.add_picture("a.exr", Image(2, 2, 1), 1);
-  payload.add_case(shown);
+  payload.add_set(shown);
   EXPECT_EQ(document_of(payload)["pictures"]["a.exr"]["exponent"], 0);
 }
 

@@ -2,12 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "compare/statistics/equal_error.h"
 #include "compare/studies/agreement/agreement_measures.h"
-#include "compare/studies/agreement/agreement_reasons.h"
 
 namespace sturm {
 namespace {
@@ -103,63 +101,6 @@ TEST(EqualError, FollowsThePowerLawAndTheLineOfTime) {
   EXPECT_FALSE(NoiseOverTime({16.0, 0.2, 1e-3}, {64.0, 0.8, 1e-3}).order().has_value());
   // A line that would start below zero: in proportion.
   EXPECT_NEAR(NoiseOverTime({16.0, 0.1, 0.01}, {64.0, 0.8, 0.00125}).seconds_for(16.0), 0.2, 1e-12);
-}
-
-nlohmann::json prediction(double ssim, double faster) {
-  return {
-      {"kind", "layered"},
-      {"parts", {{{"name", "whole"}, {"ssim_display", {{"value", ssim}}}}}},
-      {"similarity_loss",
-       {{"total", 1.0 - ssim}, {"reference_noise", 0.004}, {"prediction_noise", 0.02}, {"method", 0.006}}},
-      {"squared_error", {{"total", 1e-4}, {"prediction_noise", 6e-5}, {"method", 4e-5}}},
-      {"times_faster", faster},
-      {"cost_in_paths", 25.0},
-      {"samples_of_equal_error", 200.0},
-      {"rmse_needed", 0.0061},
-      {"causes",
-       {{{"name", "lamp_rims"}, {"pixels", 100}, {"share_of_squared_error", 0.62}, {"share_of_similarity_loss", 0.05}},
-        {{"name", "occlusion_edges"},
-         {"pixels", 1900},
-         {"share_of_squared_error", 0.33},
-         {"share_of_similarity_loss", 0.15}},
-        {{"name", "blurred"}, {"pixels", 8000}, {"share_of_squared_error", 0.05}, {"share_of_similarity_loss", 0.8}}}}};
-}
-
-TEST(AgreementReasons, SayWhatIsReached) {
-  const nlohmann::json entry = {{"samples_per_pixel", 256}, {"replicates", 4}, {"sharp_samples_per_pixel", 16}};
-  const auto reasons = agreement_reasons(entry, prediction(0.985, 25.0));
-  ASSERT_EQ(reasons.size(), 2u);
-  EXPECT_EQ(reasons[0], "SSIM 0.9850 reaches 0.98.");
-  EXPECT_EQ(reasons[1], "25 × faster than path tracing to the same error (200 paths per pixel) reaches 20.");
-}
-
-TEST(AgreementReasons, SayWhatIsMissingAndWhere) {
-  const nlohmann::json entry = {{"samples_per_pixel", 256}, {"replicates", 4}, {"sharp_samples_per_pixel", 16}};
-  const auto reasons = agreement_reasons(entry, prediction(0.97, 8.0));
-  ASSERT_EQ(reasons.size(), 2u);
-  EXPECT_NE(
-      reasons[0].find(
-          "0.0300 that are missing to 1, 0.0040 are noise of the reference (1024 paths per pixel), 0.0200 noise of the "
-          "prediction (sharp view of 16), 0.0060 the method. By place: 80 % elsewhere in blur (80 % of the pixels), 15 "
-          "% "
-          "at edges of depth (19 % of the pixels)."),
-      std::string::npos)
-      << reasons[0];
-  EXPECT_NE(reasons[1].find("20 × needed the RMSE 0.0061 that path tracing has after 20 times as many; it has 0.01. Of "
-                            "its squared error 60 %"),
-            std::string::npos)
-      << reasons[1];
-  EXPECT_NE(reasons[1].find(
-                "62 % in the blur of lamps' rims (1 % of the pixels), 33 % at edges of depth (19 % of the pixels)."),
-            std::string::npos)
-      << reasons[1];
-  EXPECT_NE(
-      agreement_reasons(entry, prediction(0.978, 8.0))[0].find("without the reference's noise the bar is reached"),
-      std::string::npos);
-}
-
-TEST(AgreementReasons, AreSilentWithoutNumbers) {
-  EXPECT_TRUE(agreement_reasons(nlohmann::json::object(), nlohmann::json::object()).empty());
 }
 
 }  // namespace

@@ -54,12 +54,12 @@ TEST_F(ExperimentSpecTest, ReadsAllSections) {
   ASSERT_EQ(spec.psfs.size(), 1u);
   EXPECT_DOUBLE_EQ(spec.psfs[0].eye.pupil_radius_m, 2e-3);
   EXPECT_EQ(spec.psfs[0].resolution, 96);
-  ASSERT_EQ(spec.images.size(), 1u);
-  EXPECT_EQ(spec.images[0].eye.prescription.sphere_D, -6.75);
-  EXPECT_EQ(spec.images[0].eye.accommodation_for(0.0), 1.0);
-  EXPECT_EQ(spec.images[0].sharp_samples_per_pixel, 256u);
-  EXPECT_EQ(spec.images[0].replicates, 2);
-  EXPECT_EQ(spec.images[0].camera.width, 64);
+  ASSERT_EQ(spec.pictures.size(), 1u);
+  EXPECT_EQ(spec.pictures[0].worn.eye.prescription.sphere_D, -6.75);
+  EXPECT_EQ(spec.pictures[0].worn.eye.accommodation_for(0.0), 1.0);
+  EXPECT_EQ(spec.pictures[0].sharp_samples_per_pixel, 256u);
+  EXPECT_EQ(spec.pictures[0].replicates, 2);
+  EXPECT_EQ(spec.pictures[0].camera.width, 64);
   EXPECT_EQ(spec.gates, folder_ / "gates/g.json");
   EXPECT_EQ(spec.baseline, folder_ / "none.json");
   EXPECT_EQ(spec.reference, std::nullopt);
@@ -67,6 +67,38 @@ TEST_F(ExperimentSpecTest, ReadsAllSections) {
   EXPECT_EQ((*spec.resolved)["ellipses"]["rays"]["replicates"], 16);
   EXPECT_EQ((*spec.resolved)["images"][0]["sharp_samples_per_pixel"], 256);
   EXPECT_EQ(*read_experiment(*spec.resolved, file_).resolved, *spec.resolved);
+}
+
+TEST_F(ExperimentSpecTest, BothListsOfPicturesAreReadAsOne) {
+  document_["agreement"] = parse_json(R"([
+    {"id": "i1", "note": "n", "scene": "../scenes/s.json",
+     "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 40, "resolution": [64, 32], "gaze": "foveal"},
+     "eye": {"prescription": {"sphere_D": -1}, "pupil_diameter_mm": 6}, "predictions": ["layered", "multipass"], "passes": 8,
+     "samples_per_pixel": 32, "replicates": 3}])",
+                                      "e.json");
+  const ExperimentSpec spec = read_experiment(document_, file_);
+  ASSERT_EQ(spec.pictures.size(), 2u);
+  const PictureExperiment &image = spec.pictures[0], &view = spec.pictures[1];
+  EXPECT_EQ(image.measures, PictureMeasures::Metrics);
+  EXPECT_THAT(image.ray_models, ElementsAre(RayModel::power_matrix, RayModel::sin2_radial));
+  ASSERT_EQ(image.predictions.size(), 1u);
+  EXPECT_EQ(image.predictions[0].kind, PredictionKind::Ellipses);
+  EXPECT_FALSE(image.guide_emitters);
+  EXPECT_EQ(view.measures, PictureMeasures::Regions);
+  EXPECT_EQ(view.id, "i1");  // unique within its list
+  EXPECT_EQ(view.note, "n");
+  EXPECT_THAT(view.ray_models, ElementsAre(RayModel::power_matrix));
+  ASSERT_EQ(view.predictions.size(), 2u);
+  EXPECT_EQ(view.predictions[1].kind, PredictionKind::Multipass);
+  EXPECT_EQ(view.predictions[1].passes, 8);
+  EXPECT_TRUE(view.guide_emitters);
+  EXPECT_EQ(view.worn.eye.prescription.sphere_D, -1.0);
+  EXPECT_EQ(view.sharp_samples_per_pixel, 16u);
+  EXPECT_EQ(view.replicates, 3);
+  EXPECT_THAT(spec.input_files, ElementsAre((folder_ / "gates/g.json").string(), (folder_ / "scenes/s.json").string()));
+  EXPECT_THAT(error_with("/agreement/0/predictions/0=ellipses"), HasSubstr("/agreement/0/predictions/0: got"));
+  document_["agreement"].push_back(document_["agreement"][0]);
+  EXPECT_THAT(input_error([&] { read_experiment(document_, file_); }), HasSubstr("/agreement/1/id: got \"i1\""));
 }
 
 TEST_F(ExperimentSpecTest, IdsAreUniqueAndKnown) {
@@ -199,7 +231,7 @@ TEST(GateSpec, ReadsAllComparisons) {
   EXPECT_EQ(gates[1].bound, 0.5);
   EXPECT_EQ(gates[1].unit, "");
   for (std::size_t i = 0; i < gates.size(); ++i)
-    EXPECT_EQ(to_string(gates[i].comparison), document["gates"][i]["comparison"]);
+    EXPECT_EQ(std::string(entry_of(gates[i].kind).file_word), document["gates"][i]["comparison"]);
   Json twice = document;
   twice["gates"][3]["id"] = "a";
   EXPECT_THAT(input_error([&] { read_gates(twice, "g.json"); }), HasSubstr("g.json: /gates/3/id: got \"a\""));
@@ -224,7 +256,7 @@ TEST(GateSpec, ReadsAndWritesACalibration) {
   EXPECT_EQ(gate.calibration->noise.standard_deviation, 0.25);
   EXPECT_EQ(gate.calibration->noise.source, "20 seeds");
   Json written = calibrated_gates()["gates"][0];
-  written.update(calibration_json(gate));
+  written.update(calibration_json(gate.calibration));
   EXPECT_EQ(written, calibrated_gates()["gates"][0]);
   EXPECT_NO_THROW(require_calibrated({gate}, "g.json"));
 }
@@ -236,7 +268,7 @@ TEST(GateSpec, WhatNobodyMeasuredIsNull) {
   const GateSpec gate = read_gates(document, "g.json").at(0);
   EXPECT_FALSE(gate.calibration->level);
   EXPECT_FALSE(gate.calibration->noise.standard_deviation);
-  EXPECT_TRUE(calibration_json(gate)["level"].is_null());
+  EXPECT_TRUE(calibration_json(gate.calibration)["level"].is_null());
 }
 
 TEST(GateSpec, RefusesHalfACalibrationAndChanceWithoutNoise) {
