@@ -50,7 +50,7 @@ void add_view(CsvWriter& csv, const LensStudyView& view, std::string_view status
 
 void add_method(CsvWriter& csv, const LensStudyView& view, const LensPupil& pupil, const StudyMethod& method) {
   const auto axes = pupil.real_semi_axes_arcmin.value_or(std::array<Number, 2>{});
-  for (const Number& number : {pupil.pupil_mm, pupil.rays_lost, axes[0], axes[1]}) csv.number(number);
+  for (const Number& number : {pupil.pupil_mm, Number(pupil.rays_lost), axes[0], axes[1]}) csv.number(number);
   csv.text(method.key);
   const FirstOrderError first_order =
       method.first_order ? (view.first_order.*method.first_order).value_or(FirstOrderError{}) : FirstOrderError{};
