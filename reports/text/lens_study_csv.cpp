@@ -50,9 +50,7 @@ void add_view(CsvWriter& csv, const LensStudyView& view, std::string_view status
 
 void add_method(CsvWriter& csv, const LensStudyView& view, const LensPupil& pupil, const StudyMethod& method) {
   const auto axes = pupil.real_semi_axes_arcmin.value_or(std::array<Number, 2>{});
-  csv.number(pupil.pupil_mm);
-  csv.number(pupil.rays_lost ? Number(static_cast<double>(*pupil.rays_lost)) : std::nullopt);
-  for (const Number& axis : axes) csv.number(axis);
+  for (const Number& number : {pupil.pupil_mm, Number(pupil.rays_lost), axes[0], axes[1]}) csv.number(number);
   csv.text(method.key);
   const FirstOrderError first_order =
       method.first_order ? (view.first_order.*method.first_order).value_or(FirstOrderError{}) : FirstOrderError{};

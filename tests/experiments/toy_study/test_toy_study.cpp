@@ -98,10 +98,10 @@ TEST_F(ToyStudy, AWrongNumberFailsTheGateAndIsNamed) {
   run(tables());
   Json wrong = report();
   wrong["toy_study"]["entries"][2]["traced_arcmin"] = 14.0;
-  const Json results =
+  const std::vector<GateResult> results =
       evaluate_gates(read_gates(load_json(spec_.gates.string()), "gates.json"), wrong, nullptr, findings_);
-  EXPECT_FALSE(results[0]["passed"].get<bool>());
-  EXPECT_EQ(results[0]["worst_case"], "2 D");
+  EXPECT_FALSE(results[0].has_passed());
+  EXPECT_EQ(results[0].worst_case, "2 D");
 }
 
 TEST_F(ToyStudy, FindingsComeBackAsTheyWere) {

@@ -39,8 +39,8 @@ Json healthy() {
 std::vector<std::string> failures_of(const Json& report) {
   static const std::string file = STURM_SOURCE_DIR "/configs/gates/conoid_accuracy.json";
   std::vector<std::string> failed;
-  for (const Json& gate : evaluate_gates(read_gates(load_json(file), file), report, nullptr))
-    if (!gate["passed"].get<bool>()) failed.push_back(gate["id"]);
+  for (const GateResult& gate : evaluate_gates(read_gates(load_json(file), file), report, nullptr))
+    if (!gate.has_passed()) failed.push_back(gate.id);
   return failed;
 }
 
