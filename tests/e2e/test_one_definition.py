@@ -53,8 +53,8 @@ def defined_type(head):
     if not name or len(name) % 2 == 0 or any(word != "::" for word in name[1::2]):
         return ""  # `struct A f() {`, or a type without a name
     rest = head[len(head) - head[::-1].index(name[-1]) :]
-    if rest[:1] == ["<"] and head[:1] == ["template"] and head[1:3] != ["<", ">"]:
-        return ""  # a partial specialisation: its constraints, not its arguments, tell it from others
+    if rest[:1] == ["<"] and set(rest) - set("<,>") <= set(head[: len(head) - len(rest)]) - {"class", "typename"}:
+        return ""  # arguments that are the template's own parameters: constraints tell such specialisations apart
     return "".join(name) + ("".join(rest[: rest.index(":")] if ":" in rest else rest) if rest[:1] == ["<"] else "")
 
 
