@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/json/stored.h"
 #include "reports/markup/parts.h"
 
 namespace sturm {
@@ -118,10 +117,6 @@ Html duration_html(std::optional<double> seconds) {
 
 Html distance_html(std::optional<double> distance_m) {
   return distance_m && std::isinf(*distance_m) ? "∞"_html : exact_html(distance_m);
-}
-
-Html distance_html(const Json& distance_m) {
-  return distance_m == "inf" ? "∞"_html : exact_html(number_at(distance_m, ""));
 }
 
 Html distance_html(const std::optional<StoredDistance>& distance) {

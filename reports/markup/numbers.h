@@ -32,9 +32,6 @@ Html duration_html(std::optional<double> seconds);
 
 /// Metres, ∞ allowed.
 Html distance_html(std::optional<double> distance_m);
-
-/// A distance of the report: metres as a number, or the text "inf" → "∞".
-Html distance_html(const Json& distance_m);
 Html distance_html(const std::optional<StoredDistance>& distance);
 
 }  // namespace sturm

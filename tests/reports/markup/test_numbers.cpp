@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/json/record.h"
 #include "reports/markup/numbers.h"
 
 namespace sturm {
@@ -59,9 +60,13 @@ TEST(ReportNumbers, CountsDurationsDistances) {
   EXPECT_EQ(duration_html(8.25).markup(), "8.2\u00a0s");
   EXPECT_EQ(duration_html(203.4).markup(), "3\u00a0min\u00a023\u00a0s");
   EXPECT_EQ(duration_html(3899.0).markup(), "1\u00a0h\u00a004\u00a0min");
-  EXPECT_EQ(distance_html("inf").markup(), "∞");
-  EXPECT_EQ(distance_html(0.4).markup(), "0.4");
-  EXPECT_EQ(distance_html(nullptr).markup(), "–");
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(distance_html(std::optional(infinity)).markup(), "∞");
+  EXPECT_EQ(distance_html(std::optional(0.4)).markup(), "0.4");
+  EXPECT_EQ(distance_html(std::optional<double>()).markup(), "–");
+  EXPECT_EQ(distance_html(std::optional(StoredDistance{infinity})).markup(), "∞");
+  EXPECT_EQ(distance_html(std::optional(StoredDistance{0.4})).markup(), "0.4");
+  EXPECT_EQ(distance_html(std::optional<StoredDistance>()).markup(), "–");
 }
 
 RC_GTEST_PROP(ReportNumbers, WhatIsShownIsWithinHalfADigit, (double mantissa, int exponent)) {
