@@ -143,7 +143,7 @@ Json eye_object(const Json& value, const Source& where) {
 
 EyeSpec read_eye_spec(const Json& value, const Source& where) {
   EyeSpec spec;
-  const Json object = with_defaults(eye_object(value, where), "eye");
+  const Json written = eye_object(value, where), object = with_defaults(written, "eye");
   Source place = where;
   if (value.is_string()) {
     place = {path_beside(value.get<std::string>(), where.file).string(), ""};
@@ -152,7 +152,7 @@ EyeSpec read_eye_spec(const Json& value, const Source& where) {
   if (!object.contains("prescription") && !object.contains("wavefront"))
     throw InputError(place.file, place.pointer, "no \"prescription\"", "a \"prescription\" or a \"wavefront\"");
   std::optional<Prescription> rx;
-  if (object.contains("prescription")) rx = read_prescription(object["prescription"], place / "prescription");
+  if (object.contains("prescription")) rx = read_prescription(written["prescription"], place / "prescription");
   const Accommodation accommodation = read_accommodation(object["accommodation"], place / "accommodation");
   const double pupil_mm = object.at("pupil_diameter_mm").get<double>();
   spec.eye = object.contains("wavefront")

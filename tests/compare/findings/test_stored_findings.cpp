@@ -65,7 +65,7 @@ Json mistyped(const Json& json) {
     for (const Json& value : json) result.push_back(mistyped(value));
     return result;
   }
-  return json.is_string() ? Json(3) : Json("a word");
+  return json.is_string() ? Json(true) : Json("a word");  // a number would be a distance in place of "inf"
 }
 
 TEST(StoredFindings, WhatIsOfAnotherTypeIsNone) {

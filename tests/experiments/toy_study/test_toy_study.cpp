@@ -51,7 +51,7 @@ class ToyStudy : public ::testing::Test {
   ~ToyStudy() override { fs::remove_all(folder_); }
 
   RunOutcome run(const RunTables& tables, bool resume = false) const {
-    return run_experiment(spec_, "experiment.json", {folder_ / "out", 1, resume, true}, tables);
+    return run_experiment(spec_, "-", {folder_ / "out", 1, resume, true}, tables);
   }
   RunTables tables() const { return {runs_, findings_, page_}; }
   Json report() const { return load_json((folder_ / "out/report.json").string()); }
