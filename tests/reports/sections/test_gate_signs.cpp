@@ -43,7 +43,7 @@ std::string bound_on_the_page(const Json& gates) {
 
 std::string bound_in_markdown(const Json& gates) {
   const std::string text = report_markdown(Json::object(), read_gate_results({{"gates", gates}}), {});
-  const std::size_t last = text.rfind(" | case |"), begin = text.rfind("| ", last - 1) + 2;
+  const std::size_t last = text.rfind(" | case"), begin = text.rfind("| ", last - 1) + 2;
   return text.substr(begin, last - begin);
 }
 
