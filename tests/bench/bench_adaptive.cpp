@@ -18,6 +18,7 @@
 #include "io/specs/render_spec.h"
 #include "pathtrace/scene/scene_import.h"
 #include "stages/render_stage.h"
+#include "support/source_folder.h"
 
 namespace sturm::bench {
 namespace {

@@ -20,6 +20,7 @@
 
 #include "bench/timing.h"
 #include "stages/render_stage.h"
+#include "support/source_folder.h"
 
 namespace sturm::bench {
 namespace {

@@ -8,6 +8,7 @@
 #include "lensmodel/gaze.h"
 #include "lensmodel/lens_material.h"
 #include "lensmodel/progressive.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

@@ -12,6 +12,7 @@
 #include "stages/plan/camera_pose.h"
 #include "stages/render_stage.h"
 #include "support/reference_file.h"
+#include "support/source_folder.h"
 #include "support/spot_moments.h"
 
 namespace sturm {

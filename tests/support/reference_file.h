@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/source_folder.h"
+
 namespace sturm::testing {
 
 /// Parses tests/reference/<name>.

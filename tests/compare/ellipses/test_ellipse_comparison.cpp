@@ -9,6 +9,7 @@
 #include "compare/ellipses/bundle_points.h"
 #include "compare/ellipses/ellipse_comparison.h"
 #include "lensmodel/units.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

@@ -10,6 +10,7 @@
 #include "compare/findings/judged_report.h"
 #include "compare/gates/gates.h"
 #include "compare/gates/verdict.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

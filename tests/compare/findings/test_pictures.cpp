@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/findings/picture_json.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

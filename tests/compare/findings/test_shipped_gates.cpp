@@ -8,6 +8,7 @@
 #include "compare/findings/healthy_report.h"
 #include "compare/findings/judged_report.h"
 #include "compare/findings/placed_statistics.h"
+#include "support/source_folder.h"
 
 /// Every gate of every file in configs/gates passes a report whose number is just inside of its bound, and rejects one
 /// whose number is just outside. The files are read when the test runs: a new one is tested without anyone naming it

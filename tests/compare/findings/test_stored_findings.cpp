@@ -11,6 +11,7 @@
 #include "compare/findings/sin2.h"
 #include "compare/gates/gate_result.h"
 #include "compare/gates/verdict.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

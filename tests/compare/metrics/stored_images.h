@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/images/exr.h"
+#include "support/source_folder.h"
 
 namespace sturm::testing {
 

@@ -13,6 +13,7 @@
 #include "io/files/error.h"
 #include "io/images/exr.h"
 #include "io/images/tone_map.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

@@ -13,6 +13,7 @@
 #include "compare/metrics/stored_images.h"
 #include "io/files/error.h"
 #include "io/images/tone_map.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

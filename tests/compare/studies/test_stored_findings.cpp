@@ -6,6 +6,7 @@
 #include "compare/studies/lens/lens_findings.h"
 #include "compare/studies/samplings/sampling_findings.h"
 #include "compare/studies/sin2/sin2_findings.h"
+#include "support/source_folder.h"
 
 /// Reports that the program has written (tests/reference/reports/): read and written again they are the same text.
 namespace sturm {

@@ -7,6 +7,7 @@
 #include "io/io_testing.h"
 #include "io/json/schema.h"
 #include "io/json/suggest.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ellipse_query_testing.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

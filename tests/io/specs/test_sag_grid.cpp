@@ -10,6 +10,7 @@
 #include "lensmodel/progressive_surface.h"
 #include "lensmodel/sphere_surface.h"
 #include "lensmodel/surface_power.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

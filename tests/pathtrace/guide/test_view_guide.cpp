@@ -15,6 +15,7 @@
 #include "support/lights_in_the_dark.h"
 #include "support/quadrature.h"
 #include "support/replicates.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

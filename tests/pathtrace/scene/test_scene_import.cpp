@@ -12,6 +12,7 @@
 #include "io/json/json.h"
 #include "pathtrace/scene/assimp_import.h"
 #include "pathtrace/scene/scene_import.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

@@ -19,6 +19,7 @@
 #include "reports/plots/figure.h"
 #include "reports/plots/lens_study_figures.h"
 #include "reports/text/lens_study_csv.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

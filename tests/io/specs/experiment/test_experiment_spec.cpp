@@ -7,6 +7,7 @@
 
 #include "experiment_testing.h"
 #include "io/specs/experiment/gate_spec.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {

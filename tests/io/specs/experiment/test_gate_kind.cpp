@@ -6,6 +6,7 @@
 
 #include "io/json/json.h"
 #include "io/specs/experiment/gate_kind.h"
+#include "support/source_folder.h"
 
 namespace sturm {
 namespace {
