@@ -1,10 +1,10 @@
 # Install rules and the CMake package (find_package(sturm)).
 include(CMakePackageConfigHelpers)
-set(sturm_libraries sturm_lensmodel sturm_io sturm_pathtrace sturm_conoid sturm_compare sturm_reports)
+set(sturm_libraries sturm_lensmodel sturm_io sturm_pathtrace sturm_conoid sturm_wavefront sturm_compare sturm_reports)
 install(TARGETS sturm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS sturm_imageformats LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/sturm)
 install(TARGETS ${sturm_libraries} EXPORT sturm_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(module lensmodel io pathtrace conoid compare reports)
+foreach(module lensmodel io pathtrace conoid wavefront compare reports)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sturm/${module} FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm)

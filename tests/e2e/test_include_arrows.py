@@ -12,11 +12,12 @@ ARROWS = {
     "io": {"lensmodel"},
     "pathtrace": {"lensmodel", "io"},
     "conoid": {"lensmodel", "io"},
+    "wavefront": {"lensmodel", "io"},
     "compare": {"lensmodel", "io"},
     "reports": {"lensmodel", "io", "compare"},
-    "stages": {"lensmodel", "io", "pathtrace", "conoid", "compare"},
-    "experiments": {"lensmodel", "io", "pathtrace", "conoid", "compare", "reports", "stages"},
-    "app": {"lensmodel", "io", "pathtrace", "conoid", "compare", "reports", "stages", "experiments"},
+    "stages": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare"},
+    "experiments": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages"},
+    "app": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments"},
 }
 
 # The subfolders of a room from the ground up: each may include itself and those before it; those on one line do not see each other.
@@ -26,6 +27,7 @@ FLOORS = {
     "io": [["files"], ["json"], ["images"], ["specs"]],
     "pathtrace": [["sampling"], ["materials"], ["lights"], ["scene"], ["cameras"], ["plan"], ["integrator"], ["guide"], ["film"]],
     "conoid": [["tracing"], ["blur_field"], ["pictures"]],
+    "wavefront": [["psf"]],
     "compare": [["statistics"], ["metrics"], ["ellipses", "images", "psf"], ["gates"], ["studies"], ["findings"]],
     "reports": [["markup"], ["plots", "viewer"], ["text", "sections"], ["page"]],
     "stages": [["plan"], [""]],
