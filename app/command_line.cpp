@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "io/files/build_info.h"
 #include "io/files/error.h"
+#include "io/files/sandbox.h"
 #include "io/json/manifest.h"
 
 namespace sturm {
@@ -62,6 +63,8 @@ struct CommandLine {
   CommandLine() {
     app.require_subcommand(1);
     app.set_version_flag("--version", version_text());
+    app.add_flag_callback("--sandbox", enter_sandbox,
+                          "for files that are not trusted: each may name only files in its own folder and below");
     add_run();
     add_ellipse();
     add_lens();
@@ -80,6 +83,7 @@ struct CommandLine {
     auto* schema_app = app.add_subcommand("schema", "print a JSON schema, or the names of all");
     schema_app->add_option("name", schema, "e.g. experiment");
     schema_app->callback([this] { action = [this] { return schema_command(schema); }; });
+    for (CLI::App* command : app.get_subcommands({})) command->fallthrough();
   }
 
   void add_run() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/files/error.h"
+#include "io/files/sandbox.h"
 
 namespace sturm {
 
@@ -170,7 +171,10 @@ std::string compact(const Json& value, std::size_t limit) {
 std::filesystem::path path_beside(const std::string& path, const std::string& naming_file) {
   const std::filesystem::path folder =
       naming_file == "<stdin>" ? std::filesystem::path() : std::filesystem::path(naming_file).parent_path();
-  return std::filesystem::absolute(folder / path).lexically_normal();
+  const std::filesystem::path found = std::filesystem::absolute(folder / path).lexically_normal();
+  if (!within_sandbox(found, naming_file))
+    throw InputError(naming_file, "", path, "with --sandbox a file in the folder of the file that names it, or below");
+  return found;
 }
 
 }  // namespace sturm
