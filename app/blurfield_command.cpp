@@ -8,6 +8,8 @@
 #include "experiments/figures/blur_field_layers.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
+#include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "stages/blur_field_stage.h"
 #include "stages/stopwatch.h"
@@ -16,7 +18,7 @@ namespace sturm {
 
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files) {
   const std::filesystem::path exr(files.output);
-  if (exr.extension() != ".exr")
+  if (!has_suffix(exr, ".exr"))
     throw InputError("", "--output", "\"" + files.output + "\"", "a name that ends in .exr");
   const BlurFieldSpec spec = read_blur_field_spec(load_configuration(options), options.file);
   require_writable(exr);
@@ -38,12 +40,12 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
   facts.seconds["total"] = total.seconds();
   std::filesystem::path beside = exr;
   write_file_atomically(beside.replace_extension(".manifest.json"),
-                        manifest(facts, *spec.resolved, field.summary, spec.notes).dump(1) + "\n");
+                        json_text(manifest(facts, *spec.resolved, field.summary, spec.notes), 1) + "\n");
 
   Json summary = {{"format", "sturm.blurfield_result/1"}};
   summary.update(field.summary);
   summary["seconds"] = facts.seconds;
-  std::cout << summary.dump(2) << "\n";
+  std::cout << json_text(summary, 2) << "\n";
   return 0;
 }
 

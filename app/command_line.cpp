@@ -6,12 +6,16 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "app/commands.h"
 #include "io/files/build_info.h"
 #include "io/files/error.h"
+#include "io/files/readable_text.h"
 #include "io/files/sandbox.h"
+#include "io/files/standard_output.h"
 #include "io/json/manifest.h"
 
 namespace sturm {
@@ -172,9 +176,12 @@ struct CommandLine {
   }
 
   void add_compare() {
-    auto* c = app.add_subcommand("compare", "metrics of two EXR images; bounds make it a gate");
-    c->add_option("test", compare.test, "EXR")->required();
-    c->add_option("reference", compare.reference, "EXR")->required();
+    auto* c = app.add_subcommand("compare", "metrics of two pictures; bounds make it a gate");
+    c->add_option("test", compare.test, "EXR, HDR, PFM, PNG, JPEG, TIFF, …")->required();
+    c->add_option("reference", compare.reference, "the same")->required();
+    c->add_option("--layer", compare.layers,
+                  "layer of EXR files with several: once for both, or for the test and again for the reference")
+        ->allow_extra_args(false);
     c->add_option("--json", compare.json_file,
                   "write the metrics as JSON (- is standard output, instead of the table)");
     c->add_option("--exposure", compare.exposure, "factor before the display transfer function")
@@ -186,7 +193,7 @@ struct CommandLine {
                   "START STOP COUNT [powers of two] of HDR-FLIP (default: from the reference)")
         ->expected(3);
     c->add_option("--noise", compare.noise,
-                  "the test's view with another seed, and the reference's (EXR): what noise alone makes of each metric")
+                  "the test's view with another seed, and the reference's: what noise alone makes of each metric")
         ->expected(1, 2);
     c->add_flag("--regions", compare.regions, "also in focus, blurred, at occlusion edges and in highlights");
     c->add_option("--edge", compare.edge, "X Y WIDTH HEIGHT [px]: MTF of the slanted edge in this rectangle")
@@ -260,14 +267,21 @@ struct CommandLine {
   }
 };
 
-}  // namespace
+/// One line, or more where the reason has more; names of files need not be text.
+void print_error(const std::exception& error) {
+  std::fprintf(stderr, "error: %s\n", readable_lines(error.what()).c_str());
+}
 
-int run_command_line(int argc, char** argv) {
+int run_action(int argc, char** argv) {
   CommandLine line;
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return line.app.exit(error) == 0 ? passed : wrong_input;
+    std::ostringstream help, complaint;
+    const int code = line.app.exit(error, help, complaint);
+    std::cout << help.str();
+    std::cerr << readable_lines(complaint.str());
+    return code == 0 ? passed : wrong_input;
   }
   try {
     std::unique_ptr<tbb::global_control> limit;
@@ -276,12 +290,26 @@ int run_command_line(int argc, char** argv) {
                                                     static_cast<std::size_t>(line.common.threads));
     return line.action();
   } catch (const InputError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
+    print_error(error);
     return wrong_input;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
+    print_error(error);
     return runtime_failure;
   }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  prepare_standard_streams();
+  const int status = run_action(argc, argv);
+  try {
+    finish_standard_output();
+  } catch (const RuntimeFailure& error) {
+    if (status == passed || status == failed) print_error(error);  // else the reason has been printed
+    return status == wrong_input ? wrong_input : runtime_failure;
+  }
+  return status;
 }
 
 }  // namespace sturm

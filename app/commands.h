@@ -19,7 +19,8 @@ struct CommonOptions {
 /// Bounds that turn `sturm compare` into a gate; none of them set: it only reports.
 struct CompareOptions {
   std::string test, reference;
-  std::string json_file;  ///< "" = none, "-" = standard output instead of the table
+  std::vector<std::string> layers;  ///< of EXR files: one for all, or the test's and the reference's
+  std::string json_file;            ///< "" = none, "-" = standard output instead of the table
   double exposure = 1.0;
   std::optional<double> pixels_per_degree;  ///< none: from the pictures' metadata, or that of FLIP's default observer
   std::vector<double> hdr_exposures;        ///< START STOP COUNT of HDR-FLIP [powers of two]; empty: by its rule

@@ -7,6 +7,7 @@
 #include "compare/findings/run_comparison.h"
 #include "io/files/atomic_file.h"
 #include "io/files/formatted_text.h"
+#include "io/json/json_text.h"
 #include "io/json/schema.h"
 #include "io/json/stored.h"
 
@@ -68,7 +69,8 @@ int compare_runs_command(const CompareRunsOptions& options) {
   const RunComparison comparison = compare_runs(before, after, options.level);
   const bool json_to_stdout = options.json_file == "-";
   if (!options.json_file.empty()) {
-    const std::string text = run_comparison_json(comparison, before, before_file, after, after_file).dump(1) + "\n";
+    const std::string text =
+        json_text(run_comparison_json(comparison, before, before_file, after, after_file), 1) + "\n";
     if (json_to_stdout)
       std::cout << text;
     else

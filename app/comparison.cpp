@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 
+#include "app/compared_pictures.h"
 #include "io/files/error.h"
-#include "io/images/exr.h"
+#include "io/files/formatted_text.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -15,14 +17,6 @@ namespace {
 constexpr double edge_frequencies[] = {0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5};
 constexpr double psf_cell_px =
     4.0;  // cells of the total variation: several pixels, so that a shift by part of one counts little
-
-LayeredImage read_picture(const std::string& path) {
-  LayeredImage picture = read_exr(path);
-  const auto layer = picture.layers.find("");
-  if (layer == picture.layers.end() || layer->second.channels != 3)
-    throw InputError(path, "", "no channels R, G, B", "an RGB image");
-  return picture;
-}
 
 const ImageMetricName& metric_named(const std::string& key) {
   const auto& names = image_metric_names();
@@ -77,6 +71,12 @@ ImageMetricSettings settings_of(const CompareOptions& options, const PictureView
   return settings;
 }
 
+void require_image_of_a_point(const Image& image, const std::string& path) {
+  const double sum = std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0);
+  if (!(sum > 0.0))
+    throw InputError(path, "--psf", "pixels that sum to " + exact_number(sum), "the image of an emitter");
+}
+
 PsfComparison compare_as_psfs(const CompareOptions& options, const PictureView& view, const Image& test,
                               const Image& reference) {
   double pixel = 0.0;
@@ -86,6 +86,8 @@ PsfComparison compare_as_psfs(const CompareOptions& options, const PictureView& 
     pixel = *view.pixel_slope * arcminutes_per_radian;
   else
     throw InputError("", "--psf", "pictures that do not say how wide a pixel is", "--pixel-arcmin");
+  require_image_of_a_point(test, options.test);
+  require_image_of_a_point(reference, options.reference);
   return compare_psfs(spread_of_image(test, pixel), spread_of_image(reference, pixel), psf_cell_px * pixel);
 }
 
@@ -109,11 +111,13 @@ bool Comparison::passed() const {
 Comparison compare_files(const CompareOptions& options) {
   Comparison c;
   c.bounds = bounds_of(options);
-  const LayeredImage test_file = read_picture(options.test), reference_file = read_picture(options.reference);
-  const Image &test = test_file.layers.at(""), &reference = reference_file.layers.at("");
-  std::vector<Image> seeds;
-  for (const std::string& path : options.noise) seeds.push_back(std::move(read_picture(path).layers.at("")));
-  const PictureView view = view_of(reference_file, test_file);
+  const ComparedPictures files = read_compared_pictures(options);
+  const Image &test = files.test.image(), &reference = files.reference.image();
+  const std::vector<Image>& seeds = files.seeds;
+  const PictureView view = view_of(files.reference.picture, files.test.picture);
+  c.test_file = {files.test.values, files.test.layer};
+  c.reference_file = {files.reference.values, files.reference.layer};
+  c.notes = files.notes;
   c.settings = settings_of(options, view, reference);
   std::vector<Region> regions;
   if (options.regions) {

@@ -8,6 +8,7 @@
 #include "compare/images/picture_comparison.h"
 #include "compare/metrics/slanted_edge.h"
 #include "compare/psf/psf_comparison.h"
+#include "io/images/picture_file.h"
 #include "io/json/json.h"
 #include "stages/picture_view.h"
 
@@ -18,8 +19,16 @@ struct EdgeComparison {
   EdgeMtf test, reference;
 };
 
+/// What a file says of its picture.
+struct ComparedFile {
+  PixelValues values = PixelValues::Linear;
+  std::string layer;  ///< of an EXR; "" is the main one
+};
+
 /// Everything that `sturm compare` finds.
 struct Comparison {
+  ComparedFile test_file, reference_file;
+  std::vector<std::string> notes;  ///< what was chosen, decoded or left out on reading
   ImageMetricSettings settings;
   PictureComparison pictures;
   std::optional<std::string> regions_note;  ///< what regions could not be told, and why

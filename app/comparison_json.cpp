@@ -65,6 +65,10 @@ Json psf_json(const PsfComparison& c) {
           {"largest_mtf_difference", c.largest_mtf_difference}};
 }
 
+const char* word_of(PixelValues values) {
+  return values == PixelValues::Display ? "display" : "linear";
+}
+
 }  // namespace
 
 Json json_of(const Comparison& c, const CompareOptions& options) {
@@ -74,8 +78,13 @@ Json json_of(const Comparison& c, const CompareOptions& options) {
       {"format", "sturm.comparison/1"},
       {"test", options.test},
       {"reference", options.reference},
+      {"notes", c.notes},
       {"conditions",
-       {{"exposure", c.settings.exposure},
+       {{"test_values", word_of(c.test_file.values)},
+        {"test_layer", c.test_file.layer},
+        {"reference_values", word_of(c.reference_file.values)},
+        {"reference_layer", c.reference_file.layer},
+        {"exposure", c.settings.exposure},
         {"pixels_per_degree", c.settings.pixels_per_degree},
         {"hdr_exposures", {{"start_stops", hdr.start_stops}, {"stop_stops", hdr.stop_stops}, {"count", hdr.count}}},
         {"noise_files", options.noise},

@@ -5,6 +5,7 @@
 #include "app/comparison.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_formats.h"
+#include "io/json/json_text.h"
 #include "reports/markup/false_colour.h"
 
 namespace sturm {
@@ -49,7 +50,7 @@ void write_maps(const Comparison& comparison, const std::string& folder) {
                           {"shows", metric.map_is_similarity ? "1 - similarity" : "error of a pixel"},
                           {"margin_px", metric.margin}};
   }
-  write_file_atomically(root / "scales.json", scales.dump(1) + "\n");
+  write_file_atomically(root / "scales.json", json_text(scales, 1) + "\n");
 }
 
 }  // namespace sturm

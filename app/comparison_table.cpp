@@ -24,8 +24,10 @@ std::string part_table(const Comparison& c, const PartResult& part, bool whole) 
     const ImageMetric& metric = c.pictures.metrics[i];
     text += padded(metric.title, 38) + " " + number(part.metrics[i].value) + noise_columns(part.metrics[i]);
     if (const auto bound = c.bounds.find(metric.key); whole && bound != c.bounds.end())
-      text += formatted("   %s %g  %s", metric.more_is_better ? "≥" : "≤", bound->second,
-                        c.keeps_bound(metric.key) ? "passed" : "FAILED");
+      text += std::string("   ") + (metric.more_is_better ? "≥ " : "≤ ") + exact_number(bound->second) +
+              (c.keeps_bound(metric.key) ? "  passed"
+               : part.metrics[i].value   ? "  FAILED (" + exact_number(*part.metrics[i].value) + ")"
+                                         : "  FAILED");
     text += "\n";
   }
   return text;
@@ -75,6 +77,7 @@ std::string table_of(const Comparison& c) {
   if (c.pictures.z_threshold)
     text += formatted("\ndistinguishable: z above %.2f, a false-alarm rate of %g over %zu tests\n",
                       *c.pictures.z_threshold, noise_family_level, c.pictures.tests);
+  for (std::size_t i = 0; i < c.notes.size(); ++i) text += (i == 0 ? "\n" : "") + c.notes[i] + "\n";
   return text;
 }
 

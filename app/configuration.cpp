@@ -7,6 +7,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/json/json_pointer_set.h"
+#include "io/json/json_text.h"
 
 namespace sturm {
 
@@ -18,8 +19,8 @@ Json load_configuration(const CommonOptions& options) {
 }
 
 void write_result(const Json& result, const std::string& output) {
-  const std::string text = result.dump(1) + "\n";
-  if (output.empty())
+  const std::string text = json_text(result, 1) + "\n";
+  if (output.empty() || output == "-")
     std::cout << text;
   else
     write_file_atomically(output, text);

@@ -10,6 +10,7 @@
 #include "compare/gates/verdict.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/json/json_text.h"
 #include "io/json/schema.h"
 #include "io/specs/experiment/gate_spec.h"
 #include "reports/text/junit.h"
@@ -79,7 +80,8 @@ int gate_command(const GateOptions& options) {
   std::cout << verdict.sentence << "\n";
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results, report.at("title")));
   if (!options.markdown.empty()) write_file_atomically(options.markdown, report_markdown(report, results, verdict));
-  if (!options.new_baseline.empty()) write_file_atomically(options.new_baseline, baseline_of(report).dump(1) + "\n");
+  if (!options.new_baseline.empty())
+    write_file_atomically(options.new_baseline, json_text(baseline_of(report), 1) + "\n");
   return verdict.has_passed() ? 0 : 1;
 }
 

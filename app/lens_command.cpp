@@ -8,6 +8,7 @@
 #include "experiments/figures/lens_maps.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "io/json/schema.h"
 #include "io/specs/spectacles_spec.h"
 #include "lensmodel/units.h"
@@ -58,7 +59,7 @@ SpectaclesSpec read_lens(const Json& document, const std::string& file) {
 
 /// Throws where a picture could not be written as named.
 void check_picture_name(const std::string& name, const char* option) {
-  if (!name.empty() && !name.ends_with(".svg") && !name.ends_with(".png"))
+  if (!name.empty() && !has_suffix(name, ".svg") && !has_suffix(name, ".png"))
     throw InputError("", option, "\"" + name + "\"", "a file name that ends in .svg or .png");
 }
 
@@ -76,7 +77,7 @@ std::vector<double> distances(const std::vector<std::string>& texts) {
 }
 
 void write_picture(const std::string& name, const std::vector<LensMap>& maps) {
-  write_file_atomically(name, name.ends_with(".png") ? lens_map_png_file(maps) : lens_map_svg_file(maps));
+  write_file_atomically(name, has_suffix(name, ".png") ? lens_map_png_file(maps) : lens_map_svg_file(maps));
 }
 
 }  // namespace

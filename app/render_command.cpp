@@ -8,7 +8,10 @@
 #include "experiments/run/progress.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/files/output_target.h"
+#include "io/files/plain_file.h"
 #include "io/images/exr.h"
+#include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "stages/image_files.h"
 #include "stages/render_stage.h"
@@ -24,10 +27,12 @@ Preview preview_to(const PreviewOptions& options, const RenderSpec& spec) {
   if (options.file.empty()) return preview;
   const std::filesystem::path png(options.file);
   const std::string given = "\"" + options.file + "\"";
-  if (png.extension() != ".png") throw InputError("", "--preview", given, "a name that ends in .png");
+  if (!has_suffix(png, ".png")) throw InputError("", "--preview", given, "a name that ends in .png");
   if (spec.method != RenderMethod::PathTrace)
     throw InputError("", "--preview", given, "a document of type \"path_trace\"");
   require_writable(png);
+  if (output_target(png).kind != OutputTarget::Kind::File)
+    throw InputError("", "--preview", given, "a file that can be replaced while the picture grows, no pipe or device");
   preview.show = [png](const Image& radiance) { write_png(png, radiance, 1.0); };
   return preview;
 }
@@ -42,7 +47,7 @@ int explain_command(const CommonOptions& options) {
 
 int render_command(const CommonOptions& options, const PreviewOptions& preview_options, const std::string& output) {
   const std::filesystem::path exr(output);
-  if (exr.extension() != ".exr") throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .exr");
+  if (!has_suffix(exr, ".exr")) throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .exr");
   const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
   require_writable(exr);
   const Preview preview = preview_to(preview_options, spec);
@@ -70,7 +75,7 @@ int render_command(const CommonOptions& options, const PreviewOptions& preview_o
   const auto filtered = result.image.layers.find("denoised");
   write_png(beside.replace_extension(".png"), filtered == result.image.layers.end() ? raw : filtered->second, 1.0);
   write_file_atomically(beside.replace_extension(".manifest.json"),
-                        manifest(facts, *spec.resolved, result.counters, notes).dump(1) + "\n");
+                        json_text(manifest(facts, *spec.resolved, result.counters, notes), 1) + "\n");
   return 0;
 }
 

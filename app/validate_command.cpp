@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "io/files/readable_text.h"
 #include "io/json/schema.h"
 #include "io/specs/blur_field_spec.h"
 #include "io/specs/ellipse_query.h"
@@ -36,7 +37,7 @@ int validate_command(const std::string& file) {
     read_eye(document, {file, ""});
   else if (name == "spectacles")
     read_spectacles(document, {file, ""}, Eye{});
-  std::cout << file << ": a valid " << document.at("format").get<std::string>() << "\n";
+  std::cout << readable(file) << ": a valid " << document.at("format").get<std::string>() << "\n";
   return 0;
 }
 

@@ -11,6 +11,7 @@
 #include "experiments/figures/figures.h"
 #include "io/files/atomic_file.h"
 #include "io/files/sha256.h"
+#include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "io/specs/experiment/gate_spec.h"
 #include "reports/page/run_page.h"
@@ -134,7 +135,7 @@ void write_reports(const Json& report, const Judgement& judgement, double second
   write_file_atomically(folder / "junit.xml", junit_xml(judgement.gates, title, seconds));
   write_file_atomically(folder / "summary.md", report_markdown(report, judgement.gates, judgement.verdict));
   write_file_atomically(folder / "report.html", render_report_html(report, folder, page));
-  write_file_atomically(folder / "report.json", report.dump(1));
+  write_file_atomically(folder / "report.json", json_text(report, 1));
 }
 
 RunOutcome outcome_of(const Verdict& verdict, const std::filesystem::path& folder,

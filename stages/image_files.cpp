@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "io/files/atomic_file.h"
-#include "io/files/error.h"
 #include "io/images/exr.h"
 #include "io/images/image_formats.h"
+#include "io/images/picture_file.h"
 #include "io/images/tone_map.h"
 
 namespace sturm {
@@ -21,11 +21,7 @@ void write_picture(const std::filesystem::path& path_without_suffix, const Image
 }
 
 Image read_main_layer(const std::filesystem::path& path) {
-  LayeredImage image = read_exr(path);
-  const auto layer = image.layers.find("");
-  if (layer == image.layers.end() || layer->second.channels != 3)
-    throw InputError(path.string(), "", "no channels R, G, B", "an RGB image");
-  return std::move(layer->second);
+  return without_alpha(read_picture_file(path).image());
 }
 
 }  // namespace sturm

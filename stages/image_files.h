@@ -11,7 +11,7 @@ void write_picture(const std::filesystem::path& path_without_suffix, const Image
 /// Writes the display version of a linear 3-channel image as PNG.
 void write_png(const std::filesystem::path& path, const Image& linear, double exposure);
 
-/// Reads the main layer (R, G, B) of an EXR. Throws InputError where it has none.
+/// Reads the picture of an EXR as R, G, B (io/images/picture_file.h). Throws InputError where it has none.
 Image read_main_layer(const std::filesystem::path& path);
 
 }  // namespace sturm

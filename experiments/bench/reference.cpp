@@ -12,6 +12,7 @@
 #include "io/files/error.h"
 #include "io/files/sha256.h"
 #include "io/images/exr.h"
+#include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "pathtrace/scene/scene_import.h"
 #include "stages/image_files.h"
@@ -51,7 +52,7 @@ void make_reference(const BenchView& view, std::uint64_t seed, const std::filesy
                                     .started_utc = started,
                                     .version = std::string(build_info().version),
                                     .commit = std::string(build_info().commit)};
-  write_file_atomically(stem.string() + ".json", to_json(origin).dump(1) + "\n");
+  write_file_atomically(stem.string() + ".json", json_text(to_json(origin), 1) + "\n");
 }
 
 ByError<Number> by_error(const PictureErrors& floor) {

@@ -4,6 +4,7 @@
 
 #include "experiments/bench/measurement.h"
 #include "io/files/atomic_file.h"
+#include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "reports/page/bench_page.h"
 #include "reports/sections/bench/bench_figures.h"
@@ -34,7 +35,7 @@ BenchOutcome run_bench(const BenchSpec& spec, const std::string& bench_file, con
   facts.seconds["total"] = watch.seconds();
   report["provenance"] = provenance(facts, *spec.resolved);
   write_file_atomically(folder.path() / "bench.html", bench_report_html(report, folder.path()));
-  write_file_atomically(folder.path() / "bench.json", report.dump(1) + "\n");
+  write_file_atomically(folder.path() / "bench.json", json_text(report, 1) + "\n");
   return {found.verdict.passed, bench_report_text(found), folder.path() / "bench.html"};
 }
 

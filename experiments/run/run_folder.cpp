@@ -4,6 +4,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/json/json_text.h"
 
 namespace sturm {
 
@@ -71,7 +72,7 @@ RunFolder::Part RunFolder::part(const std::string& name, const std::function<Jso
     if (pictures_exist(stored, folder_)) return {std::move(stored), true};
   }
   Json value = make();
-  write_file_atomically(file, value.dump());
+  write_file_atomically(file, json_text(value));
   return {std::move(value), false};
 }
 

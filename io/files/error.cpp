@@ -1,14 +1,21 @@
 #include "io/files/error.h"
 
+#include "io/files/readable_text.h"
+
 namespace sturm {
 
 namespace {
+
+// A name in a file can be as long as the file.
+constexpr std::size_t longest_value = 200, longest_place = 400, longest_expectation = 2000;
+
 std::string message(const std::string& file, const std::string& pointer, const std::string& value,
                     const std::string& expected) {
-  std::string text = file;
-  if (!pointer.empty()) text += (text.empty() ? "" : ": ") + pointer;
-  if (!value.empty()) text += (text.empty() ? "got " : ": got ") + value;
-  if (!expected.empty()) text += (value.empty() ? ": expected " : ", expected ") + expected;
+  std::string text = readable(file);
+  if (!pointer.empty()) text += (text.empty() ? "" : ": ") + readable(pointer, longest_place);
+  if (!value.empty()) text += (text.empty() ? "got " : ": got ") + readable(value, longest_value);
+  if (!expected.empty())
+    text += (value.empty() ? ": expected " : ", expected ") + readable(expected, longest_expectation);
   return text;
 }
 }  // namespace

@@ -12,10 +12,11 @@ namespace sturm {
 /// no place in the format.
 void write_exr(const std::filesystem::path& path, const LayeredImage& image);
 
-/// Reads any single-part EXR of half or float channels (scan lines or tiles); integer, subsampled, deep and multi-part
-/// files are refused. Channels that do not form a known group become 1-channel layers of their full name. Pixels of the
-/// display window that the file does not store are 0. Throws InputError for missing, broken and foreign files and for
-/// those that claim to need more than `max_bytes` of memory (checked before any pixel is allocated).
+/// Reads all layers of a single-part EXR of half, float or integer channels (scan lines or tiles) as they are; deep and
+/// multi-part files are refused, subsampled channels left out. Channels that do not form a known group become 1-channel
+/// layers of their full name. Pixels of the display window that the file does not store are 0. Throws InputError for
+/// missing, broken and foreign files and for those that claim to need more than `max_bytes` of memory (checked before
+/// any pixel is allocated). A picture of whatever program is read by read_picture_file (io/images/picture_file.h).
 LayeredImage read_exr(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{4} << 30);
 
 }  // namespace sturm

@@ -1,6 +1,6 @@
 #include "io/images/exr_channels.h"
 
-#include <set>
+#include <algorithm>
 
 namespace sturm {
 
@@ -23,10 +23,22 @@ const std::vector<std::vector<std::string>>& known_groups() {
   return groups;
 }
 
-bool contains_all(const std::set<std::string>& set, const std::vector<std::string>& group) {
-  for (const std::string& channel : group)
-    if (!set.contains(channel)) return false;
+/// The channels of one layer by what they are in it.
+using ChannelsByRole = std::map<std::string, std::string>;
+
+bool contains_all(const ChannelsByRole& channels, const std::vector<std::string>& group) {
+  for (const std::string& role : group)
+    if (!channels.contains(role)) return false;
   return true;
+}
+
+std::string without_leading_dots(const std::string& channel) {
+  return channel.substr(std::min(channel.find_first_not_of('.'), channel.size()));
+}
+
+/// The part behind the last dot.
+std::string last_part(const std::string& channel) {
+  return channel.substr(channel.rfind('.') + 1);  // npos + 1 = 0
 }
 
 }  // namespace
@@ -47,22 +59,48 @@ std::vector<std::string> exr_channel_names(const std::string& layer, int channel
   }
 }
 
+std::string channel_layer(const std::string& channel) {
+  const std::string name = without_leading_dots(channel);
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos ? "" : name.substr(0, dot);
+}
+
+std::string channel_role(const std::string& channel) {
+  static const std::map<std::string, std::string> roles = {{"r", "R"},     {"g", "G"},    {"b", "B"},    {"a", "A"},
+                                                           {"x", "X"},     {"y", "Y"},    {"z", "Z"},    {"red", "R"},
+                                                           {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
+  const std::string part = last_part(channel);
+  std::string lower = part;
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const auto role = roles.find(lower);
+  return role == roles.end() ? part : role->second;
+}
+
 std::map<std::string, std::vector<std::string>> layers_of_channels(const std::vector<std::string>& channels) {
-  std::map<std::string, std::set<std::string>> by_prefix;
-  for (const std::string& channel : channels) {
-    const std::size_t dot = channel.rfind('.');
-    const std::string prefix = dot == std::string::npos ? "" : channel.substr(0, dot);
-    by_prefix[prefix].insert(dot == std::string::npos ? channel : channel.substr(dot + 1));
-  }
   std::map<std::string, std::vector<std::string>> layers;
-  for (auto& [prefix, rest] : by_prefix) {
+  std::map<std::string, ChannelsByRole> by_layer;
+  const auto stands_alone = [&](const std::string& channel) {
+    layers.insert({without_leading_dots(channel), {channel}});
+  };
+  for (const std::string& channel : channels) {
+    const std::string role = channel_role(channel);
+    const auto [known, is_new] = by_layer[channel_layer(channel)].insert({role, channel});
+    if (is_new) continue;
+    const bool better = last_part(channel) == role && last_part(known->second) != role;
+    stands_alone(better ? known->second : channel);
+    if (better) known->second = channel;
+  }
+  for (auto& [layer, rest] : by_layer) {
     for (const auto& group : known_groups())
       if (contains_all(rest, group)) {
-        layers[prefix] = full_names(prefix, group);
-        for (const std::string& channel : group) rest.erase(channel);
+        for (const std::string& role : group) {
+          layers[layer].push_back(rest.at(role));
+          rest.erase(role);
+        }
         break;
       }
-    for (const std::string& channel : rest) layers.insert({full_name(prefix, channel), {full_name(prefix, channel)}});
+    for (const auto& [role, channel] : rest) stands_alone(channel);
   }
   return layers;
 }

@@ -9,9 +9,10 @@
 
 #include <stdexcept>
 
-#include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "io/images/exr_header.h"
+#include "io/images/exr_output.h"
 
 namespace sturm {
 
@@ -78,24 +79,19 @@ void write_exr_parts(const std::filesystem::path& path, const std::vector<ExrPar
   if (parts.empty()) throw std::invalid_argument("an EXR needs at least one part");
   std::vector<Imf::Header> headers;
   for (const ExrPart& part : parts) headers.push_back(header_of(part, display_window(parts)));
-  AtomicFile file(path);
-  try {
-    Imf::MultiPartOutputFile output(file.temporary().c_str(), headers.data(), static_cast<int>(headers.size()));
+  write_exr_file(path, [&](Imf::OStream& stream) {
+    Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()));
     for (std::size_t p = 0; p < parts.size(); ++p) {
       Imf::OutputPart out(output, static_cast<int>(p));
       // OpenEXR only reads through the slices of an output file.
       out.setFrameBuffer(frame_of(parts[p], const_cast<float*>(parts[p].image.pixels.data())));
       out.writePixels(parts[p].image.height);
     }
-  } catch (const std::exception& error) {
-    throw RuntimeFailure(path.string() + ": writing failed: " + error.what());
-  }
-  file.commit();
+  });
 }
 
 std::vector<ExrPart> read_exr_parts(const std::filesystem::path& path, std::size_t max_bytes) {
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code)) throw InputError(path.string(), "", "no such file", "an EXR file");
+  require_plain_file(path, "an EXR file");
   try {
     Imf::MultiPartInputFile file(path.c_str());
     std::vector<ExrPart> parts;

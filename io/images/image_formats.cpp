@@ -8,8 +8,10 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "io/images/imageformats/abi.h"
 
 namespace sturm {
@@ -70,13 +72,18 @@ Image decoded(const std::string& name, const Read& read) {
 
 }  // namespace
 
-Image read_image(const std::filesystem::path& path) {
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code)) throw InputError(path.string(), "", "no such file", "an image");
-  return decoded(path.string(), [&](Image& image, float** pixels, char* error, std::size_t error_size) {
-    return module().read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, pixels, error,
+StoredImage read_stored_image(const std::filesystem::path& path) {
+  require_plain_file(path, "an image");
+  int bits = 0;
+  Image stored = decoded(path.string(), [&](Image& image, float** pixels, char* error, std::size_t error_size) {
+    return module().read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, &bits, pixels, error,
                          error_size);
   });
+  return {std::move(stored), bits};
+}
+
+Image read_image(const std::filesystem::path& path) {
+  return read_stored_image(path).image;
 }
 
 Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {

@@ -8,9 +8,18 @@
 
 namespace sturm {
 
-/// Reads an 8- or 16-bit image (PNG, JPEG, TGA, TIFF, …) with OpenImageIO, which is loaded on first use. Values as
-/// stored, 0…1: not decoded (see srgb_to_linear), alpha not multiplied in. Channels as in the file. Throws InputError
-/// for missing, broken or oversized (> 2^28 pixels) files, RuntimeFailure where the format module is not installed.
+/// What OpenImageIO has read.
+struct StoredImage {
+  Image image;   ///< channels and values as in the file; integers as 0…1, alpha not multiplied in
+  int bits = 0;  ///< of integer values; 0 for floats
+};
+
+/// Reads an image (PNG, JPEG, TGA, TIFF, …) with OpenImageIO, which is loaded on first use. Values are not decoded (see
+/// srgb_to_linear). Throws InputError for missing, broken or oversized (> 2^28 pixels) files, RuntimeFailure where the
+/// format module is not installed.
+StoredImage read_stored_image(const std::filesystem::path& path);
+
+/// Its pixels alone.
 Image read_image(const std::filesystem::path& path);
 
 /// The same of a file that stands in memory: a PNG or JPEG embedded in another file. `name` is for messages.

@@ -14,6 +14,8 @@ namespace sturm {
 
 namespace {
 
+constexpr double largest_half = 65504.0;  // what an EXR of 16 bits can hold
+
 const Json& member(const Json& object, const char* key) {
   static const Json nothing = Json::array();
   const auto at = object.find(key);
@@ -74,6 +76,10 @@ EnvironmentSpec read_environment(const Json& value, const Source& where) {
   if (!environment.file && value.value("rotation_deg", 0.0) != 0.0)
     (where / "rotation_deg").fail(value["rotation_deg"], "a \"file\" that it turns");
   environment.rotation = value.value("rotation_deg", 0.0) * std::numbers::pi / 180.0;
+  if (value.contains("layer")) environment.layer = value["layer"].get<std::string>();
+  environment.encoding = word_or(value, "encoding", environment.encoding, where, texture_encoding_words);
+  if (const auto clamp = value.find("clamp"); clamp != value.end() && *clamp != false)
+    environment.clamp = clamp->is_boolean() ? largest_half : clamp->get<double>();
   return environment;
 }
 

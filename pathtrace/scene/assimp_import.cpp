@@ -25,6 +25,7 @@
 #include "pathtrace/scene/gltf_check.h"
 #include "pathtrace/scene/gltf_surface.h"
 #include "pathtrace/scene/obj_references.h"
+#include "pathtrace/scene/texture_file.h"
 
 namespace sturm {
 namespace {
@@ -144,15 +145,21 @@ class ModelImport {
   }
 
   /// The picture of a name in the model: a file beside it, or "*0" and so on, embedded in it.
-  Image stored_texture(const aiScene& scene, const std::string& name, const std::string& where) const {
+  Image linear_texture(const aiScene& scene, const std::string& name, const std::string& where,
+                       TextureEncoding encoding) {
     if (const aiTexture* embedded = scene.GetEmbeddedTexture(name.c_str())) {
       if (embedded->mHeight != 0) fail(where, "an embedded texture of plain texels", "an embedded PNG or JPEG file");
-      return read_embedded_image({reinterpret_cast<const unsigned char*>(embedded->pcData), embedded->mWidth},
-                                 file_.string() + ", " + where + ", texture " + name);
+      const Image stored =
+          read_embedded_image({reinterpret_cast<const unsigned char*>(embedded->pcData), embedded->mWidth},
+                              file_.string() + ", " + where + ", texture " + name);
+      return encoding == TextureEncoding::Srgb ? srgb_to_linear(stored) : stored;
     }
     const auto path = file_.parent_path() / name;
     if (!std::filesystem::is_regular_file(path)) fail(where, path.string(), "a texture file that exists");
-    return read_image(path);
+    std::vector<std::string> notes;
+    Image picture = read_texture(path, encoding, notes);
+    for (const std::string& text : notes) note(text);
+    return picture;
   }
 
   std::shared_ptr<const Image> texture(const aiScene& scene, std::string name, const std::string& where,
@@ -160,8 +167,7 @@ class ModelImport {
     std::replace(name.begin(), name.end(), '\\', '/');  // model files from Windows
     std::shared_ptr<const Image>& known = textures_[{name, encoding}];
     if (known) return known;
-    Image stored = stored_texture(scene, name, where);
-    if (encoding == TextureEncoding::Srgb) stored = srgb_to_linear(stored);
+    const Image stored = linear_texture(scene, name, where, encoding);
     Image rgb(stored.width, stored.height, 3);
     const bool grey = stored.channels <= 2;
     for (int y = 0; y < rgb.height; ++y)

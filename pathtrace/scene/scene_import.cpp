@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "io/files/error.h"
-#include "io/images/exr.h"
-#include "io/images/image_formats.h"
+#include "io/files/readable_text.h"
 #include "io/json/suggest.h"
 #include "pathtrace/materials/fresnel.h"
 #include "pathtrace/materials/named_metals.h"
 #include "pathtrace/scene/assimp_import.h"
+#include "pathtrace/scene/environment_picture.h"
 
 namespace sturm {
 namespace {
@@ -62,37 +62,6 @@ Material build_material(const MaterialSpec& spec) {
   if (const auto* metal = std::get_if<Conductor>(&material.surface))
     material.albedo = fresnel_conductor(1.0f, metal->eta, metal->kappa);
   return material;
-}
-
-/// The picture of an environment as three finite channels ≥ 0.
-std::shared_ptr<const Image> read_environment_picture(const std::filesystem::path& file) {
-  constexpr std::size_t most_pixels = std::size_t{1} << 25;  // 8192 × 4096
-  Image stored;
-  if (file.extension() == ".exr") {
-    LayeredImage layers = read_exr(file);
-    if (!layers.layers.contains(""))
-      throw InputError(file.string(), "", "no channels R, G and B", "a picture in colour");
-    stored = std::move(layers.layers.at(""));
-  } else {
-    stored = read_image(file);
-  }
-  if (stored.channels < 3)
-    throw InputError(file.string(), "", std::to_string(stored.channels) + " channels", "a picture in colour");
-  if (static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height) > most_pixels)
-    throw InputError(file.string(), "",
-                     std::to_string(stored.width) + " x " + std::to_string(stored.height) + " pixels",
-                     "at most 2^25 pixels (8192 x 4096)");
-  auto rgb = std::make_shared<Image>(stored.width, stored.height, 3);
-  for (int y = 0; y < stored.height; ++y)
-    for (int x = 0; x < stored.width; ++x)
-      for (int k = 0; k < 3; ++k) {
-        const float value = stored.at(x, y)[k];
-        if (!(value >= 0.0f && std::isfinite(value)))
-          throw InputError(file.string(), "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")",
-                           std::to_string(value), "finite radiances of at least 0");
-        rgb->at(x, y)[k] = value;
-      }
-  return rgb;
 }
 
 void apply_overrides(SceneDescription& model, const ModelSpec& spec) {
@@ -164,7 +133,7 @@ void append_model(SceneDescription& scene, SceneDescription&& model) {
   append(scene.meshes, std::move(model.meshes));
   append(scene.prototypes, std::move(model.prototypes));
   append(scene.instances, std::move(model.instances));
-  append(scene.notes, std::move(model.notes));
+  for (const std::string& note : model.notes) scene.notes.push_back(readable(note));  // names in files need not be text
 }
 
 }  // namespace
@@ -194,7 +163,7 @@ SceneDescription build_scene(const SceneSpec& spec) {
   if (spec.environment)
     scene.environment =
         Environment{spec.environment->radiance.cast<float>(),
-                    spec.environment->file ? read_environment_picture(*spec.environment->file) : nullptr,
+                    spec.environment->file ? read_environment_picture(*spec.environment, scene.notes) : nullptr,
                     static_cast<float>(spec.environment->rotation)};
   return scene;
 }

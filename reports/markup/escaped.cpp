@@ -1,5 +1,7 @@
 #include "reports/markup/escaped.h"
 
+#include "io/files/readable_text.h"
+
 namespace sturm {
 
 namespace {
@@ -17,7 +19,7 @@ std::string white_space(char c, Dialect dialect) {
 std::string escaped(std::string_view text, Dialect dialect) {
   std::string result;
   result.reserve(text.size());
-  for (const char c : text) {
+  for (const char c : valid_utf8(text)) {  // names of files need not be text
     switch (c) {
       case '&':
         result += "&amp;";

@@ -11,6 +11,7 @@
 #include "io/images/exr.h"
 #include "io/images/image_formats.h"
 #include "io/images/opencv_view.h"
+#include "io/images/picture_file.h"
 #include "reports/markup/false_colour.h"
 
 namespace sturm {
@@ -66,7 +67,7 @@ Image main_layer(const std::filesystem::path& file) {
   const auto main = image.layers.find("");
   if (main == image.layers.end() || main->second.pixels.empty())
     throw InputError(file.string(), "", "", "an image with a main layer");
-  return std::move(main->second);
+  return main->second.channels == 4 ? without_alpha(main->second) : std::move(main->second);
 }
 
 Image luma_image(const Image& image) {

@@ -5,8 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -56,7 +58,16 @@ std::string run_gnuplot(std::string_view script) {
        defaults[] = "--default-settings";  // the user's own start-up file must not restyle the report
   char* arguments[] = {name, defaults, nullptr};
   pid_t child = 0;
-  const int failed = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t fatal;  // what this program ignores ends gnuplot, which does not look whether it could write
+  sigemptyset(&fatal);
+  sigaddset(&fatal, SIGPIPE);
+  sigaddset(&fatal, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&attributes, &fatal);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+  const int failed = posix_spawnp(&child, name, &actions, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) {
     throw RuntimeFailure(
@@ -71,6 +82,13 @@ std::string run_gnuplot(std::string_view script) {
     throw RuntimeFailure("gnuplot could not draw a plot of the report: " + contents(complaints.get()));
   }
   return contents(output.get());
+}
+
+/// gnuplot does not tell of a temporary folder that is full.
+std::string whole_picture(std::string picture, std::string_view end) {
+  if (picture.find(end, picture.size() - std::min(picture.size(), 2 * end.size() + 8)) == std::string::npos)
+    throw RuntimeFailure("gnuplot wrote no whole picture");
+  return picture;
 }
 
 /// The picture's own element, without what only a free-standing SVG file needs.
@@ -98,7 +116,7 @@ Html for_inline_use(std::string svg, const PlotFrame& frame) {
 std::string gnuplot_file(std::string_view script, const PlotFrame& frame) {
   const std::string setup = "set encoding utf8\nset terminal svg size " + std::to_string(frame.width) + "," +
                             std::to_string(frame.height) + " dynamic enhanced font \"sans-serif,13\"\n";
-  return run_gnuplot(setup + std::string(script) + "\n");
+  return whole_picture(run_gnuplot(setup + std::string(script) + "\n"), "</svg>");
 }
 
 Html gnuplot_svg(std::string_view script, const PlotFrame& frame) {
@@ -109,7 +127,7 @@ std::string gnuplot_png(std::string_view script, const PlotFrame& frame) {
   const std::string setup = "set encoding utf8\nset terminal pngcairo size " + std::to_string(2 * frame.width) + "," +
                             std::to_string(2 * frame.height) +
                             " enhanced font \"sans-serif,13\" fontscale 1.5 linewidth 2 pointscale 2\n";
-  return run_gnuplot(setup + std::string(script) + "\n");
+  return whole_picture(run_gnuplot(setup + std::string(script) + "\n"), "IEND");
 }
 
 }  // namespace sturm

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "io/files/formatted_text.h"
 #include "reports/markup/escaped.h"
 
 namespace sturm {
@@ -13,10 +14,7 @@ std::string xml(const std::string& text) {
 }
 
 std::string number_text(const Number& value) {
-  if (!value) return "none";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", *value);
-  return text;
+  return value ? exact_number(*value) : "none";
 }
 
 std::string kind_of(const GateResult& gate) {

@@ -6,8 +6,9 @@
 /// sturm_imageformats_free.
 extern "C" {
 
-/// Values as stored, 0…1 for integer formats; height × width × channels floats, row 0 at the top.
-int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels,
+/// Values as stored, 0…1 for integer formats; height × width × channels floats, row 0 at the top. `bits` of integer
+/// values, 0 for floats.
+int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels, int* bits,
                             float** pixels, char* error, std::size_t error_size);
 
 /// The same of a PNG or JPEG file of `size` bytes in memory.

@@ -62,11 +62,18 @@ void read_opened(std::unique_ptr<OIIO::ImageInput> input, std::size_t max_pixels
 
 }  // namespace
 
-int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels,
+int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels, int* bits,
                             float** pixels, char* error, std::size_t error_size) {
   return guarded(error, error_size, [&] {
     const OIIO::ImageSpec wishes = values_as_stored();
-    read_opened(OIIO::ImageInput::open(path, &wishes), max_pixels, width, height, channels, pixels);
+    auto input = OIIO::ImageInput::open(path, &wishes);
+    if (input) {
+      const OIIO::TypeDesc stored = input->spec().format;
+      *bits = stored.is_floating_point()
+                  ? 0
+                  : input->spec().get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * stored.basesize()));
+    }
+    read_opened(std::move(input), max_pixels, width, height, channels, pixels);
   });
 }
 
