@@ -98,7 +98,7 @@ class ModelImport {
       material.albedo_texture = texture(scene, path.C_Str(), where, spec_.texture_encoding);
     if (used && metallic_roughness) take_metallic_roughness(scene, source, material, where);
     material.nearest_filter = spec_.texture_filter == TextureFilter::Nearest;
-    material.repeat_texture = spec_.texture_wrap == TextureWrap::Repeat;
+    material.albedo_mapping.wrap_u = material.albedo_mapping.wrap_v = spec_.texture_wrap.value_or(TextureWrap::Clamp);
     result_.materials.push_back(std::move(material));
   }
 
