@@ -63,7 +63,9 @@ ModelSpec read_model(const Json& value, const Source& where, const std::vector<M
   if (value.contains("position_m")) model.position = read_vector3(value["position_m"]);
   model.texture_encoding = word_or(value, "texture_encoding", model.texture_encoding, where, texture_encoding_words);
   model.texture_filter = word_or(value, "texture_filter", model.texture_filter, where, texture_filter_words);
-  model.texture_wrap = word_or(value, "texture_wrap", model.texture_wrap, where, texture_wrap_words);
+  model.texture_filter_is_stated = value.contains("texture_filter");
+  if (value.contains("texture_wrap"))
+    model.texture_wrap = word_or(value, "texture_wrap", TextureWrap::Clamp, where, texture_wrap_words);
   model.overrides = read_overrides(member(value, "overrides"), where / "overrides", materials);
   return model;
 }

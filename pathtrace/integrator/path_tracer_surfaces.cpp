@@ -84,7 +84,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
           bounce == 0 ? known.emission_weight
           : sharp     ? 1.0f
                   : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, previous_normal, at.position, at.normal));
-      sum += weight * throughput.cwiseProduct(at.material->emission);
+      sum += weight * throughput.cwiseProduct(at.emission);
     }
     if (known.reflected_once && bounce <= 1) *known.reflected_once = sum;
     if (bounce == settings_.max_bounces) return sum;

@@ -74,6 +74,7 @@ void apply_overrides(SceneDescription& model, const ModelSpec& spec) {
         if (mesh.name != change.mesh) continue;
         found = true;
         mesh.material = static_cast<int>(model.materials.size());
+        mesh.vertex_colours.clear();  // they belong to what the file says
       }
     if (!found)
       throw InputError(spec.file.string(), "overrides", "\"" + change.mesh + "\"" + did_you_mean(change.mesh, names),
