@@ -1,0 +1,34 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sturm {
+
+/// Finds the files that a model file names, as programs of several systems write their names.
+class NamedFiles {
+ public:
+  struct Found {
+    std::filesystem::path file;
+    bool elsewhere = false;  ///< its folder is not the one that is named
+  };
+
+  /// `folders` are looked through in their order.
+  explicit NamedFiles(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
+
+  /// A file of this name: as it is written; then with letters in another case; then, without the folders that it names,
+  /// beside the model. Quotes about the name are taken off, and backslashes separate folders.
+  std::optional<Found> find(std::string_view name) const;
+
+  /// Where the name leads to if it is taken by the letter.
+  std::filesystem::path expected(std::string_view name) const;
+
+ private:
+  std::optional<std::filesystem::path> in_folders(const std::filesystem::path& name) const;
+
+  std::vector<std::filesystem::path> folders_;
+};
+
+}  // namespace sturm
