@@ -67,7 +67,7 @@ void PathTracer::light_packet(FirstVertices& vertices, const CameraHits& hits, s
     if (!hits.hit(i) || !(vertices.at[i].albedo.maxCoeff() > 0.0f)) continue;
     const SurfacePoint& at = vertices.at[i];
     const Eigen::Vector3f normal = normal_towards(at, hits.direction(i)),
-                          origin = offset_from_surface(at.position, normal);
+                          origin = offset_from_surface(at.position, normal, scene_.offset_unit());
     const VertexNumbers::Vertex random = numbers.vertex(first_sample + static_cast<std::uint32_t>(i), 0);
     const LightSample light = scene_.lights().sample(origin, normal, random.light_u, random.light_v);
     const float weight = lambertian_weight(light, normal);
@@ -118,7 +118,7 @@ Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eige
     if (bounce == settings_.max_bounces || !(at.albedo.maxCoeff() > 0.0f)) return sum;
 
     const Eigen::Vector3f normal = normal_towards(at, direction);
-    const Eigen::Vector3f origin = offset_from_surface(at.position, normal);
+    const Eigen::Vector3f origin = offset_from_surface(at.position, normal, scene_.offset_unit());
     const VertexNumbers::Vertex random = numbers.vertex(sample, bounce);
     if (bounce == 0 && known.direct_light)
       sum += *known.direct_light;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
+#include "pathtrace/scene/message_text.h"
 #include "pathtrace/scene/texture.h"
 
 namespace sturm {
@@ -22,9 +23,14 @@ constexpr float largest_coordinate = 1e6f;  // [m]; beyond it single precision c
 
 void require_usable(const Eigen::Vector3f& p, const std::string& where) {
   if (!(p.array().abs() <= largest_coordinate).all())
-    throw InputError("", where,
-                     "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")",
+    throw InputError("", where, "(" + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ")",
                      "finite coordinates within ±1e6 m");
+}
+
+/// Of a scene that reaches as far from the origin [m]. A power of two: scenes that differ by one look alike to the bit.
+float offset_unit_of(float reach) {
+  constexpr float least_reach = 0.25f;  // above it the offset is below 1/16000 of the scene
+  return reach < least_reach && reach > 0.0f ? std::exp2(std::floor(std::log2(reach / least_reach))) : 1.0f;
 }
 
 bool emits(const Material& material) {
@@ -82,14 +88,14 @@ void validate(const Mesh& mesh, std::size_t material_count) {
                      "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
   for (const Eigen::Vector3f& n : mesh.normals)
     if (!(std::abs(n.squaredNorm() - 1.0f) < 1e-3f))
-      throw InputError("", where, "a normal of length " + std::to_string(n.norm()), "unit normals");
+      throw InputError("", where, "a normal of length " + shortest(n.norm()), "unit normals");
 }
 
 void validate(const Sphere& sphere, std::size_t material_count) {
   require_material(sphere.material, material_count, "sphere");
   require_usable(sphere.center, "sphere");
   if (!(sphere.radius > 0.0f && sphere.radius <= largest_coordinate))
-    throw InputError("", "sphere", "radius " + std::to_string(sphere.radius) + " m", "a radius above 0");
+    throw InputError("", "sphere", "radius " + shortest(sphere.radius) + " m", "a radius above 0");
 }
 
 }  // namespace
@@ -137,6 +143,7 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
   for (const int light : description.unseen_emitters) lights_.leave_out(light);
   lights_.finish();
   kind_ = kind_of(description);
+  offset_unit_ = offset_unit_of(lower_.cwiseAbs().cwiseMax(upper_.cwiseAbs()).maxCoeff());
   rtcCommitScene(scene_.get());
   if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
     throw RuntimeFailure("Embree could not build the scene (error " + std::to_string(error) + ")");

@@ -53,6 +53,9 @@ class Scene {
   bool has_environment() const { return environment_map_ || constant_environment_.maxCoeff() > 0.0f; }
   const Eigen::Vector3f& lower() const { return lower_; }
   const Eigen::Vector3f& upper() const { return upper_; }
+  /// What lengths by which rays keep off surfaces are measured in [m] (offset_from_surface): 1 where the scene reaches
+  /// at least 1/4 m from the origin, else a power of two that shrinks with it.
+  float offset_unit() const { return offset_unit_; }
   /// Triangles in memory: those of a prototype count once.
   std::size_t triangle_count() const { return triangles_.size(); }
   const std::string& instruction_set() const { return instruction_set_; }
@@ -120,6 +123,7 @@ class Scene {
   Kind kind_ = Kind::plain;
   LightSet lights_;
   Eigen::Vector3f lower_, upper_;
+  float offset_unit_ = 1.0f;
 };
 
 /// The kind that a scene has once it is built: Scene(description).kind().

@@ -65,6 +65,7 @@ struct Mesh {
                                                   ///< and alpha, multiplies the opacity; interpolated
   std::vector<Eigen::Vector2f> emission_coordinates{};  ///< of the emission texture, one per position; or empty: those
                                                         ///< of the other textures
+  std::vector<std::string> also_named{};  ///< further names by which overrides find it: its object, its groups
 };
 
 /// One of several copies of a prototype.

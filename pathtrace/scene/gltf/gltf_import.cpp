@@ -11,6 +11,8 @@
 #include "pathtrace/scene/gltf/members.h"
 #include "pathtrace/scene/gltf/nodes.h"
 #include "pathtrace/scene/gltf/primitive.h"
+#include "pathtrace/scene/lost_precision.h"
+#include "pathtrace/scene/model_placement.h"
 #include "pathtrace/scene/vertex_normals.h"
 
 namespace sturm {
@@ -24,7 +26,7 @@ constexpr std::size_t most_vertices = std::size_t{1} << 27;  // few bytes of a f
 class GltfImport {
  public:
   explicit GltfImport(const ModelSpec& spec)
-      : scale_(spec.scale),
+      : placement_(spec),
         document_(spec.file),
         materials_(document_, spec, result_),
         reader_(document_, materials_, result_.notes),
@@ -91,11 +93,13 @@ class GltfImport {
       const bool emits =
           result_.materials[static_cast<std::size_t>(primitive->material.index)].emission.maxCoeff() > 0.0f;
       if (shown_[shape] < 2 || emits || !can_instance(placement)) {
-        result_.meshes.push_back(placed(*primitive, placement));
+        result_.meshes.push_back(placed(*primitive, placement, scene_from_file()));
         continue;
       }
       prototype_of_[key] = static_cast<int>(result_.prototypes.size());
-      result_.prototypes.push_back(placed(*primitive, {placement.mesh, Eigen::Affine3d::Identity(), {}, std::nullopt}));
+      const Eigen::Affine3d scaled(Eigen::Scaling(placement_.scale()));
+      result_.prototypes.push_back(
+          placed(*primitive, {placement.mesh, Eigen::Affine3d::Identity(), {}, std::nullopt}, scaled));
       add_instance(prototype_of_[key], placement);
     }
   }
@@ -107,8 +111,10 @@ class GltfImport {
   }
 
   void add_instance(int prototype, const Placement& placement) {
-    Instance instance{prototype, placement.world_from_mesh.matrix().topRows<3>().cast<float>()};
-    instance.world_from_prototype.col(3) = (scale_ * placement.world_from_mesh.translation()).cast<float>();
+    Instance instance{prototype, {}};  // the prototype's positions are scaled already
+    instance.world_from_prototype.leftCols<3>() =
+        (placement_.turn() * placement.world_from_mesh.linear()).cast<float>();
+    instance.world_from_prototype.col(3) = placement_.point(placement.world_from_mesh.translation()).cast<float>();
     if (!instance.world_from_prototype.allFinite())
       throw InputError(document_.file().string(),
                        "mesh \"" + result_.prototypes[static_cast<std::size_t>(prototype)].name + "\"",
@@ -116,7 +122,16 @@ class GltfImport {
     result_.instances.push_back(instance);
   }
 
-  Mesh placed(const Primitive& primitive, const Placement& placement) {
+  Eigen::Affine3d scene_from_file() const {
+    Eigen::Affine3d transform;
+    transform.linear() = placement_.scale() * placement_.turn();
+    transform.translation() = placement_.position();
+    transform.makeAffine();
+    return transform;
+  }
+
+  /// In double until it stands in the scene: a model may lie far from its origin and be put back.
+  Mesh placed(const Primitive& primitive, const Placement& placement, const Eigen::Affine3d& scene_from_file) {
     if ((vertices_ += primitive.positions.size()) > most_vertices)
       throw InputError(document_.file().string(), "mesh \"" + primitive.name + "\"",
                        "more than 2^27 vertices up to here", "fewer, copies of a mesh included");
@@ -132,14 +147,14 @@ class GltfImport {
     std::vector<Eigen::Affine3d> joints;
     if (placement.skin) joints = joint_transforms(document_, *placement.skin, nodes_.world_from_node);
     const bool normals_are_there = !primitive.normals.empty();
-    Eigen::Affine3d world = placement.world_from_mesh;
+    Eigen::Affine3d world = scene_from_file * placement.world_from_mesh;
     Eigen::Matrix3d of_normals = world.linear().inverse().transpose();
     for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
       if (!primitive.poses.empty()) {
-        world = posed(primitive.poses[i], joints);
+        world = scene_from_file * posed(primitive.poses[i], joints);
         if (normals_are_there) of_normals = world.linear().inverse().transpose();
       }
-      const Eigen::Vector3f position = (scale_ * (world * primitive.positions[i].cast<double>())).cast<float>();
+      const Eigen::Vector3f position = (world * primitive.positions[i].cast<double>()).cast<float>();
       if (!position.allFinite())
         throw InputError(document_.file().string(), "mesh \"" + mesh.name + "\"",
                          "vertex " + std::to_string(i) + " is not finite", "finite positions");
@@ -149,7 +164,16 @@ class GltfImport {
     if (world.linear().determinant() < 0.0)
       for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     mesh.normals = normals_that_bend(normals, mesh);
+    note_lost_precision(mesh, primitive, world.linear().norm());
     return mesh;
+  }
+
+  /// The file states single precision itself, and the scene has it.
+  void note_lost_precision(const Mesh& mesh, const Primitive& primitive, double scale) {
+    double largest = largest_coordinate_of(mesh);
+    for (const Eigen::Vector3f& position : primitive.positions)
+      largest = std::max(largest, scale * static_cast<double>(position.cwiseAbs().maxCoeff()));
+    if (const std::string lost = lost_precision(mesh, largest); !lost.empty()) note(lost);
   }
 
   void note(const std::string& text) { result_.notes.push_back(document_.file().filename().string() + ": " + text); }
@@ -166,7 +190,7 @@ class GltfImport {
       note("animations are left out: everything stands as at the start");
   }
 
-  double scale_;
+  ModelPlacement placement_;
   SceneDescription result_;
   Document document_;
   Materials materials_;
