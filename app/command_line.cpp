@@ -37,6 +37,11 @@ void add_document(CLI::App& command, CommonOptions& options, const char* what) {
       ->allow_extra_args(false);
 }
 
+void add_prescription(CLI::App& command, CommonOptions& options, const char* whose) {
+  command.add_option("--rx", options.prescription,
+                     std::string("prescription of ") + whose + ", in place of the document's: \"-2.00 -1.50 x 30\"");
+}
+
 void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "seed of all random numbers");
   command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
@@ -101,6 +106,7 @@ struct CommandLine {
   void add_ellipse() {
     auto* ellipse = app.add_subcommand("ellipse", "blur ellipses for a list of targets: JSON in, JSON out");
     add_common_options(*ellipse, common, "query (sturm.ellipse/1)");
+    add_prescription(*ellipse, common, "the eye");
     ellipse->add_option("-o,--output", output, "file instead of standard output");
     ellipse->callback([this] { action = [this] { return ellipse_command(common, output); }; });
   }
@@ -108,7 +114,8 @@ struct CommandLine {
   void add_lens() {
     auto* l =
         app.add_subcommand("lens", "powers, thickness and as-worn power map of a spectacle lens: JSON in, JSON out");
-    add_document(*l, common, "lens (sturm.spectacles/1)");
+    add_document(*l, common, "lens (sturm.spectacles/1, .oma, .vca, .sdf or .zmx)");
+    add_prescription(*l, common, "a single-vision or progressive lens");
     l->add_option("--azimuth-deg", lens.azimuths_deg, "gazes to the wearer's right [deg]: FIRST:LAST:STEP or one angle")
         ->capture_default_str();
     l->add_option("--elevation-deg", lens.elevations_deg, "gazes up [deg]: FIRST:LAST:STEP or one angle")
@@ -134,6 +141,7 @@ struct CommandLine {
     auto* b = app.add_subcommand("blurfield",
                                  "blur ellipses over the whole field of view and all distances: a multi-part EXR");
     add_common_options(*b, common, "blur field (sturm.blurfield/1)");
+    add_prescription(*b, common, "the eye");
     b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it")->required();
     b->add_option("--layers", blurfield.layers, "SVG file: the ellipses at the distances layers_m");
     b->callback([this] { action = [this] { return blurfield_command(common, blurfield); }; });
@@ -142,6 +150,7 @@ struct CommandLine {
   void add_render() {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
+    add_prescription(*render, common, "the eye");
     auto* file_option = render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it");
     render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
     render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
