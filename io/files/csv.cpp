@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 
 namespace sturm {
@@ -130,7 +131,7 @@ bool CsvReader::at_end_of_field() const {
 void CsvReader::fail(int line, std::string_view value, const std::string& expected) const {
   constexpr std::size_t shown = 40;
   const std::string_view first_line = value.substr(0, value.find_first_of(line_ends));
-  throw InputError(file_, "line " + std::to_string(line), shortened(first_line, shown), expected);
+  throw InputError(file_, "line " + std::to_string(line), readable(first_line, shown), expected);
 }
 
 std::optional<double> csv_number(std::string_view field) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 
 namespace sturm {
@@ -50,7 +51,7 @@ std::optional<CsvRow> CsvTable::next() {
     if (std::ranges::all_of(row->fields, [](const std::string& field) { return field.empty(); })) continue;
     while (row->fields.size() > heading_.fields.size() && row->fields.back().empty()) row->fields.pop_back();
     if (row->fields.size() > heading_.fields.size())
-      fail(row->line, shortened(row->text),
+      fail(row->line, readable(row->text, 80),
            "at most " + std::to_string(heading_.fields.size()) +
                " fields, as in the heading (numbers with a decimal comma need quotes, or semicolons between fields)");
     return row;

@@ -115,13 +115,6 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-std::string shortened(std::string_view text, std::size_t bytes) {
-  if (text.size() <= bytes) return std::string(text);
-  std::size_t end = bytes;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return std::string(text.substr(0, end)) + "…";
-}
-
 std::string with_keyboard_signs(std::string_view text) {
   std::string result;
   while (!text.empty()) {

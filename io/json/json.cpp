@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/files/error.h"
+#include "io/files/readable_text.h"
 #include "io/files/sandbox.h"
 #include "io/files/text_encoding.h"
 
@@ -114,7 +115,7 @@ class StrictCheck : public nlohmann::json_sax<Json> {
       expected += keyboard_hint(*foreign);
     }
     throw InputError(file_ + ":" + std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1), "",
-                     shortened(utf8_text(what), shown_bytes), expected);
+                     readable(utf8_text(what), shown_bytes), expected);
   }
 
  private:

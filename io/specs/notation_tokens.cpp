@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 #include "io/json/suggest.h"
 
@@ -228,7 +229,7 @@ class Scanner {
     for (const Word& word : words) known.emplace_back(word.text);
     for (const std::string_view plano : planos) known.emplace_back(plano);
     const std::string nearest = letters.size() > 2 ? did_you_mean(letters, known) : "";
-    throw NotationError("a prescription such as \"-2.00 -1.50 x 30\", without the word \"" + shortened(letters, 40) +
+    throw NotationError("a prescription such as \"-2.00 -1.50 x 30\", without the word \"" + readable(letters, 40) +
                         "\"" + nearest);
   }
 

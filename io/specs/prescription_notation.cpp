@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "io/files/error.h"
+#include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 #include "io/specs/notation_parser.h"
 
@@ -63,7 +64,7 @@ std::string in_notation(const NotedPrescription& rx) {
 
 NotedPrescription read_notation(std::string_view text, const Source& where, std::optional<EyeSide> eye) {
   const auto refuse = [&](const std::string& expected) {
-    throw InputError(where.file, where.pointer, "\"" + shortened(utf8_text(std::string(text))) + "\"", expected);
+    throw InputError(where.file, where.pointer, "\"" + readable(utf8_text(std::string(text)), 80) + "\"", expected);
   };
   std::vector<NotedPrescription> eyes;
   try {

@@ -10,7 +10,7 @@
 
 #include "io/files/csv_table.h"
 #include "io/files/error.h"
-#include "io/files/text_encoding.h"
+#include "io/files/readable_text.h"
 #include "io/files/text_file.h"
 #include "io/specs/prescription_notation.h"
 #include "lensmodel/power_matrix.h"
@@ -92,7 +92,7 @@ class Rows {
 
   double number(const std::string& cell, const CsvColumn& column) const {
     const std::optional<double> value = csv_number(cell);
-    if (!value) fail(shortened(cell), "a number in column " + column.name);
+    if (!value) fail(readable(cell, 80), "a number in column " + column.name);
     return *value;
   }
 
@@ -101,8 +101,8 @@ class Rows {
     if (is_one_of(cell, planos)) return 0.0;
     for (const std::string_view unit : {"DS", "DC", "D", "dpt"})
       if (cell.ends_with(unit)) {
-        cell.resize(cell.size() - unit.size());
-        cell.resize(cell.find_last_not_of(' ') + 1);
+        cell.erase(cell.size() - unit.size());
+        cell.erase(cell.find_last_not_of(' ') + 1);
         break;
       }
     return number(cell, column);
@@ -111,11 +111,11 @@ class Rows {
   /// "30", "30°", "x 30".
   double degrees(std::string cell) const {
     for (const std::string_view sign : {"°", "deg", "º"})
-      if (cell.ends_with(sign)) cell.resize(cell.size() - sign.size());
+      if (cell.ends_with(sign)) cell.erase(cell.size() - sign.size());
     for (const std::string_view sign : {"x", "X", "×"})
       if (cell.starts_with(sign)) cell.erase(0, sign.size());
     cell.erase(0, std::min(cell.find_first_not_of(' '), cell.size()));
-    cell.resize(cell.find_last_not_of(' ') + 1);
+    cell.erase(cell.find_last_not_of(' ') + 1);
     return number(cell, axis_column);
   }
 
@@ -127,7 +127,7 @@ class Rows {
       validate(rx);
       power_at_cornea(rx);
     } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
-      fail(shortened(row_.text), std::string("a prescription that can be computed: ") + error.what());
+      fail(readable(row_.text, 80), std::string("a prescription that can be computed: ") + error.what());
     }
     return rx;
   }
@@ -145,7 +145,7 @@ class Rows {
       eyes = {read_notation(notation, line)};
     std::vector<TabledPrescription> result;
     for (const NotedPrescription& rx : eyes) {
-      if (rx.has_prism()) fail(shortened(notation), "no prism: it has no part in the blur of an eye");
+      if (rx.has_prism()) fail(readable(notation, 80), "no prism: it has no part in the blur of an eye");
       const std::string eye = eye_ ? text(*eye_, eye_column) : !rx.eye ? "" : *rx.eye == EyeSide::right ? "OD" : "OS";
       const double distance_m =
           rx.vertex_distance_mm ? metres_per_millimetre * *rx.vertex_distance_mm : vertex_distance_m;
@@ -168,7 +168,7 @@ class Rows {
   }
 
   [[noreturn]] void fail_at_heading(const std::string& expected) const {
-    table_.fail(table_.heading().line, "the columns " + shortened(table_.heading().text), expected);
+    table_.fail(table_.heading().line, "the columns " + readable(table_.heading().text, 80), expected);
   }
 
   CsvTable table_;

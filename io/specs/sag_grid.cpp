@@ -9,7 +9,7 @@
 
 #include "io/files/csv_table.h"
 #include "io/files/error.h"
-#include "io/files/text_encoding.h"
+#include "io/files/readable_text.h"
 #include "io/files/text_file.h"
 #include "lensmodel/units.h"
 
@@ -50,7 +50,7 @@ Columns columns_of(const CsvTable& table) {
   const auto x = table.find(x_column), y = table.find(y_column), z = table.find(z_column);
   if (!x || !y || !z) {
     const auto& names = table.heading().fields;
-    table.fail(table.heading().line, "\"" + shortened(names[0], 40) + (names.size() > 1 ? ", …\"" : "\""),
+    table.fail(table.heading().line, "\"" + readable(names[0], 40) + (names.size() > 1 ? ", …\"" : "\""),
                "a line of column names with x_mm, y_mm and z_mm (or sag_mm)");
   }
   return {*x, *y, *z};
@@ -58,7 +58,7 @@ Columns columns_of(const CsvTable& table) {
 
 double number_in(const std::string& cell, const CsvTable& table, int line) {
   const std::optional<double> value = csv_number(cell);
-  if (!value || !std::isfinite(*value)) table.fail(line, "\"" + shortened(cell, 40) + "\"", "a finite number [mm]");
+  if (!value || !std::isfinite(*value)) table.fail(line, "\"" + readable(cell, 40) + "\"", "a finite number [mm]");
   return metres_per_millimetre * *value;
 }
 

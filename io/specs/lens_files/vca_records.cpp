@@ -5,7 +5,7 @@
 
 #include "io/files/csv.h"
 #include "io/files/error.h"
-#include "io/files/text_encoding.h"
+#include "io/files/readable_text.h"
 
 namespace sturm {
 
@@ -80,18 +80,17 @@ VcaRecords::VcaRecords(std::string_view text, const std::string& file) : file_(f
 void VcaRecords::add_matrix(std::string_view value, int line) {
   const auto parts = parts_of(value);
   if (parts.size() < 7)
-    fail_at(line, "SURFMT=" + shortened(value, 40), "SURFMT=1;SIDE;SURFACE;COLUMNS;ROWS;WIDTH;HEIGHT");
+    fail_at(line, "SURFMT=" + readable(value, 40), "SURFMT=1;SIDE;SURFACE;COLUMNS;ROWS;WIDTH;HEIGHT");
   VcaMatrix matrix;
   matrix.line = line;
-  if (parts[0] != "1")
-    fail_at(line, "format " + shortened(parts[0], 40), "SURFMT with format 1, heights in records ZZ");
+  if (parts[0] != "1") fail_at(line, "format " + readable(parts[0], 40), "SURFMT with format 1, heights in records ZZ");
   matrix.eye = eye_side(parts[1]);
   const std::string surface = in_capitals(parts[2]);
-  if (surface != "F" && surface != "B") fail_at(line, "surface \"" + shortened(surface, 40) + "\"", "F or B");
+  if (surface != "F" && surface != "B") fail_at(line, "surface \"" + readable(surface, 40) + "\"", "F or B");
   matrix.front = surface == "F";
   const auto number = [&](std::size_t index, double least, double most, const char* what) {
     const auto n = csv_number(parts[index]);
-    if (!n || !(*n >= least && *n <= most)) fail_at(line, "\"" + shortened(parts[index], 40) + "\"", what);
+    if (!n || !(*n >= least && *n <= most)) fail_at(line, "\"" + readable(parts[index], 40) + "\"", what);
     return *n;
   };
   const auto count = [&](std::size_t index) {
@@ -118,7 +117,7 @@ void VcaRecords::add_row(std::string_view value, int line) {
       continue;
     }
     const auto height = csv_number(part);
-    if (!height || !std::isfinite(*height)) fail_at(line, "\"" + shortened(part, 40) + "\"", "a height [mm]");
+    if (!height || !std::isfinite(*height)) fail_at(line, "\"" + readable(part, 40) + "\"", "a height [mm]");
     matrix.heights_mm.emplace_back(*height);
   }
 }
@@ -135,7 +134,7 @@ std::optional<double> VcaRecords::number(const std::string& label, EyeSide eye) 
   const auto value = text(label, eye);
   if (!value) return std::nullopt;
   const auto number = csv_number(*value);
-  if (!number || !std::isfinite(*number)) fail(label, label + "=" + shortened(*value, 40), "a number");
+  if (!number || !std::isfinite(*number)) fail(label, label + "=" + readable(*value, 40), "a number");
   return number;
 }
 

@@ -9,7 +9,7 @@
 #include "io/files/csv.h"
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
-#include "io/files/text_encoding.h"
+#include "io/files/readable_text.h"
 #include "io/specs/sag_grid.h"
 #include "lensmodel/units.h"
 
@@ -116,7 +116,7 @@ class Reader {
   double number(std::size_t index) const {
     if (index >= words_.size()) fail(words_[0] + " with " + std::to_string(words_.size() - 1) + " values", "more");
     const std::optional<double> value = csv_number(words_[index]);
-    if (!value || std::isnan(*value)) fail("\"" + shortened(words_[index], 40) + "\"", "a number in " + words_[0]);
+    if (!value || std::isnan(*value)) fail("\"" + readable(words_[index], 40) + "\"", "a number in " + words_[0]);
     return *value;
   }
 
@@ -211,8 +211,16 @@ struct Builder {
     if (s.has_extra_data) fail(request.file, s, s.type + " with XDAT other than 0", expected);
   }
 
+  /// [1/m] of a curvature or of a radius of 0 for flat; as everywhere, not sharper than a radius of 1 mm.
+  double checked(double curvature, const ZemaxSurface& s) const {
+    if (!(std::abs(curvature) <= 1.0 / metres_per_millimetre))
+      fail(request.file, s, "a radius of " + plain_number(1.0 / (curvature * metres_per_millimetre), 12) + " mm",
+           "a radius of at least 1 mm either way");
+    return curvature;
+  }
+
   Surface surface(const ZemaxSurface& s, const char* side) {
-    const double curvature = s.curvature / zemax.unit_m;
+    const double curvature = checked(s.curvature / zemax.unit_m, s);
     if (s.type == "STANDARD" || s.type == "EVENASPH") {
       if (s.type == "EVENASPH")
         require_zero(s, 1, 8, "an even asphere without higher terms, which is a conic (or its heights as GRID_SAG)");
@@ -225,10 +233,10 @@ struct Builder {
       const auto radius = s.parameters.find(1);  // of the rotation about an axis along y; 0 stands for none
       const double sweep =
           radius == s.parameters.end() || radius->second == 0.0 ? 0.0 : 1.0 / (radius->second * zemax.unit_m);
-      return TorusSurface(sweep, curvature, 180.0);
+      return TorusSurface(checked(sweep, s), curvature, 180.0);
     }
     if (s.type == "GRID_SAG") return grid_surface(s, side);
-    fail(request.file, s, "TYPE " + shortened(s.type, 40),
+    fail(request.file, s, "TYPE " + readable(s.type, 40),
          "STANDARD, EVENASPH without higher terms, TOROIDAL or GRID_SAG on either side of the glass");
   }
 
@@ -269,7 +277,7 @@ struct Builder {
                                plain_number(glass.refractive_index));
         return glass.refractive_index;
       }
-    fail(request.file, s, "glass \"" + shortened(s.glass[0], 40) + "\"",
+    fail(request.file, s, "glass \"" + readable(s.glass[0], 40) + "\"",
          "a known glass (CR39, TRIVEX, POLYCARB, MR-8, MR-7, MR-174, CROWN, B270, BK7, PMMA, …), a model glass, or "
          "\"refractive_index\" beside \"file\"");
   }

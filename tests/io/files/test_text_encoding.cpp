@@ -26,13 +26,6 @@ TEST(TextEncoding, KnowsUtf8) {
     EXPECT_FALSE(is_utf8(text)) << text;
 }
 
-TEST(TextEncoding, IsCutBetweenCharacters) {
-  EXPECT_EQ(shortened("abc", 3), "abc");
-  EXPECT_EQ(shortened("abcd", 3), "abc…");
-  EXPECT_EQ(shortened("a−b", 2), "a…");
-  EXPECT_EQ(shortened("a−b", 4), "a−…");
-}
-
 TEST(TextEncoding, SignsOfTheKeyboard) {
   EXPECT_EQ(with_keyboard_signs("−1 – 2\u00A0＋3 é"), "-1 - 2 +3 é");
 }

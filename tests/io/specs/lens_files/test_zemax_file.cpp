@@ -133,6 +133,7 @@ TEST_F(ZemaxFile, WhatIsNoSpectacleLensIsRefused) {
               AllOf(HasSubstr("BICONICX"), HasSubstr("TOROIDAL")));
   EXPECT_THAT(error(zmx(front, "  TYPE COORDBRK\r\n"), "a.zmx"), HasSubstr("TYPE COORDBRK"));
   EXPECT_THAT(error("MODE NSC\r\nSURF 0\r\n", "a.zmx"), HasSubstr("MODE NSC"));
+  EXPECT_THAT(error(zmx(front, "  TYPE STANDARD\r\n  CURV 1e300\r\n"), "a.zmx"), HasSubstr("at least 1 mm"));
   EXPECT_THAT(error("hello\n", "a.zmx"), HasSubstr("no SURF"));
   EXPECT_THAT(error("", "a.zmx"), HasSubstr("no SURF"));
   EXPECT_THAT(error("SURF 0\nCURV 0.1\nDISZ 1\n", "a.zmx"), HasSubstr("no GLAS"));
