@@ -14,6 +14,7 @@
 #include "io/files/build_info.h"
 #include "io/files/error.h"
 #include "io/files/readable_text.h"
+#include "io/files/sandbox.h"
 #include "io/files/standard_output.h"
 #include "io/json/manifest.h"
 
@@ -34,6 +35,11 @@ void add_document(CLI::App& command, CommonOptions& options, const char* what) {
   command.add_option("file", options.file, std::string(what) + " (- is standard input)")->required();
   command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")
       ->allow_extra_args(false);
+}
+
+void add_prescription(CLI::App& command, CommonOptions& options, const char* whose) {
+  command.add_option("--rx", options.prescription,
+                     std::string("prescription of ") + whose + ", in place of the document's: \"-2.00 -1.50 x 30\"");
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
@@ -66,6 +72,8 @@ struct CommandLine {
   CommandLine() {
     app.require_subcommand(1);
     app.set_version_flag("--version", version_text());
+    app.add_flag_callback("--sandbox", enter_sandbox,
+                          "for files that are not trusted: each may name only files in its own folder and below");
     add_run();
     add_ellipse();
     add_lens();
@@ -84,6 +92,7 @@ struct CommandLine {
     auto* schema_app = app.add_subcommand("schema", "print a JSON schema, or the names of all");
     schema_app->add_option("name", schema, "e.g. experiment");
     schema_app->callback([this] { action = [this] { return schema_command(schema); }; });
+    for (CLI::App* command : app.get_subcommands({})) command->fallthrough();
   }
 
   void add_run() {
@@ -97,6 +106,7 @@ struct CommandLine {
   void add_ellipse() {
     auto* ellipse = app.add_subcommand("ellipse", "blur ellipses for a list of targets: JSON in, JSON out");
     add_common_options(*ellipse, common, "query (sturm.ellipse/1)");
+    add_prescription(*ellipse, common, "the eye");
     ellipse->add_option("-o,--output", output, "file instead of standard output");
     ellipse->callback([this] { action = [this] { return ellipse_command(common, output); }; });
   }
@@ -104,7 +114,8 @@ struct CommandLine {
   void add_lens() {
     auto* l =
         app.add_subcommand("lens", "powers, thickness and as-worn power map of a spectacle lens: JSON in, JSON out");
-    add_document(*l, common, "lens (sturm.spectacles/1)");
+    add_document(*l, common, "lens (sturm.spectacles/1, .oma, .vca, .sdf or .zmx)");
+    add_prescription(*l, common, "a single-vision or progressive lens");
     l->add_option("--azimuth-deg", lens.azimuths_deg, "gazes to the wearer's right [deg]: FIRST:LAST:STEP or one angle")
         ->capture_default_str();
     l->add_option("--elevation-deg", lens.elevations_deg, "gazes up [deg]: FIRST:LAST:STEP or one angle")
@@ -130,6 +141,7 @@ struct CommandLine {
     auto* b = app.add_subcommand("blurfield",
                                  "blur ellipses over the whole field of view and all distances: a multi-part EXR");
     add_common_options(*b, common, "blur field (sturm.blurfield/1)");
+    add_prescription(*b, common, "the eye");
     b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it")->required();
     b->add_option("--layers", blurfield.layers, "SVG file: the ellipses at the distances layers_m");
     b->callback([this] { action = [this] { return blurfield_command(common, blurfield); }; });
@@ -138,6 +150,7 @@ struct CommandLine {
   void add_render() {
     auto* render = app.add_subcommand("render", "one image, path traced or predicted");
     add_common_options(*render, common, "view (sturm.render/1)");
+    add_prescription(*render, common, "the eye");
     auto* file_option = render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it");
     render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
     render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")

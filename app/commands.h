@@ -11,6 +11,7 @@ namespace sturm {
 struct CommonOptions {
   std::string file;                      ///< the configuration; "-" is standard input
   std::vector<std::string> assignments;  ///< --set /pointer=value
+  std::string prescription;              ///< --rx, in optical notation; "" = as in the configuration
   std::optional<std::uint64_t> seed;
   int threads = 0;  ///< 0: one per processor
   bool quiet = false;

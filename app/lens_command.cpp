@@ -1,5 +1,6 @@
 #include <charconv>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -91,6 +92,7 @@ int lens_command(const CommonOptions& options, const LensOptions& lens, const st
   check_picture_name(lens.defocus_map_file, "--defocus-map");
   const std::vector<double> targets = distances(lens.target_distances_m);
   const SpectaclesSpec spec = read_lens(load_configuration(options), options.file);
+  for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
   query.lens = spec.lens.value();
   query.material = spec.material;
   query.fits = spec.fits;

@@ -3,7 +3,9 @@ find_program(STURM_CCACHE ccache)
 if(STURM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Without these two ccache passes by what is compiled with a precompiled header.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${STURM_CCACHE})
-  add_compile_options(-fpch-preprocess)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess)
+  endif()
 endif()
 find_program(STURM_MOLD mold)
 if(STURM_MOLD)
@@ -18,7 +20,11 @@ target_compile_definitions(sturm_eigen INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 add_library(sturm_options INTERFACE)
 # GCC 12 reports -Wrestrict for correct std::string code (GCC bug 105651).
 # No fused multiply-adds behind our back: the same bits with and without STURM_NATIVE wherever only our code computes.
-target_compile_options(sturm_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-restrict -ffp-contract=off)
+target_compile_options(sturm_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(sturm_options INTERFACE -Wno-restrict)
+endif()
+target_compile_options(sturm_options INTERFACE -ffp-contract=off)
 if(STURM_WARNINGS_AS_ERRORS)
   # At -O1 GCC 12 sees writes beyond the end in its own std::string (GCC bug 105329) and uninitialised parts of Eigen's decompositions.
   target_compile_options(sturm_options INTERFACE -Werror -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized)

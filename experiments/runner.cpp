@@ -82,7 +82,8 @@ std::optional<Statistics> baseline_statistics(const ExperimentSpec& spec, const 
   return baseline.is_null() ? std::nullopt : std::optional(statistics_of(baseline, tables.findings));
 }
 
-/// What the report would say in numbers with each of the mutations.
+/// What the report would say in numbers with each of the mutations: those that the experiment asks for, in all
+/// sections, and each section's own.
 std::vector<MutatedStatistics> mutated_statistics(std::span<const Mutation> mutations, const RunTables& tables,
                                                   const std::vector<Wanted>& wanted, const Json& report) {
   std::vector<MutatedStatistics> result;
@@ -91,6 +92,12 @@ std::vector<MutatedStatistics> mutated_statistics(std::span<const Mutation> muta
     for (const Wanted& w : wanted) w.run->mutate(mutation.id, mutated);
     result.push_back({mutation.id, mutation.what, statistics_of(mutated, tables.findings)});
   }
+  for (const Wanted& w : wanted)
+    for (const OwnMutation& mutation : w.run->own_mutations()) {
+      Json mutated = report;
+      w.run->mutate(mutation.id, mutated);
+      result.push_back({mutation.id, mutation.what, statistics_of(mutated, tables.findings)});
+    }
   return result;
 }
 
@@ -104,9 +111,8 @@ Judgement judge(const ExperimentSpec& spec, const std::vector<GateSpec>& gates, 
                 const RunTables& tables, const std::vector<Wanted>& wanted, Json& report) {
   const std::optional<Statistics> baseline = baseline_statistics(spec, tables);
   const Statistics* before = baseline ? &*baseline : nullptr;
-  if (!mutations.empty())
-    report["gate_power"] = to_json(gate_power(gates, statistics_of(report, tables.findings),
-                                              mutated_statistics(mutations, tables, wanted, report), before));
+  if (const auto mutated = mutated_statistics(mutations, tables, wanted, report); !mutated.empty())
+    report["gate_power"] = to_json(gate_power(gates, statistics_of(report, tables.findings), mutated, before));
   Judgement judgement;
   judgement.gates = evaluate_gates(gates, statistics_of(report, tables.findings), before);
   judgement.verdict = verdict_of(judgement.gates);
@@ -161,8 +167,11 @@ RunOutcome run_experiment(const ExperimentSpec& spec, const std::string& experim
   const std::vector<Mutation> mutations = mutations_named(spec.mutations);
   const std::string command = "sturm run " + std::filesystem::path(experiment_file).filename().string();
   std::map<std::string, double> seconds;
-  Json report = {{"format", "sturm.report/1"}, {"title", spec.title},     {"spec", *spec.resolved},
-                 {"psfs", Json::array()},      {"images", Json::array()}, {"must_fail", Json::array()}};
+  Json report = {{"format", "sturm.report/1"},
+                 {"title", spec.title},
+                 {"spec", *spec.resolved},
+                 {"psfs", Json::array()},
+                 {"images", Json::array()}};
   for (const Wanted& w : wanted) {
     w.run->run({folder, steps, mutations, options.threads, options.quiet}, report);
     if (const double spent = steps.lap(); spent > 0.0) seconds[w.section.name] = spent;

@@ -1,5 +1,6 @@
 #include "lensmodel/prescription.h"
 
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -7,10 +8,16 @@
 namespace sturm {
 
 namespace {
+/// As few digits as tell the number from its neighbours, and so from a bound that it passes.
+std::string shortest(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
 void require_range(const char* what, double value, double low, double high) {
   if (!(value >= low && value <= high))
-    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) + ", expected " +
-                                std::to_string(low) + " to " + std::to_string(high));
+    throw std::invalid_argument(std::string(what) + " is " + shortest(value) + ", expected " + shortest(low) + " to " +
+                                shortest(high));
 }
 }  // namespace
 

@@ -1,13 +1,32 @@
 #include "compare/findings/gate_power.h"
 
-#include <nlohmann/json.hpp>
-
 #include "compare/gates/gates.h"
-#include "io/json/stored.h"
-#include "io/json/stored_values.h"
-#include "io/json/values.h"
+#include "io/json/record.h"
 
 namespace sturm {
+
+template <>
+inline constexpr auto record_members<GateThatNoticed> = std::tuple{
+    member("gate", &GateThatNoticed::gate),
+    member("value", &GateThatNoticed::value),
+    member("honest_value", &GateThatNoticed::honest_value),
+    member("bound", &GateThatNoticed::bound),
+    member("unit", &GateThatNoticed::unit),
+};
+
+template <>
+inline constexpr auto record_members<NoticedMutation> = std::tuple{
+    member("id", &NoticedMutation::id),
+    member("what", &NoticedMutation::what),
+    member("caught_by", &NoticedMutation::caught_by),
+};
+
+template <>
+inline constexpr auto record_members<GatePower> = std::tuple{
+    member("mutations", &GatePower::mutations),
+    member("gates", &GatePower::gates),
+    member("false_alarms_per_run", &GatePower::false_alarms_per_run),
+};
 
 namespace {
 
@@ -18,28 +37,6 @@ Number sum_of_levels(std::span<const GateSpec> gates) {
     sum += *gate.calibration->level;
   }
   return sum;
-}
-
-Json json_of(const NoticedMutation& mutation) {
-  Json caught_by = Json::array();
-  for (const GateThatNoticed& caught : mutation.caught_by)
-    caught_by.push_back({{"gate", caught.gate},
-                         {"value", number_or_null(caught.value)},
-                         {"honest_value", number_or_null(caught.honest_value)},
-                         {"bound", number_or_null(caught.bound)},
-                         {"unit", caught.unit}});
-  return {{"id", mutation.id}, {"what", mutation.what}, {"caught_by", std::move(caught_by)}};
-}
-
-NoticedMutation mutation_from(const Json& json) {
-  NoticedMutation mutation{.id = text_at(json, "id"), .what = text_at(json, "what"), .caught_by = {}};
-  for (const Json& caught : array_at(json, "caught_by"))
-    mutation.caught_by.push_back({.gate = text_at(caught, "gate"),
-                                  .value = number_at(caught, "value"),
-                                  .honest_value = number_at(caught, "honest_value"),
-                                  .bound = number_at(caught, "bound"),
-                                  .unit = text_at(caught, "unit")});
-  return mutation;
 }
 
 }  // namespace
@@ -64,20 +61,11 @@ GatePower gate_power(std::span<const GateSpec> gates, const Statistics& honest,
 }
 
 Json to_json(const GatePower& power) {
-  Json mutations = Json::array();
-  for (const NoticedMutation& mutation : power.mutations) mutations.push_back(json_of(mutation));
-  return {{"mutations", std::move(mutations)},
-          {"gates", count_or_null(power.gates)},
-          {"false_alarms_per_run", number_or_null(power.false_alarms_per_run)}};
+  return json_from(power);
 }
 
 GatePower read_gate_power(const Json& report) {
-  const Json& section = value_at(report, "gate_power");
-  GatePower power{.mutations = {},
-                  .gates = count_at(section, "gates"),
-                  .false_alarms_per_run = number_at(section, "false_alarms_per_run")};
-  for (const Json& mutation : array_at(section, "mutations")) power.mutations.push_back(mutation_from(mutation));
-  return power;
+  return record_from<GatePower>(value_at(report, "gate_power"));
 }
 
 void measure_gate_power(const Json& report, Measurements& out) {

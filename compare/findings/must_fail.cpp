@@ -1,33 +1,25 @@
 #include "compare/findings/must_fail.h"
 
-#include <nlohmann/json.hpp>
-
 #include "compare/findings/measured.h"
-#include "io/json/stored.h"
-#include "io/json/values.h"
+#include "io/json/record.h"
 
 namespace sturm {
 
+template <>
+inline constexpr auto record_members<MutantFinding> = std::tuple{
+    member("id", &MutantFinding::id),
+    member("what", &MutantFinding::what),
+    member("failed_as_it_must", &MutantFinding::failed_as_it_must),
+    member("value", &MutantFinding::value),
+    member("bound", &MutantFinding::bound),
+};
+
 Json to_json(const std::vector<MutantFinding>& mutants) {
-  Json list = Json::array();
-  for (const MutantFinding& m : mutants)
-    list.push_back({{"id", m.id},
-                    {"what", m.what},
-                    {"failed_as_it_must", m.failed_as_it_must ? Json(*m.failed_as_it_must) : Json(nullptr)},
-                    {"value", number_or_null(m.value)},
-                    {"bound", number_or_null(m.bound)}});
-  return list;
+  return json_from(mutants);
 }
 
 std::vector<MutantFinding> read_must_fail(const Json& report) {
-  std::vector<MutantFinding> mutants;
-  for (const Json& entry : array_at(report, "must_fail"))
-    mutants.push_back({.id = text_at(entry, "id"),
-                       .what = text_at(entry, "what"),
-                       .failed_as_it_must = boolean_at(entry, "failed_as_it_must"),
-                       .value = number_at(entry, "value"),
-                       .bound = number_at(entry, "bound")});
-  return mutants;
+  return record_from<std::vector<MutantFinding>>(value_at(report, "must_fail"));
 }
 
 void measure_must_fail(const Json& report, Measurements& out) {

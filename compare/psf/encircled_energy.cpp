@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/psf/pixel_light.h"
+
 namespace sturm {
 
 namespace {
@@ -38,6 +40,33 @@ double radius_at(const std::vector<Ring>& rings, double energy) {
   return rings.back().radius;
 }
 
+/// Light within a radius, of points or of a picture.
+class Curve {
+ public:
+  explicit Curve(const PointSpread& spread) {
+    if (spread.cell_arcmin > 0.0)
+      light_.emplace(spread);
+    else
+      rings_ = sorted_rings(spread);
+  }
+
+  double within(double radius) const {
+    if (light_) return light_->within(radius);
+    double sum = 0.0;
+    for (const Ring& ring : rings_) {
+      if (ring.radius > radius) break;
+      sum += ring.weight;
+    }
+    return sum;
+  }
+
+  double radius_of(double energy) const { return light_ ? light_->radius_of(energy) : radius_at(rings_, energy); }
+
+ private:
+  std::optional<PixelLight> light_;
+  std::vector<Ring> rings_;
+};
+
 double binomial_error(double p, double rays) {
   return std::sqrt(std::max(0.0, p * (1.0 - p)) / rays);
 }
@@ -45,27 +74,24 @@ double binomial_error(double p, double rays) {
 }  // namespace
 
 std::vector<WithError> encircled_energy(const PointSpread& spread, std::span<const double> radii_arcmin) {
-  const std::vector<Ring> rings = sorted_rings(spread);
-  std::vector<WithError> curve;
+  const Curve curve(spread);
+  std::vector<WithError> result;
   for (const double radius : radii_arcmin) {
     WithError e;
-    for (const Ring& ring : rings) {
-      if (ring.radius > radius) break;
-      e.value += ring.weight;
-    }
+    e.value = curve.within(radius);
     if (spread.independent_rays > 0.0) e.standard_error = binomial_error(e.value, spread.independent_rays);
-    curve.push_back(e);
+    result.push_back(e);
   }
-  return curve;
+  return result;
 }
 
 WithError encircled_energy_radius(const PointSpread& spread, double energy) {
-  const std::vector<Ring> rings = sorted_rings(spread);
-  WithError e{radius_at(rings, energy), std::nullopt};
+  const Curve curve(spread);
+  WithError e{curve.radius_of(energy), std::nullopt};
   if (spread.independent_rays > 0.0) {
     const double error = binomial_error(energy, spread.independent_rays);
     e.standard_error =
-        0.5 * (radius_at(rings, std::min(1.0, energy + error)) - radius_at(rings, std::max(0.0, energy - error)));
+        0.5 * (curve.radius_of(std::min(1.0, energy + error)) - curve.radius_of(std::max(0.0, energy - error)));
   }
   return e;
 }

@@ -13,7 +13,8 @@ struct WithError {
   std::optional<double> standard_error;
 };
 
-/// Share of the light within each radius [arcmin] of the centroid. Standard error √(p(1 − p)/N) for N independent rays.
+/// Share of the light within each radius [arcmin] of the centroid: of points, and of the areas of a picture's pixels
+/// (compare/psf/pixel_light.h). Standard error √(p(1 − p)/N) for N independent rays.
 std::vector<WithError> encircled_energy(const PointSpread& spread, std::span<const double> radii_arcmin);
 
 /// Radius about the centroid [arcmin] that holds the share `energy` in (0, 1) of the light. Standard error: half the

@@ -6,6 +6,7 @@
 
 #include "compare/metrics/comparable.h"
 #include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -68,7 +69,7 @@ PointSpread spread_of_image(const Image& image, double pixel_arcmin) {
       total += weight;
     }
   if (!(total > 0.0))
-    throw InputError("", "", "an image whose pixels sum to " + std::to_string(total), "the image of an emitter");
+    throw InputError("", "", "an image whose pixels sum to " + plain_number(total, 9), "the image of an emitter");
   for (double& w : spread.weights) w /= total;
   return spread;
 }

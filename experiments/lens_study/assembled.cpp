@@ -13,32 +13,19 @@ namespace sturm {
 
 namespace {
 
-constexpr double order_tolerance = 0.05;  // of the gates that the mutants must violate
+constexpr OwnMutation mutations[] = {
+    {"published_as_exact", "eq. 11 is passed off as the exact first order in the fit of the order"},
+    {"mirrored_gaze", "the footprint is traced for the gaze mirrored left to right; the real rays are not"}};
 
 /// Orders in the oblique views through analytic surfaces.
-template <class OrderOf>
-std::vector<double> oblique_orders(const LensFindings& found, const OrderOf& order_of) {
+std::vector<double> oblique_orders(const LensFindings& found) {
   std::vector<double> orders;
   const std::set<std::string> splines = spline_lenses(found);
   for (const LensStudyView& view : found.views) {
-    const Number order = order_of(view);
     const bool oblique = view.eccentricity_deg.value_or(0.0) > 0.0;
-    if (order && oblique && !splines.contains(view.lens)) orders.push_back(*order);
+    if (view.order && oblique && !splines.contains(view.lens)) orders.push_back(*view.order);
   }
   return orders;
-}
-
-/// Noticed if the largest |order − 4| is too large.
-Json mutant(const LensFindings& found, const char* id, const char* what, Number MutantOrders::*order_of) {
-  Number worst;
-  for (const double order :
-       oblique_orders(found, [&](const LensStudyView& view) { return view.mutant_orders.*order_of; }))
-    worst = std::max(std::abs(order - 4.0), worst.value_or(0.0));
-  return {{"id", id},
-          {"what", what},
-          {"failed_as_it_must", worst && *worst > order_tolerance},
-          {"value", number_or_null(worst)},
-          {"bound", order_tolerance}};
 }
 
 /// Largest error [D] of ray transfer over all views and pupils.
@@ -65,17 +52,23 @@ LensStudyConditions conditions_of(const LensStudySpec& spec) {
           .rotation_center_mm = 1e3 * spec.rotation_center_m};
 }
 
-Json lens_study_mutants(const LensFindings& found) {
-  return {mutant(found, "published_as_exact", "eq. 11 was passed off as the exact first order in the fit of the order",
-                 &MutantOrders::published_as_exact),
-          mutant(found, "mirrored_gaze",
-                 "the footprint was traced for the gaze mirrored left to right; the real rays were not",
-                 &MutantOrders::mirrored_gaze)};
+std::span<const OwnMutation> lens_study_mutations() {
+  return mutations;
+}
+
+LensFindings mutated_lens_study(LensFindings found, const std::string& mutation) {
+  const auto order = mutation == mutations[0].id   ? &MutantOrders::published_as_exact
+                     : mutation == mutations[1].id ? &MutantOrders::mirrored_gaze
+                                                   : nullptr;
+  if (order)
+    for (LensStudyView& view : found.views)
+      if (view.mutant_orders.*order) view.order = view.mutant_orders.*order;
+  return found;
 }
 
 Json lens_study_sentence(const LensFindings& found) {
   if (found.views.empty()) return nullptr;
-  const std::vector<double> orders = oblique_orders(found, [](const LensStudyView& view) { return view.order; });
+  const std::vector<double> orders = oblique_orders(found);
   char order_text[64] = "–";
   if (!orders.empty()) {
     const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());

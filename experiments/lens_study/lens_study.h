@@ -1,5 +1,6 @@
 #pragma once
 #include "compare/studies/lens/lens_findings.h"
+#include "experiments/run/mutations.h"
 #include "io/specs/experiment/lens_study_spec.h"
 #include "stages/render_stage.h"
 
@@ -14,8 +15,11 @@ LensField wide_gaze_study(const LensStudySpec& spec, const WideGaze& gaze);
 
 LensStudyConditions conditions_of(const LensStudySpec& spec);
 
-/// The order of convergence again with footprints that are wrong on purpose; each must be noticed.
-Json lens_study_mutants(const LensFindings& found);
+/// Footprints that are wrong on purpose: their orders of convergence are part of the findings.
+std::span<const OwnMutation> lens_study_mutations();
+
+/// What would have been found with the error of this id.
+LensFindings mutated_lens_study(LensFindings found, const std::string& mutation);
 
 /// The measured facts about conoid tracing in one sentence; null without views.
 Json lens_study_sentence(const LensFindings& found);

@@ -39,8 +39,13 @@ class LensRun : public SectionRun {
         return to_json(wide_gaze_study(spec_, *spec_.wide_gaze));
       }));
     report["lens_study"] = to_json(found);
-    append(report["must_fail"], lens_study_mutants(found));
     write_file_atomically(place.folder.path() / "lens_study.csv", lens_study_csv(found));
+  }
+
+  std::span<const OwnMutation> own_mutations() const override { return lens_study_mutations(); }
+
+  void mutate(const std::string& mutation, Json& report) const override {
+    report["lens_study"] = to_json(mutated_lens_study(*lens_findings(report), mutation));
   }
 
   std::vector<Figure> figures(const Json& report, const RunFolder&, const std::string&) const override {

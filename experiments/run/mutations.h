@@ -47,6 +47,12 @@ struct Mutation {
   MutationKind kind;
 };
 
+/// An error that a section tries on itself in every run, whatever the experiment asks for.
+struct OwnMutation {
+  const char* id;
+  const char* what;
+};
+
 /// The mutations of these names (`mutations` of configs/schemas/experiment.schema.json), in the order given.
 std::vector<Mutation> mutations_named(std::span<const std::string> names);
 

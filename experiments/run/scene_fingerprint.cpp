@@ -21,8 +21,14 @@ void add(std::string& facts, const Eigen::Vector3f& v) {
 
 template <class T>
 void add_number(std::string& facts, T value) {
-  static_assert(std::is_arithmetic_v<T>);
+  static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
   facts.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void add_mapping(std::string& facts, const TextureMapping& mapping) {
+  for (const float value : mapping.picture_from_mesh.reshaped()) add_number(facts, value);
+  add_number(facts, mapping.wrap_u);
+  add_number(facts, mapping.wrap_v);
 }
 
 /// A surface model: nothing but floats, so that there is no padding among its bytes.
@@ -40,14 +46,22 @@ std::string scene_fingerprint(const SceneDescription& scene) {
     add(facts, m.albedo);
     add(facts, m.emission);
     add_number(facts, m.nearest_filter);
-    add_number(facts, m.repeat_texture);
+    add_number(facts, m.emits_behind);
+    add_mapping(facts, m.albedo_mapping);
+    add_mapping(facts, m.emission_mapping);
+    add_number(facts, m.opacity.mode);
+    add_number(facts, m.opacity.factor);
+    add_number(facts, m.opacity.cutoff);
+    add_mapping(facts, m.opacity.mapping);
     add_number(facts, m.surface.index());
     std::visit([&](const auto& surface) { add_bytes(facts, surface); }, m.surface);
-    if (m.albedo_texture) facts += std::to_string(m.albedo_texture->width) + hash_of(m.albedo_texture->pixels);
+    for (const auto& texture : {m.albedo_texture, m.emission_texture, m.opacity.texture})
+      facts += texture ? std::to_string(texture->width) + hash_of(texture->pixels) : "none";
   }
   for (const std::vector<Mesh>* meshes : {&scene.meshes, &scene.prototypes})
     for (const Mesh& m : *meshes) {
-      facts += hash_of(m.positions) + hash_of(m.triangles) + hash_of(m.texture_coordinates) + hash_of(m.normals);
+      facts += hash_of(m.positions) + hash_of(m.triangles) + hash_of(m.texture_coordinates) + hash_of(m.normals) +
+               hash_of(m.vertex_colours) + hash_of(m.emission_coordinates);
       add_number(facts, m.material);
     }
   for (const Instance& i : scene.instances) {

@@ -33,8 +33,11 @@ class SectionRun {
   /// Folders of the run folder that it writes pictures into.
   virtual std::vector<std::string> folders() const { return {}; }
 
-  /// Enters the section, and the deliberate errors that it noticed, into the report.
+  /// Enters the section into the report.
   virtual void run(const SectionPlace& place, Json& report) = 0;
+
+  /// The errors that it tries on itself in every run: mutate() knows them.
+  virtual std::span<const OwnMutation> own_mutations() const { return {}; }
 
   /// Puts what a mutated predictor would have found in the section's place in the report; nothing where the mutation is
   /// none of this section.

@@ -2,27 +2,24 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/sin2_study/sin2_study.h"
-#include "io/json/values.h"
 
 namespace sturm {
 
 namespace {
 
-/// The bound of the gates on closed forms and on wavefront theory, which each mutant must exceed.
-constexpr double rounding_bound = 1e-9;
+constexpr OwnMutation mutations[] = {
+    {"repaired_as_sin2", "sin² rays get the tangential term that they lack, and are passed off as sin² rays"},
+    {"wrong_coefficient", "the closed form of sin² is given 4 in place of 5"},
+    {"mirrored_axis", "wavefront theory is given AXIS 180 − α instead of α; matrix rays are not"},
+    {"sin2_as_matrix", "sin² rays are passed off as matrix rays"}};
+
+/// The check that a mutation makes wrong, in the order of the mutations.
+constexpr const char* checks_of_mutations[] = {"sin2_vs_closed_form_max", "sin2_vs_closed_form_max",
+                                               "matrix_vs_theory_max", "matrix_vs_theory_max"};
 
 Number value_of(const Sin2StudyFindings& found, const std::string& check) {
   const Sin2Check* of_name = found.check(check);
   return of_name ? of_name->value : std::nullopt;
-}
-
-Json mutant(const Sin2StudyFindings& found, const char* id, const char* what) {
-  const Number value = value_of(found, std::string("mutant_") + id);
-  return {{"id", id},
-          {"what", what},
-          {"failed_as_it_must", value && *value > rounding_bound},
-          {"value", number_or_null(value)},
-          {"bound", rounding_bound}};
 }
 
 /// The row over each eye's worst view, without numbers if there is none.
@@ -33,12 +30,15 @@ Sin2PopulationRow worst_views(const Sin2StudyFindings& found, RayModel model) {
 
 }  // namespace
 
-Json sin2_study_mutants(const Sin2StudyFindings& found) {
-  return {mutant(found, "repaired_as_sin2",
-                 "sin² rays got the tangential term that they lack, and were passed off as sin² rays"),
-          mutant(found, "wrong_coefficient", "the closed form of sin² was given 4 in place of 5"),
-          mutant(found, "mirrored_axis", "wavefront theory was given AXIS 180 − α instead of α; matrix rays were not"),
-          mutant(found, "sin2_as_matrix", "sin² rays were passed off as matrix rays")};
+std::span<const OwnMutation> sin2_study_mutations() {
+  return mutations;
+}
+
+Sin2StudyFindings mutated_sin2_study(Sin2StudyFindings found, const std::string& mutation) {
+  for (std::size_t i = 0; i < std::size(mutations); ++i)
+    if (mutation == mutations[i].id)
+      if (const Sin2Check* wrong = found.check("mutant_" + mutation)) found.checks[checks_of_mutations[i]] = *wrong;
+  return found;
 }
 
 Json sin2_study_sentence(const Sin2StudyFindings& found) {

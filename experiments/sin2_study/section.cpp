@@ -40,7 +40,12 @@ class Sin2Run : public SectionRun {
     write_file_atomically(place.folder.path() / "sin2_study.csv", sin2_study_csv(cases, spec_));
     const Sin2StudyFindings found = summarised_sin2_study(spec_, cases, std::move(gallery));
     report["sin2_study"] = to_json(found);
-    append(report["must_fail"], sin2_study_mutants(found));
+  }
+
+  std::span<const OwnMutation> own_mutations() const override { return sin2_study_mutations(); }
+
+  void mutate(const std::string& mutation, Json& report) const override {
+    report["sin2_study"] = to_json(mutated_sin2_study(*sin2_study_findings(report), mutation));
   }
 
   std::vector<Figure> figures(const Json& report, const RunFolder& folder, const std::string& command) const override {

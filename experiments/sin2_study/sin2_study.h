@@ -3,6 +3,7 @@
 
 #include "compare/studies/sin2/sin2_findings.h"
 #include "compare/studies/sin2/study_case.h"
+#include "experiments/run/mutations.h"
 #include "stages/render_stage.h"
 
 namespace sturm {
@@ -17,8 +18,11 @@ Json sin2_study_rows(const Sin2StudySpec& spec, const StudyEyeGroup& group, cons
 Sin2GalleryEntry sin2_gallery_entry(const Sin2StudySpec& spec, const Sin2GalleryView& view, std::uint64_t seed,
                                     const std::filesystem::path& folder);
 
-/// The study's checks again with inputs that are wrong on purpose; each must be noticed.
-Json sin2_study_mutants(const Sin2StudyFindings& found);
+/// Inputs that are wrong on purpose: what the checks say of them is part of the findings.
+std::span<const OwnMutation> sin2_study_mutations();
+
+/// What would have been found with the error of this id.
+Sin2StudyFindings mutated_sin2_study(Sin2StudyFindings found, const std::string& mutation);
 
 /// What the study measured, in one sentence; null without numbers.
 Json sin2_study_sentence(const Sin2StudyFindings& found);

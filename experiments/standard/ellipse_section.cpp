@@ -5,7 +5,6 @@
 #include "compare/findings/sin2.h"
 #include "experiments/run/mutated_entries.h"
 #include "experiments/standard/ellipse_findings.h"
-#include "experiments/standard/must_fail_checks.h"
 #include "experiments/standard/sin2_findings.h"
 
 namespace sturm {
@@ -20,13 +19,11 @@ class EllipseRun : public SectionRun {
     const Json found = place.steps("ellipses", "ellipses", [&](const ProgressFunction& progress) -> Json {
       const std::vector<TracedCase> cases = traced_cases(spec_, seed_, progress);
       return {{"ellipses", to_json(ellipse_findings(spec_, cases, place.mutations))},
-              {"sin2", to_json(sin2_findings(cases))},
-              {"must_fail", to_json(must_fail_checks(cases))}};
+              {"sin2", to_json(sin2_findings(cases))}};
     });
     cases_ = found.at("ellipses").at("cases");
     report["ellipses"] = {{"conditions", found.at("ellipses").at("conditions")}, {"cases", honest_entries(cases_)}};
     report["sin2"] = found.at("sin2");
-    append(report["must_fail"], found.at("must_fail"));
   }
 
   void mutate(const std::string& mutation, Json& report) const override {

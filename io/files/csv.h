@@ -12,6 +12,11 @@ struct CsvDialect {
   char quote = '"';  ///< stands around a field that holds separators, line ends or quotes (written twice)
 };
 
+/// The separator of a table as its first row has it: a semicolon, else a tab, else a comma, each outside of quotes; a
+/// blank (runs of blanks count as one) where there is none of them but words stand apart. A first line `sep=X`, which
+/// spreadsheets write, names it.
+CsvDialect csv_dialect_of(std::string_view text);
+
 /// One row of a table that was read.
 struct CsvRow {
   int line = 0;           ///< the number, from 1, of the line that it starts on
@@ -19,9 +24,9 @@ struct CsvRow {
   std::vector<std::string> fields;
 };
 
-/// Reads a table row by row (RFC 4180). Rows end with CRLF or LF; a byte order mark before the first one is skipped.
-/// Blank lines and lines that start with # are no rows, and blanks (spaces, tabs) around a field are not part of it
-/// unless they stand in its quotes.
+/// Reads a table row by row (RFC 4180). Rows end with CRLF, LF or CR; a byte order mark before the first one is
+/// skipped. Blank lines, lines that start with # and a first line `sep=X` are no rows, and blanks (spaces, tabs) around
+/// a field are not part of it unless they stand in its quotes.
 class CsvReader {
  public:
   /// `text` must outlive the reader and its rows; messages name `file`.
@@ -35,7 +40,9 @@ class CsvReader {
   std::string field();
   std::string quoted_field();
   void skip_blanks();
+  bool at_separator() const;  ///< not at the end of the text
   bool at_end_of_field() const;
+  void skip_line_end();
   [[noreturn]] void fail(int line, std::string_view value, const std::string& expected) const;
 
   std::string_view text_;
@@ -45,7 +52,8 @@ class CsvReader {
   int line_ = 1;
 };
 
-/// The number that a field consists of ("1.5", "-2e-3", "inf", "nan"); none where it holds anything else.
+/// The number that a field consists of ("1.5", "+1.25", "1,25", "-2e-3", "inf", "nan"); none where it holds anything
+/// else. A minus may be U+2212 or a dash, and a comma stands for the decimal point where there is no point.
 std::optional<double> csv_number(std::string_view field);
 
 /// Writes a table as RFC 4180 has it: commas, CRLF, quotes where they are needed.

@@ -6,11 +6,14 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <vector>
 
 #include "io/files/error.h"
+#include "io/files/sandbox.h"
+#include "io/files/text_encoding.h"
 
 namespace sturm {
 
@@ -30,6 +33,34 @@ std::string escaped(std::string_view key) {
       token += c;
   }
   return token;
+}
+
+constexpr std::size_t shown_bytes = 160;
+
+/// What stands in a JSON text where no such character may stand, if that is not ASCII: a typographic sign, or a byte
+/// that is no UTF-8.
+std::optional<std::string> foreign_character(std::string_view text) {
+  if (text.empty() || static_cast<unsigned char>(text[0]) < 0x80) return std::nullopt;
+  for (std::size_t size = 2; size <= std::min<std::size_t>(4, text.size()); ++size)
+    if (is_utf8(text.substr(0, size))) return "\"" + std::string(text.substr(0, size)) + "\"";
+  return "a byte that is not UTF-8";
+}
+
+/// The character of `text` that the byte at `at` belongs to.
+std::string_view from_character_start(std::string_view text, std::size_t at) {
+  std::size_t start = std::min(at, text.size());
+  while (start > 0 && start + 3 > at && start < text.size() && (static_cast<unsigned char>(text[start]) & 0xC0) == 0x80)
+    --start;
+  return text.substr(start);
+}
+
+/// Which key of the keyboard was meant.
+std::string keyboard_hint(std::string_view character) {
+  const std::string sign = with_keyboard_signs(character.substr(1, character.size() - 2));
+  if (sign == "-" || sign == "+" || sign == " ") return ", with the \"" + sign + "\" of the keyboard";
+  for (const char* quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019", "\u00AB", "\u00BB"})
+    if (character.substr(1, character.size() - 2) == quote) return ", with the quotes of the keyboard";
+  return "";
 }
 
 /// First pass over a text: finds what nlohmann's own parser lets through (duplicate keys, deep nesting) and turns its
@@ -77,8 +108,13 @@ class StrictCheck : public nlohmann::json_sax<Json> {
       expected = what.substr(semicolon + 11);
       what.erase(semicolon);
     }
+    // nlohmann quotes the text up to the byte that it could not use, which may be the first one of a character.
+    if (const auto foreign = foreign_character(from_character_start(text_, byte > 0 ? byte - 1 : 0))) {
+      what = *foreign;
+      expected += keyboard_hint(*foreign);
+    }
     throw InputError(file_ + ":" + std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1), "",
-                     what, expected);
+                     shortened(utf8_text(what), shown_bytes), expected);
   }
 
  private:
@@ -170,7 +206,10 @@ std::string compact(const Json& value, std::size_t limit) {
 std::filesystem::path path_beside(const std::string& path, const std::string& naming_file) {
   const std::filesystem::path folder =
       naming_file == "<stdin>" ? std::filesystem::path() : std::filesystem::path(naming_file).parent_path();
-  return std::filesystem::absolute(folder / path).lexically_normal();
+  const std::filesystem::path found = std::filesystem::absolute(folder / path).lexically_normal();
+  if (!within_sandbox(found, naming_file))
+    throw InputError(naming_file, "", path, "with --sandbox a file in the folder of the file that names it, or below");
+  return found;
 }
 
 }  // namespace sturm

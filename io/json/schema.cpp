@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "io/files/error.h"
@@ -72,10 +73,25 @@ class Hoister {
   std::set<std::string> origins_;
 };
 
+/// Throws for a key that breaks the pattern which its object's schema has for names.
+void refuse_wrong_name(const std::string& key, const Json& rules, const Source& where) {
+  const auto names = rules.find("propertyNames");
+  if (names == rules.end() || !names->contains("pattern")) return;
+  const std::regex pattern((*names)["pattern"].get<std::string>());
+  if (std::regex_search(key, pattern)) return;
+  // "Z4", "c4" and "04" stand for 4.
+  const std::string digits = key.substr(std::min(key.find_first_of("123456789"), key.size()));
+  const std::string hint = std::regex_search(digits, pattern) ? " (did you mean \"" + digits + "\"?)" : "";
+  const Source place = where / key;
+  throw InputError(place.file, place.pointer, "the key " + compact(Json(key)) + hint,
+                   names->value("description", "a key like " + (*names)["pattern"].get<std::string>()));
+}
+
 void refuse_unknown_keys(const Json& value, const Json& node, const Json& schema, const Source& where) {
   const Json& here = dereferenced(node, schema);
   if (value.is_object()) {
     for (const auto& [key, member] : value.items()) {
+      refuse_wrong_name(key, here, where);
       const Json* child = child_schema(here, key, true);
       if (!child && here.value("additionalProperties", Json(true)) == Json(false)) {
         std::vector<std::string> known;

@@ -64,6 +64,21 @@ Eye read_wavefront_eye(const Json& value, const Source& where, const std::option
   return Eye::with(measured, rule, rx, metres_per_millimetre * pupil_mm, accommodation);
 }
 
+/// Which eye a wavefront was measured of, if that is said.
+std::optional<EyeSide> measured_side(const Json& eye) {
+  const Json wavefront = eye.value("wavefront", Json::object());
+  return wavefront.contains("eye") ? eye_side(wavefront["eye"].get<std::string>()) : std::nullopt;
+}
+
+Prescription read_eyes_prescription(const Json& value, const Source& where, std::optional<EyeSide> side,
+                                    EyeSpec& spec) {
+  if (value.is_string())
+    if (const NotedPrescription noted = read_notation(value.get<std::string>(), where, side); noted.addition_D)
+      spec.notes.push_back(where.file + ": " + where.pointer + " is read as " + in_notation(noted) +
+                           "; its addition is for near glasses and changes nothing here");
+  return read_prescription(value, where, side);
+}
+
 }  // namespace
 
 double read_distance(const Json& value, const Source& where) {
@@ -72,8 +87,10 @@ double read_distance(const Json& value, const Source& where) {
   return value.get<double>();
 }
 
-Prescription read_prescription(const Json& given, const Source& where) {
-  const Json value = with_defaults(given, "eye", "prescription");
+Prescription read_prescription(const Json& given, const Source& where, std::optional<EyeSide> eye) {
+  const Json object =
+      given.is_string() ? prescription_object(read_notation(given.get<std::string>(), where, eye), where) : given;
+  const Json value = with_defaults(object, "eye", "prescription");
   Prescription rx;
   rx.sphere_D = value.at("sphere_D").get<double>();
   rx.cylinder_D = value.at("cylinder_D").get<double>();
@@ -152,7 +169,8 @@ EyeSpec read_eye_spec(const Json& value, const Source& where) {
   if (!object.contains("prescription") && !object.contains("wavefront"))
     throw InputError(place.file, place.pointer, "no \"prescription\"", "a \"prescription\" or a \"wavefront\"");
   std::optional<Prescription> rx;
-  if (object.contains("prescription")) rx = read_prescription(written["prescription"], place / "prescription");
+  if (object.contains("prescription"))
+    rx = read_eyes_prescription(written["prescription"], place / "prescription", measured_side(object), spec);
   const Accommodation accommodation = read_accommodation(object["accommodation"], place / "accommodation");
   const double pupil_mm = object.at("pupil_diameter_mm").get<double>();
   spec.eye = object.contains("wavefront")

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/json/json.h"
+#include "io/specs/prescription_notation.h"
 #include "lensmodel/eye.h"
 #include "lensmodel/ray_model.h"
 
@@ -22,9 +23,10 @@ EyeSpec read_eye_spec(const Json& value, const Source& where);
 /// The eye alone.
 Eye read_eye(const Json& value, const Source& where);
 
-/// Reads a prescription as the schema of eyes defines it; a cylinder needs an axis, a prism a base, and the vertex
-/// distance must not lie at the lens's focal length.
-Prescription read_prescription(const Json& value, const Source& where);
+/// Reads a prescription as the schema of eyes defines it, an object or a text in optical notation; a cylinder needs an
+/// axis, a prism a base, and the vertex distance must not lie at the lens's focal length. `eye` is the one that a text
+/// for both is read for. The addition of a text counts only where it is asked for (progressive lenses).
+Prescription read_prescription(const Json& value, const Source& where, std::optional<EyeSide> eye = std::nullopt);
 
 /// Reads {"mode": "relaxed" | "fixed" | "best", …}.
 Accommodation read_accommodation(const Json& value, const Source& where);

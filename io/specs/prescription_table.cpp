@@ -1,75 +1,190 @@
 #include "io/specs/prescription_table.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
-#include "io/files/csv.h"
+#include "io/files/csv_table.h"
 #include "io/files/error.h"
+#include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
+#include "io/specs/prescription_notation.h"
 #include "lensmodel/power_matrix.h"
+#include "lensmodel/units.h"
 
 namespace sturm {
 
 namespace {
 
-/// The rows of a table, read by the names of their columns.
-class Table {
+const CsvColumn id_column{"id", {"patient", "patientid", "subject", "subjectid", "name", "nr", "no", "number", "case"}};
+const CsvColumn eye_column{"eye", {"side", "laterality", "odos", "auge"}};
+const CsvColumn sphere_column{"sph_D", {"sph", "sphere", "sphered", "s", "sphdpt", "spheredpt", "sf"}};
+const CsvColumn cylinder_column{
+    "cyl_D", {"cyl", "cylinder", "cylinderd", "c", "zyl", "zylinder", "cyldpt", "cylinderdpt", "zyldpt"}};
+const CsvColumn axis_column{"axis_deg", {"axis", "ax", "a", "achse", "axe", "axisdegrees", "axisdegree"}};
+const CsvColumn notation_column{"rx",
+                                {"prescription", "refraction", "notation", "spectaclerx", "spectacleprescription"}};
+const CsvColumn vertex_column{"vertex_distance_mm",
+                              {"vertexdistance", "vdmm", "vd", "bvd", "bvdmm", "vertexmm", "hsa", "hsamm"}};
+
+/// Words for "none" in cells of cylinder and axis, and the sphere's unit, which opticians write there.
+constexpr std::array<std::string_view, 9> nothings{"-", "--", "---", "/", "DS", "SPH", "sph", "ds", "Sph"};
+constexpr std::array<std::string_view, 6> planos{"PL", "pl", "Pl", "Plano", "plano", "PLANO"};
+
+bool is_one_of(std::string_view cell, const auto& list) {
+  return std::ranges::find(list, cell) != list.end();
+}
+
+/// A table and the row of it that is read.
+class Rows {
  public:
-  Table(std::string file, CsvRow heading) : file_(std::move(file)), columns_(std::move(heading.fields)) {}
-
-  void start_row(CsvRow row) { row_ = std::move(row); }
-
-  const std::string& text(const char* column) const {
-    const auto at = std::find(columns_.begin(), columns_.end(), column);
-    if (at == columns_.end()) throw InputError(file_, "", "", std::string("a column ") + column);
-    const auto index = static_cast<std::size_t>(at - columns_.begin());
-    if (index >= row_.fields.size() || row_.fields[index].empty()) fail("", std::string("a value in column ") + column);
-    return row_.fields[index];
+  Rows(std::string contents, const std::string& file) : table_(std::move(contents), file) {
+    id_ = table_.find(id_column), eye_ = table_.find(eye_column);
+    sphere_ = table_.find(sphere_column), cylinder_ = table_.find(cylinder_column), axis_ = table_.find(axis_column);
+    notation_ = table_.find(notation_column), vertex_ = table_.find(vertex_column);
+    if (!id_) fail_at_heading("a column id");
+    if (notation_ && (sphere_ || cylinder_ || axis_))
+      fail_at_heading("a column rx, or columns sph_D, cyl_D and axis_deg");
+    if (notation_) return;
+    if (!eye_) fail_at_heading("a column eye");
+    if (!sphere_) fail_at_heading("a column sph_D, or a column rx");
+    if (!cylinder_) fail_at_heading("a column cyl_D");
+    if (!axis_) fail_at_heading("a column axis_deg");
   }
 
-  double number(const char* column) const {
-    const std::string& field = text(column);
-    const std::optional<double> value = csv_number(field);
-    if (!value) fail(field, std::string("a number in column ") + column);
-    return *value;
+  bool next() {
+    std::optional<CsvRow> row = table_.next();
+    if (row) row_ = std::move(*row);
+    return row.has_value();
   }
 
-  [[noreturn]] void fail(const std::string& value, const std::string& expected) const {
-    throw InputError(file_, "line " + std::to_string(row_.line), value, expected);
+  std::vector<TabledPrescription> prescriptions(double vertex_distance_m) const {
+    if (notation_) return noted(vertex_distance_m);
+    Prescription rx;
+    rx.sphere_D = dioptres(text(*sphere_, sphere_column), sphere_column);
+    const std::string& cylinder = field(*cylinder_, cylinder_column);
+    rx.cylinder_D = is_nothing(cylinder) ? 0.0 : dioptres(cylinder, cylinder_column);
+    const std::string& axis = field(*axis_, axis_column);
+    if (!is_nothing(axis))
+      rx.axis_deg = degrees(axis);
+    else if (rx.cylinder_D != 0.0)
+      fail(axis.empty() ? "" : axis, "a value in column axis_deg, which a cylinder needs");
+    return {{text(*id_, id_column) + "-" + text(*eye_, eye_column), valid(rx, vertex_distance_m)}};
   }
 
  private:
-  std::string file_;
-  std::vector<std::string> columns_;
+  static bool is_nothing(const std::string& cell) { return cell.empty() || is_one_of(cell, nothings); }
+
+  const std::string& field(std::size_t index, const CsvColumn& column) const {
+    if (index >= row_.fields.size()) fail("", "a value in column " + column.name + ", or a field that is left empty");
+    return row_.fields[index];
+  }
+
+  const std::string& text(std::size_t index, const CsvColumn& column) const {
+    const std::string& value = field(index, column);
+    if (value.empty()) fail("", "a value in column " + column.name);
+    return value;
+  }
+
+  double number(const std::string& cell, const CsvColumn& column) const {
+    const std::optional<double> value = csv_number(cell);
+    if (!value) fail(shortened(cell), "a number in column " + column.name);
+    return *value;
+  }
+
+  /// "+1.25", "1,25", "PL", "-2.00 D", "-2.00 DS".
+  double dioptres(std::string cell, const CsvColumn& column) const {
+    if (is_one_of(cell, planos)) return 0.0;
+    for (const std::string_view unit : {"DS", "DC", "D", "dpt"})
+      if (cell.ends_with(unit)) {
+        cell.resize(cell.size() - unit.size());
+        cell.resize(cell.find_last_not_of(' ') + 1);
+        break;
+      }
+    return number(cell, column);
+  }
+
+  /// "30", "30°", "x 30".
+  double degrees(std::string cell) const {
+    for (const std::string_view sign : {"°", "deg", "º"})
+      if (cell.ends_with(sign)) cell.resize(cell.size() - sign.size());
+    for (const std::string_view sign : {"x", "X", "×"})
+      if (cell.starts_with(sign)) cell.erase(0, sign.size());
+    cell.erase(0, std::min(cell.find_first_not_of(' '), cell.size()));
+    cell.resize(cell.find_last_not_of(' ') + 1);
+    return number(cell, axis_column);
+  }
+
+  Prescription valid(Prescription rx, double vertex_distance_m) const {
+    rx.vertex_distance_m = vertex_distance_m;
+    if (vertex_ && *vertex_ < row_.fields.size() && !is_nothing(row_.fields[*vertex_]))
+      rx.vertex_distance_m = metres_per_millimetre * number(row_.fields[*vertex_], vertex_column);
+    try {
+      validate(rx);
+      power_at_cornea(rx);
+    } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
+      fail(shortened(row_.text), std::string("a prescription that can be computed: ") + error.what());
+    }
+    return rx;
+  }
+
+  /// A row with a text: of the eye in its column, or of each eye that the text names.
+  std::vector<TabledPrescription> noted(double vertex_distance_m) const {
+    const Source line{table_.file(), "line " + std::to_string(row_.line)};
+    const std::string &notation = text(*notation_, notation_column), &id = text(*id_, id_column);
+    std::vector<NotedPrescription> eyes;
+    if (eye_)
+      eyes = {read_notation(notation, line, eye_side(text(*eye_, eye_column)))};
+    else if (const auto both = eyes_of(notation); both.size() == 2)
+      eyes = both;
+    else
+      eyes = {read_notation(notation, line)};
+    std::vector<TabledPrescription> result;
+    for (const NotedPrescription& rx : eyes) {
+      if (rx.has_prism()) fail(shortened(notation), "no prism: it has no part in the blur of an eye");
+      const std::string eye = eye_ ? text(*eye_, eye_column) : !rx.eye ? "" : *rx.eye == EyeSide::right ? "OD" : "OS";
+      const double distance_m =
+          rx.vertex_distance_mm ? metres_per_millimetre * *rx.vertex_distance_mm : vertex_distance_m;
+      result.push_back({eye.empty() ? id : id + "-" + eye,
+                        valid({rx.sphere_D, rx.cylinder_D, rx.axis_deg.value_or(180.0)}, distance_m)});
+    }
+    return result;
+  }
+
+  static std::vector<NotedPrescription> eyes_of(const std::string& notation) {
+    try {
+      return parse_prescription_notation(notation);
+    } catch (const std::invalid_argument&) {
+      return {};  // read_notation says what is wrong
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& value, const std::string& expected) const {
+    table_.fail(row_.line, value, expected);
+  }
+
+  [[noreturn]] void fail_at_heading(const std::string& expected) const {
+    table_.fail(table_.heading().line, "the columns " + shortened(table_.heading().text), expected);
+  }
+
+  CsvTable table_;
+  std::optional<std::size_t> id_, eye_, sphere_, cylinder_, axis_, notation_, vertex_;
   CsvRow row_;
 };
 
 }  // namespace
 
 std::vector<TabledPrescription> read_prescription_table(const std::filesystem::path& file, double vertex_distance_m) {
-  const auto contents = file_contents(file);
+  auto contents = file_contents(file);
   if (!contents) throw InputError(file.string(), "", "", "a file that can be read");
-  CsvReader rows(*contents, file.string());
+  Rows rows(std::move(*contents), file.string());
   std::vector<TabledPrescription> eyes;
-  std::optional<Table> table;
-  while (std::optional<CsvRow> row = rows.next()) {
-    if (!table) {
-      table.emplace(file.string(), std::move(*row));
-      continue;
-    }
-    const std::string_view line = row->text;
-    table->start_row(std::move(*row));
-    const Prescription rx{table->number("sph_D"), table->number("cyl_D"), table->number("axis_deg"), vertex_distance_m};
-    try {
-      validate(rx);
-      power_at_cornea(rx);
-    } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
-      table->fail(std::string(line), std::string("a prescription that can be computed: ") + error.what());
-    }
-    eyes.push_back({table->text("id") + "-" + table->text("eye"), rx});
-  }
+  while (rows.next())
+    for (TabledPrescription& eye : rows.prescriptions(vertex_distance_m)) eyes.push_back(std::move(eye));
   if (eyes.empty()) throw InputError(file.string(), "", "", "a table with at least one prescription");
   return eyes;
 }

@@ -13,9 +13,10 @@ struct TabledPrescription {
   Prescription prescription;
 };
 
-/// Reads a table with comma-separated columns of which eye, id, sph_D, cyl_D and axis_deg are used
-/// (configs/data/papila_prescriptions.csv); lines that start with # are skipped. The table states no vertex distance:
-/// all get `vertex_distance_m`. Throws InputError.
+/// Reads a table (io/files/csv_table.h) of which the columns eye, id, sph_D, cyl_D, axis_deg and vertex_distance_mm are
+/// used (configs/data/papila_prescriptions.csv), or rx in optical notation (io/specs/prescription_notation.h) in place
+/// of the numbers. Names that opticians give to these columns are known. A sphere may leave cylinder and axis empty.
+/// Rows that state no vertex distance get `vertex_distance_m`. Throws InputError with file and line.
 std::vector<TabledPrescription> read_prescription_table(const std::filesystem::path& file, double vertex_distance_m);
 
 }  // namespace sturm

@@ -4,11 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "io/files/csv.h"
+#include "io/files/csv_table.h"
 #include "io/files/error.h"
+#include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
 #include "lensmodel/units.h"
 
@@ -22,7 +23,7 @@ constexpr double same_place = 1e-9;  // [m]
 
 struct Row {
   Eigen::Vector3d point;  // [m]
-  int line;
+  int line;               // 0: not of a table
 };
 
 [[noreturn]] void fail(const std::string& file, int line, const std::string& got, const std::string& expected) {
@@ -31,7 +32,8 @@ struct Row {
 
 std::string number_text(double value) {
   std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr};
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12).ptr};
 }
 
 std::string place_text(const Eigen::Vector2d& at) {
@@ -41,41 +43,38 @@ std::string place_text(const Eigen::Vector2d& at) {
 
 using Columns = std::array<std::size_t, 3>;
 
-Columns columns_of(const std::vector<std::string>& names, const std::string& file, int line) {
-  const auto position = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-  };
-  const Columns columns{position("x_mm"), position("y_mm"), std::min(position("z_mm"), position("sag_mm"))};
-  if (*std::ranges::max_element(columns) == names.size())
-    fail(file, line, "\"" + names[0] + (names.size() > 1 ? ", …\"" : "\""),
-         "a line of column names with x_mm, y_mm and z_mm (or sag_mm)");
-  return columns;
+const CsvColumn x_column{"x_mm", {"x"}}, y_column{"y_mm", {"y"}};
+const CsvColumn z_column{"z_mm", {"z", "sag", "sagmm", "height", "heightmm"}};
+
+Columns columns_of(const CsvTable& table) {
+  const auto x = table.find(x_column), y = table.find(y_column), z = table.find(z_column);
+  if (!x || !y || !z) {
+    const auto& names = table.heading().fields;
+    table.fail(table.heading().line, "\"" + shortened(names[0], 40) + (names.size() > 1 ? ", …\"" : "\""),
+               "a line of column names with x_mm, y_mm and z_mm (or sag_mm)");
+  }
+  return {*x, *y, *z};
 }
 
-double number_in(const std::string& cell, const std::string& file, int line) {
+double number_in(const std::string& cell, const CsvTable& table, int line) {
   const std::optional<double> value = csv_number(cell);
-  if (!value || !std::isfinite(*value)) fail(file, line, "\"" + cell.substr(0, 40) + "\"", "a finite number [mm]");
+  if (!value || !std::isfinite(*value)) table.fail(line, "\"" + shortened(cell, 40) + "\"", "a finite number [mm]");
   return metres_per_millimetre * *value;
 }
 
 std::vector<Row> rows_of(const std::string& file) {
-  const std::optional<std::string> contents = file_contents(file);
+  std::optional<std::string> contents = file_contents(file);
   if (!contents) fail(file, 0, "a file that cannot be read", "a table of x_mm, y_mm, z_mm");
+  CsvTable table(std::move(*contents), file);
+  const Columns columns = columns_of(table);
+  const std::size_t last = *std::ranges::max_element(columns);
   std::vector<Row> rows;
-  std::optional<Columns> columns;
-  CsvReader table(*contents, file);
   while (const std::optional<CsvRow> row = table.next()) {
-    const auto& [line, text, cells] = *row;
-    if (!columns) {
-      columns = columns_of(cells, file, line);
-      continue;
-    }
-    if (cells.size() <= *std::ranges::max_element(*columns))
-      fail(file, line, std::to_string(cells.size()) + " values",
-           "at least " + std::to_string(*std::ranges::max_element(*columns) + 1));
-    rows.push_back({{number_in(cells[(*columns)[0]], file, line), number_in(cells[(*columns)[1]], file, line),
-                     number_in(cells[(*columns)[2]], file, line)},
-                    line});
+    const std::vector<std::string>& cells = row->fields;
+    if (cells.size() <= last)
+      table.fail(row->line, std::to_string(cells.size()) + " values", "at least " + std::to_string(last + 1));
+    const auto number = [&](std::size_t column) { return number_in(cells[column], table, row->line); };
+    rows.push_back({{number(columns[0]), number(columns[1]), number(columns[2])}, row->line});
   }
   if (rows.size() < fewest_points)
     fail(file, 0, std::to_string(rows.size()) + " points",
@@ -92,7 +91,9 @@ void sort_and_refuse_duplicates(std::vector<Row>& rows, const std::string& file)
     for (std::size_t j = i + 1; j < rows.size() && rows[j].point.x() - rows[i].point.x() < same_place; ++j)
       if (std::abs(rows[j].point.y() - rows[i].point.y()) < same_place)
         fail(file, std::max(rows[i].line, rows[j].line), "the point " + place_text(rows[j].point.head<2>()) + " again",
-             "each point once; line " + std::to_string(std::min(rows[i].line, rows[j].line)) + " has it");
+             rows[i].line == 0
+                 ? "each point once"
+                 : "each point once; line " + std::to_string(std::min(rows[i].line, rows[j].line)) + " has it");
 }
 
 /// The grid whose knots the points are, if they are all of a regular grid's.
@@ -167,10 +168,8 @@ BSplineSurface lifted(const KnotGrid& grid, const BSplineSurface& surface, const
   return surface.raised(-vertex->value);
 }
 
-}  // namespace
-
-SagGrid read_sag_grid(const std::string& file, std::optional<double> knot_spacing_m, double rim_radius) {
-  std::vector<Row> rows = rows_of(file);
+SagGrid surface_through(std::vector<Row> rows, std::optional<double> knot_spacing_m, double rim_radius,
+                        const std::string& file) {
   sort_and_refuse_duplicates(rows, file);
   std::vector<Eigen::Vector3d> points;
   for (const Row& row : rows) points.push_back(row.point);
@@ -190,6 +189,22 @@ SagGrid read_sag_grid(const std::string& file, std::optional<double> knot_spacin
   } catch (const std::logic_error& error) {
     fail(file, 0, error.what(), "points that cover the surface");
   }
+}
+
+}  // namespace
+
+SagGrid read_sag_grid(const std::string& file, std::optional<double> knot_spacing_m, double rim_radius) {
+  return surface_through(rows_of(file), knot_spacing_m, rim_radius, file);
+}
+
+SagGrid sag_surface(const std::vector<Eigen::Vector3d>& points, std::optional<double> knot_spacing_m, double rim_radius,
+                    const std::string& file) {
+  std::vector<Row> rows;
+  for (const Eigen::Vector3d& point : points) rows.push_back({point, 0});
+  if (rows.size() < fewest_points)
+    fail(file, 0, std::to_string(rows.size()) + " points",
+         "at least " + std::to_string(fewest_points) + " points of the surface");
+  return surface_through(std::move(rows), knot_spacing_m, rim_radius, file);
 }
 
 }  // namespace sturm

@@ -55,15 +55,31 @@ std::vector<MaterialOverride> read_overrides(const Json& list, const Source& whe
   return overrides;
 }
 
+/// Throws for a USD scene, which nothing that Sturm is built with reads.
+void refuse_usd(const std::filesystem::path& file, const Json& value, const Source& where) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const char* usd : {".usd", ".usda", ".usdc", ".usdz"})
+    if (extension == usd)
+      where.fail(value,
+                 "OBJ, glTF or another model file; scripts/convert_usd.py makes a .glb of a USD scene: blender -b "
+                 "--factory-startup -P scripts/convert_usd.py -- SCENE" +
+                     extension + " SCENE.glb");
+}
+
 ModelSpec read_model(const Json& value, const Source& where, const std::vector<MaterialSpec>& materials) {
   ModelSpec model;
   model.file = existing_file(value["file"], where / "file", "the path of a model file");
+  refuse_usd(model.file, value["file"], where / "file");
   model.scale = value.value("scale", model.scale);
   model.turn = value.value("turn_deg", 0.0) * std::numbers::pi / 180.0;
   if (value.contains("position_m")) model.position = read_vector3(value["position_m"]);
   model.texture_encoding = word_or(value, "texture_encoding", model.texture_encoding, where, texture_encoding_words);
   model.texture_filter = word_or(value, "texture_filter", model.texture_filter, where, texture_filter_words);
-  model.texture_wrap = word_or(value, "texture_wrap", model.texture_wrap, where, texture_wrap_words);
+  model.texture_filter_is_stated = value.contains("texture_filter");
+  if (value.contains("texture_wrap"))
+    model.texture_wrap = word_or(value, "texture_wrap", TextureWrap::Clamp, where, texture_wrap_words);
   model.overrides = read_overrides(member(value, "overrides"), where / "overrides", materials);
   return model;
 }
@@ -111,6 +127,7 @@ SceneSpec read_scene(const Json& value, const Source& where) {
   if (value.is_string()) {
     const std::filesystem::path file = existing_file(value, where, "the path of a scene or model file");
     if (file.extension() != ".json") {
+      refuse_usd(file, value, where);
       scene.models.push_back({.file = file});
       scene.input_files.push_back(file.string());
       return scene;

@@ -9,20 +9,18 @@
 
 #include "io/json/json.h"
 #include "io/specs/material_spec.h"
+#include "io/specs/texture_wrap.h"
 #include "lensmodel/words.h"
 
 namespace sturm {
 
 enum class TextureEncoding { Linear, Srgb };
 enum class TextureFilter { Nearest, Bilinear };
-enum class TextureWrap { Clamp, Repeat };
 
 inline constexpr Words<TextureEncoding, 2> texture_encoding_words{
     {{TextureEncoding::Linear, "linear"}, {TextureEncoding::Srgb, "srgb"}}};
 inline constexpr Words<TextureFilter, 2> texture_filter_words{
     {{TextureFilter::Nearest, "nearest"}, {TextureFilter::Bilinear, "bilinear"}}};
-inline constexpr Words<TextureWrap, 2> texture_wrap_words{
-    {{TextureWrap::Clamp, "clamp"}, {TextureWrap::Repeat, "repeat"}}};
 
 /// A material for one mesh of a model, in place of what the file says.
 struct MaterialOverride {
@@ -36,7 +34,8 @@ struct ModelSpec {
   double scale = 1.0;          ///< metres per unit of the file
   TextureEncoding texture_encoding = TextureEncoding::Srgb;
   TextureFilter texture_filter = TextureFilter::Bilinear;
-  TextureWrap texture_wrap = TextureWrap::Clamp;
+  bool texture_filter_is_stated = false;      ///< else a file that has filters of its own may say "nearest"
+  std::optional<TextureWrap> texture_wrap{};  ///< of both axes; none: as the file says
   std::vector<MaterialOverride> overrides{};
   double turn = 0.0;  ///< [rad] about +y through the file's origin, counter-clockwise seen from above; after scaling
   Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m] where the file's origin is put, after turning

@@ -7,8 +7,10 @@
 #include "io/files/error.h"
 #include "io/json/named_file.h"
 #include "io/specs/eye_spec.h"
+#include "io/specs/lens_files/lens_file.h"
 #include "io/specs/progressive_spec.h"
 #include "io/specs/sag_grid.h"
+#include "lensmodel/prism.h"
 #include "lensmodel/progressive.h"
 #include "lensmodel/single_vision.h"
 #include "lensmodel/units.h"
@@ -167,9 +169,45 @@ Spectacles read_progressive(const Json& value, const Source& where, const Prescr
   return made.lens;
 }
 
+/// What a prescription's text states beside the power becomes a member of the lens, unless that is there.
+void move_to_lens(Json& value, const char* key, const std::optional<double>& stated, const Source& where) {
+  if (!stated) return;
+  const auto member = value.find(key);
+  if (member != value.end() && *member != *stated)
+    (where / key).fail(*member, Json(*stated).dump() + ", as the prescription's text has it, or nothing");
+  value[key] = *stated;
+}
+
+/// The lens with the numbers of its prescription in place of a text in optical notation.
+Json with_numbers(const std::string& maker, const Json& given, const Source& where, SpectaclesSpec& spec) {
+  const auto text = given.find("prescription");
+  if (text == given.end() || !text->is_string()) return given;
+  Json value = given;
+  const bool progressive = maker == "progressive";
+  const auto stated = given.find("eye");
+  const NotedPrescription rx =
+      read_notation(text->get<std::string>(), where / "prescription",
+                    stated == given.end() ? std::nullopt : eye_side(stated->get<std::string>()));
+  value["prescription"] = prescription_object(rx, where / "prescription");
+  value["prescription"].erase("vertex_distance_mm");
+  move_to_lens(value, "vertex_distance_mm", rx.vertex_distance_mm, where);
+  if (progressive) move_to_lens(value, "addition_D", rx.addition_D, where);
+  if (progressive && rx.eye) value["eye"] = *rx.eye == EyeSide::right ? "right" : "left";
+  if (!progressive && rx.addition_D)
+    spec.notes.push_back(where.file + ": " + where.pointer + "/prescription is read as " + in_notation(rx) +
+                         "; a single-vision lens has no addition");
+  return value;
+}
+
 /// A lens by its maker, "single_vision" or "progressive".
-Spectacles read_made(const std::string& maker, const Json& value, const Source& where, const Eye& eye,
+Spectacles read_made(const std::string& maker, const Json& given, const Source& where, const Eye& eye,
                      SpectaclesSpec& spec) {
+  const Json value = with_numbers(maker, given, where, spec);
+  if (maker == "progressive" && !value.contains("addition_D"))
+    missing(
+        "addition_D", where,
+        "\"addition_D\": a number from -10 to 10 (how much more power the front has in the near zone than in the far "
+        "zone [D])");
   const SingleVisionDesign design = read_design(value, where, spec);
   const Prescription rx = lens_power(value, where, eye, design.vertex_distance_m);
   spec.made_for = rx;
@@ -180,18 +218,58 @@ Spectacles read_made(const std::string& maker, const Json& value, const Source& 
   }
 }
 
+/// A lens out of a file of the trade.
+Spectacles read_from_file(const Json& value, const Source& where, SpectaclesSpec& spec) {
+  const auto length = [&](const char* key) {
+    return value.contains(key) ? std::optional(metres_per_millimetre * value[key].get<double>()) : std::nullopt;
+  };
+  LensFileRequest request;
+  request.file = existing_file(value["file"], where / "file", "the path of a .oma, .vca, .sdf or .zmx file").string();
+  if (value.contains("eye")) request.eye = eye_side(value["eye"].get<std::string>());
+  request.diameter_m = length("diameter_mm");
+  request.center_thickness_m = length("center_thickness_mm");
+  if (value.contains("refractive_index") || value.contains("material"))
+    request.refractive_index = read_index(value, where, spec);
+  LensFile made = read_lens_file(request);
+  made.lens.vertex_distance_m = vertex_distance(value);
+  made.lens.mounting = read_mounting(value);
+  spec.input_files.push_back(request.file);
+  spec.made_for = made.made_for;
+  spec.fits = std::move(made.fits);
+  spec.notes = std::move(made.notes);
+  if (made.prism_cm_per_m == 0.0) return made.lens;
+  try {
+    return with_prism(made.lens, made.prism_cm_per_m, made.prism_base_deg);
+  } catch (const std::domain_error& error) {
+    throw InputError(request.file, "", error.what(), "a prism that the lens can have");
+  }
+}
+
+/// The lens that `value` is, or names: a document, or a file of the trade as a document has it. Returns its place.
+std::pair<Json, Source> lens_document(const Json& value, const Source& where) {
+  if (!value.is_string()) return {value, where};
+  const std::string name = value.get<std::string>();
+  if (is_lens_file(name)) {
+    existing_file(value, where, "the path of a lens file");
+    return {Json{{"lens_file", {{"file", name}}}}, where};
+  }
+  return {load_named_document(value, where, "spectacles"), {path_beside(name, where.file).string(), ""}};
+}
+
 }  // namespace
 
 SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye& eye) {
   SpectaclesSpec spec;
   if (value.is_null()) return spec;
   if (value.is_string()) {
-    const Source file{path_beside(value.get<std::string>(), where.file).string(), ""};
-    spec = read_spectacles(load_named_document(value, where, "spectacles"), file, eye);
-    spec.input_files.insert(spec.input_files.begin(), file.file);
+    const auto [lens, place] = lens_document(value, where);
+    spec = read_spectacles(lens, place, eye);
+    if (place.file != where.file) spec.input_files.insert(spec.input_files.begin(), place.file);
     return spec;
   }
-  const std::string maker = value.contains("progressive") ? "progressive" : "single_vision";
+  std::string maker = "single_vision";
+  for (const char* other : {"progressive", "lens_file"})
+    if (value.contains(other)) maker = other;
   if (!value.contains(maker)) {
     spec.lens = read_two_surfaces(value, where, spec);
     return spec;
@@ -199,15 +277,14 @@ SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye
   for (const auto& [key, member] : value.items())
     if (key != maker && key != "format" && key != "$schema")
       (where / key).fail(member, "no \"" + key + "\" beside \"" + maker + "\": it belongs inside");
-  spec.lens = read_made(maker, value[maker], where / maker, eye, spec);
+  spec.lens = maker == "lens_file" ? read_from_file(value[maker], where / maker, spec)
+                                   : read_made(maker, value[maker], where / maker, eye, spec);
   return spec;
 }
 
 SpectaclesSpec read_lens_alone(const Json& value, const Source& where) {
   if (value.is_null()) where.fail(value, "a lens");
-  const bool named = value.is_string();
-  const Json lens = named ? load_named_document(value, where, "spectacles") : value;
-  const Source place = named ? Source{path_beside(value.get<std::string>(), where.file).string(), ""} : where;
+  const auto [lens, place] = lens_document(value, where);
   for (const char* maker : {"single_vision", "progressive"})
     if (const auto made = lens.find(maker); made != lens.end() && !made->contains("prescription"))
       missing("prescription", place / maker, "\"prescription\": there is no eye here to take it from");

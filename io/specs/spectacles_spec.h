@@ -4,35 +4,26 @@
 #include <vector>
 
 #include "io/json/json.h"
-#include "lensmodel/bspline_fit.h"
+#include "io/specs/free_form_fit.h"
 #include "lensmodel/eye.h"
 #include "lensmodel/lens_material.h"
 #include "lensmodel/spectacles.h"
-#include "lensmodel/surface_power.h"
 
 namespace sturm {
-
-/// How well a free-form surface holds what it was made from.
-struct FreeFormFit {
-  std::string side;                   ///< "front" or "back"
-  Eigen::Vector2d knot_spacing;       ///< [m]
-  std::optional<FitResidual> height;  ///< of a sag grid: at its points
-  std::optional<SurfacePower>
-      power;  ///< of a progressive surface: largest differences from its closed form within the rim
-};
 
 /// Spectacles as a configuration gives them.
 struct SpectaclesSpec {
   std::optional<Spectacles> lens;        ///< none: the naked eye
-  std::vector<std::string> input_files;  ///< absolute paths of the lens's own file and of its sag grids, if it has any
+  std::vector<std::string> input_files;  ///< absolute paths of the lens's own files and of its sag grids, if it has any
   std::optional<Prescription> made_for;  ///< back vertex power that a single-vision or progressive lens was made for
   std::optional<LensMaterial> material;  ///< if it was named instead of its refractive index
   std::vector<FreeFormFit> fits;         ///< of the lens's free-form surfaces
+  std::vector<std::string> notes;        ///< e.g. an addition that a single-vision lens does not have
 };
 
-/// Reads a validated lens object, the path of a lens file (relative to `where.file`), or null. A single-vision or
-/// progressive lens without a prescription gets the back vertex power that `eye` needs at the lens's vertex distance.
-/// Throws InputError.
+/// Reads a validated lens object, the path of a lens file (relative to `where.file`) in JSON or in a format of the
+/// trade (io/specs/lens_files/), or null. A single-vision or progressive lens without a prescription gets the back
+/// vertex power that `eye` needs at the lens's vertex distance. Throws InputError.
 SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye& eye);
 
 /// The same for a lens without an eye: null and a maker without a prescription are refused.

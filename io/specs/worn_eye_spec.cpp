@@ -16,6 +16,7 @@ WornEyeSpec read_worn_eye(const Json& parent, const Source& where, const WornEye
     SpectaclesSpec lens = read_spectacles(parent["spectacles"], where / "spectacles", spec.worn.eye);
     spec.worn.spectacles = std::move(lens.lens);
     spec.input_files.insert(spec.input_files.end(), lens.input_files.begin(), lens.input_files.end());
+    spec.notes.insert(spec.notes.end(), lens.notes.begin(), lens.notes.end());
   }
   return spec;
 }

@@ -36,7 +36,7 @@ std::optional<Eigen::Vector3f> emission_met(const Scene& scene, const EmitterClu
   const SurfacePoint point = scene.surface_point(hit.hit, origin, direction, hit.ray.tfar);
   if (point.emitter < 0 || clusters.cluster_of(point.emitter) != cluster || !(point.normal.dot(direction) < 0.0f))
     return std::nullopt;
-  return point.material->emission;
+  return point.emission;
 }
 
 }  // namespace sturm

@@ -30,14 +30,15 @@ Eigen::Vector3f normal_towards(const SurfacePoint& at, const Eigen::Vector3f& di
 Eigen::Vector3f PathTracer::arriving(const LightSample& light, const Eigen::Vector3f& origin,
                                      const Eigen::Vector3f& direction, RenderCounters& counters) const {
   ++counters.shadow_rays;
-  if (light.group < 0)
+  if (light.group < 0 && light.varying < 0)
     return occluded(scene_.embree(), origin, direction) ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : light.radiance;
   RTCRayHit ray = ray_from(origin, direction);
   if (!intersect(scene_.embree(), ray)) return Eigen::Vector3f::Zero();
   const SurfacePoint met = scene_.surface_point(ray.hit, origin, direction, ray.ray.tfar);
-  const bool of_group = met.emitter >= 0 && scene_.lights().groups().group_of(met.emitter) == light.group;
-  return of_group && met.normal.dot(direction) < 0.0f ? met.material->emission
-                                                      : Eigen::Vector3f(Eigen::Vector3f::Zero());
+  if (met.emitter < 0 || !(met.normal.dot(direction) < 0.0f)) return Eigen::Vector3f::Zero();
+  const bool meant =
+      light.varying >= 0 ? met.emitter == light.varying : scene_.lights().groups().group_of(met.emitter) == light.group;
+  return meant ? met.emission : Eigen::Vector3f(Eigen::Vector3f::Zero());
 }
 
 Eigen::Vector3f PathTracer::direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal,
@@ -66,12 +67,12 @@ void PathTracer::light_packet(FirstVertices& vertices, const CameraHits& hits, s
     if (!hits.hit(i) || !(vertices.at[i].albedo.maxCoeff() > 0.0f)) continue;
     const SurfacePoint& at = vertices.at[i];
     const Eigen::Vector3f normal = normal_towards(at, hits.direction(i)),
-                          origin = offset_from_surface(at.position, normal);
+                          origin = offset_from_surface(at.position, normal, scene_.offset_unit());
     const VertexNumbers::Vertex random = numbers.vertex(first_sample + static_cast<std::uint32_t>(i), 0);
     const LightSample light = scene_.lights().sample(origin, normal, random.light_u, random.light_v);
     const float weight = lambertian_weight(light, normal);
     if (!(weight > 0.0f)) continue;
-    if (light.group >= 0) {
+    if (light.group >= 0 || light.varying >= 0) {
       direct = weight * at.albedo.cwiseProduct(arriving(light, origin, light.direction, counters));
       continue;
     }
@@ -111,13 +112,13 @@ Eigen::Vector3f PathTracer::plain_radiance(const SurfacePoint& first, const Eige
                                ? known.emission_weight
                                : mis_weight(scatter_pdf, scene_.lights().pdf(at.emitter, previous_origin,
                                                                              previous_normal, at.position, at.normal));
-      sum += weight * throughput.cwiseProduct(at.material->emission);
+      sum += weight * throughput.cwiseProduct(at.emission);
     }
     if (known.reflected_once && bounce <= 1) *known.reflected_once = sum;
     if (bounce == settings_.max_bounces || !(at.albedo.maxCoeff() > 0.0f)) return sum;
 
     const Eigen::Vector3f normal = normal_towards(at, direction);
-    const Eigen::Vector3f origin = offset_from_surface(at.position, normal);
+    const Eigen::Vector3f origin = offset_from_surface(at.position, normal, scene_.offset_unit());
     const VertexNumbers::Vertex random = numbers.vertex(sample, bounce);
     if (bounce == 0 && known.direct_light)
       sum += *known.direct_light;

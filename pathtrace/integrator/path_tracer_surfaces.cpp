@@ -57,9 +57,9 @@ struct ShadingFrame {
   /// True where both normals have the direction on the same side.
   bool agrees(const Vector3f& w) const { return w.dot(geometric) * w.dot(normal) > 0.0f; }
 
-  /// Where a ray towards w starts.
-  Vector3f origin(const Vector3f& position, const Vector3f& w) const {
-    return offset_from_surface(position, w.dot(geometric) > 0.0f ? geometric : Vector3f(-geometric));
+  /// Where a ray towards w starts; `unit` is the scene's (offset_from_surface).
+  Vector3f origin(const Vector3f& position, const Vector3f& w, float unit) const {
+    return offset_from_surface(position, w.dot(geometric) > 0.0f ? geometric : Vector3f(-geometric), unit);
   }
 };
 
@@ -84,7 +84,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
           bounce == 0 ? known.emission_weight
           : sharp     ? 1.0f
                   : mis_weight(scatter_pdf, lights.pdf(at.emitter, previous, previous_normal, at.position, at.normal));
-      sum += weight * throughput.cwiseProduct(at.material->emission);
+      sum += weight * throughput.cwiseProduct(at.emission);
     }
     if (known.reflected_once && bounce <= 1) *known.reflected_once = sum;
     if (bounce == settings_.max_bounces) return sum;
@@ -105,7 +105,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
       if (light.pdf > 0.0f && frame.agrees(to_light)) {
         const BsdfValue value = Surfaces::evaluate(surface, out, frame.to_local(to_light), at.albedo);
         if (value.value.maxCoeff() > 0.0f) {
-          const Vector3f origin = frame.origin(at.position, to_light);
+          const Vector3f origin = frame.origin(at.position, to_light, scene_.offset_unit());
           const Vector3f towards = light.group < 0 ? Vector3f(at.position + light.direction - origin) : light.direction;
           const float weight = light.delta ? 1.0f : mis_weight(light.pdf, value.pdf);
           sum += (weight / light.pdf) *
@@ -135,7 +135,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
 
     previous = at.position;
     previous_normal = lit_side;
-    const Vector3f origin = frame.origin(at.position, direction);
+    const Vector3f origin = frame.origin(at.position, direction, scene_.offset_unit());
     ++counters.bounce_rays;
     RTCRayHit ray = ray_from(origin, direction);
     if (!intersect(scene_.embree(), ray)) {

@@ -38,11 +38,11 @@ struct Box {
 EmitterClusters::EmitterClusters(const LightSet& lights)
     : cluster_of_light_(static_cast<std::size_t>(lights.size()), -1) {
   Groups groups(lights.size());
-  std::map<std::array<float, 3>, int> first_at;  // the first triangle that has this corner
+  std::map<std::array<float, 4>, int> first_at;  // the first triangle that has this corner, on this side
   for (int i = 0; i < lights.size(); ++i) {
     const LightShape shape = lights.shape(i);
     for (const Eigen::Vector3f& c : shape.corners) {
-      const auto [there, fresh] = first_at.try_emplace({c.x(), c.y(), c.z()}, i);
+      const auto [there, fresh] = first_at.try_emplace({c.x(), c.y(), c.z(), shape.behind ? 1.0f : 0.0f}, i);
       if (!fresh) groups.join(there->second, i);
     }
   }

@@ -61,7 +61,7 @@ LightGroup group_about(const Eigen::Vector3f& center, float radius) {
 void find_parallelogram(LightGroup& group, const LightSet& lights) {
   if (group.lights.size() != 2) return;
   const LightShape first = lights.shape(group.lights[0]), second = lights.shape(group.lights[1]);
-  if (first.emission != second.emission) return;
+  if (first.emission != second.emission || first.varies || second.varies) return;
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector3f &corner = first.corners[i], &next = first.corners[(i + 1) % 3],
                           &last = first.corners[(i + 2) % 3];

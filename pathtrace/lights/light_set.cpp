@@ -47,11 +47,11 @@ ConeDirection direction_in(const Cone& cone, float u, float v) {
 }  // namespace
 
 int LightSet::add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
-                           const Eigen::Vector3f& radiance) {
+                           const Eigen::Vector3f& radiance, const TriangleTraits& traits) {
   const Eigen::Vector3f edge1 = b - a, edge2 = c - a;
   const Eigen::Vector3f scaled_normal = edge1.cross(edge2);
   const float area = 0.5f * scaled_normal.norm();
-  lights_.push_back({Kind::triangle, a, edge1, edge2, scaled_normal, radiance, area, 0.0f});
+  lights_.push_back({Kind::triangle, a, edge1, edge2, scaled_normal, radiance, area, 0.0f, traits});
   power_.push_back(static_cast<double>(pi * area * luminance(radiance)));
   return size() - 1;
 }
@@ -78,7 +78,12 @@ void LightSet::set_environment(std::shared_ptr<const EnvironmentMap> environment
 LightShape LightSet::shape(int index) const {
   const Light& light = lights_[static_cast<std::size_t>(index)];
   if (light.kind == Kind::triangle)
-    return {{light.a, light.a + light.edge1, light.a + light.edge2}, light.a, 0.0f, light.emission};
+    return {{light.a, light.a + light.edge1, light.a + light.edge2},
+            light.a,
+            0.0f,
+            light.emission,
+            light.traits.behind,
+            light.traits.varies};
   return {{}, light.a, light.kind == Kind::sphere ? light.edge1.x() : 0.0f, light.emission};
 }
 
@@ -136,8 +141,11 @@ LightSample LightSet::sample(const Eigen::Vector3f& point, const Eigen::Vector3f
   const Light& light = lights_[static_cast<std::size_t>(group.lights[static_cast<std::size_t>(member)])];
   const float probability = choice.probability * light.share;
   switch (light.kind) {
-    case Kind::triangle:
-      return sample_triangle(light, probability, point, choice.rest, v);
+    case Kind::triangle: {
+      LightSample s = sample_triangle(light, probability, point, choice.rest, v);
+      if (light.traits.varies) s.varying = group.lights[static_cast<std::size_t>(member)];
+      return s;
+    }
     case Kind::sphere:
       return sample_sphere(light, probability, point, choice.rest, v);
     default: {

@@ -18,6 +18,7 @@ struct LightSample {
   bool delta;      ///< cannot be hit by chance
   int group = -1;  ///< ≥ 0: the direction is drawn in the cone of this group (LightGroup::round); `radiance` is that of
                    ///< whatever light of the group a ray meets first there, and not known before
+  int varying = -1;  ///< ≥ 0: this light varies over its surface or has holes; `radiance` is what a ray meets of it
 };
 
 /// Where a light is: three corners of a triangle, or centre and radius of a sphere; a point light has neither corners
@@ -26,7 +27,13 @@ struct LightShape {
   std::vector<Eigen::Vector3f> corners;
   Eigen::Vector3f center;
   float radius = 0.0f;
-  Eigen::Vector3f emission;  ///< radiance; of a point light its intensity
+  Eigen::Vector3f emission;             ///< radiance; of a point light its intensity
+  bool behind = false, varies = false;  ///< see TriangleTraits
+};
+
+struct TriangleTraits {
+  bool behind = false;  ///< the other side of a triangle that is a light already; hangs together only with such
+  bool varies = false;  ///< its radiance is a mean, for the choice among lights; the scene knows what a ray meets
 };
 
 /// All lights of a scene. A group of them is chosen by what it could send to the point (LightGroups), then a light of
@@ -36,7 +43,7 @@ struct LightShape {
 class LightSet {
  public:
   int add_triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
-                   const Eigen::Vector3f& radiance);
+                   const Eigen::Vector3f& radiance, const TriangleTraits& traits = {});
   int add_sphere(const Eigen::Vector3f& center, float radius, const Eigen::Vector3f& radiance);
   int add_point(const Eigen::Vector3f& position, const Eigen::Vector3f& intensity);
 
@@ -83,6 +90,7 @@ class LightSet {
     Eigen::Vector3f emission;
     float area;   // triangle only
     float share;  // probability of being chosen from its group
+    TriangleTraits traits{};
   };
   static LightSample sample_triangle(const Light& light, float probability, const Eigen::Vector3f& point, float u,
                                      float v);

@@ -78,15 +78,21 @@ std::vector<int> unseen_emitters(const SceneDescription& scene) {
   if (std::none_of(scene.meshes.begin(), scene.meshes.end(), emits)) return unseen;
   Search search(scene);
   int light = 0;
-  for (const Mesh& mesh : scene.meshes) {
-    if (!emits(mesh)) continue;
-    for (const auto& t : mesh.triangles) {
-      const Eigen::Vector3d a = mesh.positions[t[0]].cast<double>(), b = mesh.positions[t[1]].cast<double>(),
-                            c = mesh.positions[t[2]].cast<double>();
-      if (!search.anything_in_front_of({a, (b - a).cross(c - a).normalized()})) unseen.push_back(light);
-      ++light;
+  for (const bool cut_out : {false, true})  // as the scene numbers them
+    for (const Mesh& mesh : scene.meshes) {
+      const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+      if (!emits(mesh) || is_cut_out(material) != cut_out) continue;
+      for (const auto& t : mesh.triangles) {
+        const Eigen::Vector3d a = mesh.positions[t[0]].cast<double>(), b = mesh.positions[t[1]].cast<double>(),
+                              c = mesh.positions[t[2]].cast<double>();
+        const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
+        if (!search.anything_in_front_of({a, normal})) unseen.push_back(light);
+        ++light;
+        if (!material.emits_behind) continue;
+        if (!search.anything_in_front_of({a, -normal})) unseen.push_back(light);
+        ++light;
+      }
     }
-  }
   return unseen;
 }
 

@@ -40,13 +40,15 @@ inline Eigen::Vector3f direction_about(const Eigen::Vector3f& n, const LocalDire
 }
 
 /// A point moved off its surface along n, so far that a ray from it cannot hit that surface again
-/// (Wächter & Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019).
-inline Eigen::Vector3f offset_from_surface(const Eigen::Vector3f& p, const Eigen::Vector3f& n) {
+/// (Wächter & Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019). Near a plane
+/// through the origin, where steps of floating point say nothing, a fixed length takes their place: `unit`/65536 [m].
+/// The unit is 1 m in a scene of metres and less in a smaller one (Scene::offset_unit).
+inline Eigen::Vector3f offset_from_surface(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float unit) {
   Eigen::Vector3f moved;
   for (int k = 0; k < 3; ++k) {
     const std::int32_t steps = static_cast<std::int32_t>(256.0f * n[k]);
     const float stepped = std::bit_cast<float>(std::bit_cast<std::int32_t>(p[k]) + (p[k] < 0.0f ? -steps : steps));
-    moved[k] = std::abs(p[k]) < 1.0f / 32.0f ? p[k] + (1.0f / 65536.0f) * n[k] : stepped;
+    moved[k] = std::abs(p[k]) < unit * (1.0f / 32.0f) ? p[k] + unit * (1.0f / 65536.0f) * n[k] : stepped;
   }
   return moved;
 }

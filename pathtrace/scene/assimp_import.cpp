@@ -1,6 +1,5 @@
 #include "pathtrace/scene/assimp_import.h"
 
-#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -13,6 +12,8 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,42 +21,47 @@
 #include "io/files/error.h"
 #include "io/images/image_formats.h"
 #include "io/images/tone_map.h"
-#include "pathtrace/materials/fresnel.h"
+#include "pathtrace/scene/assimp_positions.h"
 #include "pathtrace/scene/collada_check.h"
-#include "pathtrace/scene/gltf_check.h"
-#include "pathtrace/scene/gltf_surface.h"
-#include "pathtrace/scene/obj_references.h"
+#include "pathtrace/scene/collada_specular.h"
+#include "pathtrace/scene/gltf/gltf_import.h"
+#include "pathtrace/scene/lost_precision.h"
+#include "pathtrace/scene/message_text.h"
+#include "pathtrace/scene/model_placement.h"
+#include "pathtrace/scene/named_files.h"
+#include "pathtrace/scene/obj/obj_import.h"
 #include "pathtrace/scene/texture_file.h"
+#include "pathtrace/scene/vertex_colours.h"
+#include "pathtrace/scene/vertex_normals.h"
 
 namespace sturm {
 namespace {
 
 class ModelImport {
  public:
-  explicit ModelImport(const ModelSpec& spec) : spec_(spec), file_(spec.file), scale_(spec.scale) {}
+  explicit ModelImport(const ModelSpec& spec) : spec_(spec), file_(spec.file), placement_(spec) {}
 
-  SceneDescription run() {
-    if (!std::filesystem::is_regular_file(file_)) fail("", "", "a model file that exists");
-    if (!(scale_ > 0.0 && std::isfinite(scale_))) fail("scale", std::to_string(scale_), "a positive number");
-    const std::string extension = lower_case_extension();
-    if (extension == ".obj") check_obj_references(file_);
-    if (extension == ".gltf" || extension == ".glb") check_gltf(file_);
+  SceneDescription run(const std::string& extension) {
     if (extension == ".dae") check_collada(file_);
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // No JoinIdenticalVertices: positions stay exactly those of the file, and flat shading needs no shared vertices.
-    const aiScene* scene = importer.ReadFile(file_.string(), aiProcess_Triangulate | aiProcess_SortByPType);
+    constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
+    const aiScene* scene = importer.ReadFile(file_.string(), steps);
     if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
+    if (AssimpPositions::are_far_from_the_origin(*scene)) scene = positions_.read(importer, *scene, file_, steps);
+    if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
+    if (extension == ".dae") specular_ = collada_materials_with_specular(file_);
+    has_materials_ = extension != ".ply" && extension != ".stl";
     // A library may define more than the model uses: textures nobody sees are not loaded.
     std::vector<bool> used(scene->mNumMaterials, false);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) used.at(scene->mMeshes[i]->mMaterialIndex) = true;
-    const bool metallic_roughness = extension == ".gltf" || extension == ".glb";
-    for (unsigned i = 0; i < scene->mNumMaterials; ++i)
-      add_material(*scene, *scene->mMaterials[i], used[i], metallic_roughness);
+    for (unsigned i = 0; i < scene->mNumMaterials; ++i) add_material(*scene, *scene->mMaterials[i], used[i]);
+    if (!has_materials_) whiten_under_colours(*scene);
     shown_.assign(scene->mNumMeshes, 0);
     prototype_of_.assign(scene->mNumMeshes, -1);
     count_shown(*scene->mRootNode);
-    add_node(*scene, *scene->mRootNode, aiMatrix4x4());
+    add_node(*scene, *scene->mRootNode, Eigen::Matrix4d::Identity());
     note_what_is_left_out(*scene, used);
     if (result_.meshes.empty() && result_.instances.empty())
       fail("", "no triangles", "a model with at least one triangle");
@@ -67,21 +73,14 @@ class ModelImport {
     throw InputError(file_.string(), where, value, expected);
   }
 
-  std::string lower_case_extension() const {
-    std::string extension = file_.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-  }
-
   Eigen::Vector3f checked_colour(const aiColor3D& colour, float largest, const std::string& where,
                                  const std::string& expected) const {
     for (const float value : {colour.r, colour.g, colour.b})
-      if (!(value >= 0.0f && value <= largest && std::isfinite(value))) fail(where, std::to_string(value), expected);
+      if (!(value >= 0.0f && value <= largest && std::isfinite(value))) fail(where, shortest(value), expected);
     return {colour.r, colour.g, colour.b};
   }
 
-  void add_material(const aiScene& scene, const aiMaterial& source, bool used, bool metallic_roughness) {
+  void add_material(const aiScene& scene, const aiMaterial& source, bool used) {
     Material material;
     material.name = source.GetName().C_Str();
     const std::string where = "material \"" + material.name + "\"";
@@ -97,51 +96,15 @@ class ModelImport {
     if (used && (source.GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
                  source.GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS))
       material.albedo_texture = texture(scene, path.C_Str(), where, spec_.texture_encoding);
-    if (used && metallic_roughness) take_metallic_roughness(scene, source, material, where);
     material.nearest_filter = spec_.texture_filter == TextureFilter::Nearest;
-    material.repeat_texture = spec_.texture_wrap == TextureWrap::Repeat;
+    material.albedo_mapping.wrap_u = material.albedo_mapping.wrap_v = spec_.texture_wrap.value_or(TextureWrap::Clamp);
     result_.materials.push_back(std::move(material));
   }
 
-  static Eigen::Vector3f mean_of(const Image& picture) {
-    Eigen::Vector3d sum(0.0, 0.0, 0.0);
-    for (std::size_t i = 0; i < picture.pixels.size(); i += 3)
-      sum += Eigen::Vector3d(picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2]);
-    return (3.0 / static_cast<double>(picture.pixels.size()) * sum).cast<float>();
-  }
-
-  /// glTF's factors; a texture of them counts with its mean (roughness in green, metallic in blue), which is noted.
-  void take_metallic_roughness(const aiScene& scene, const aiMaterial& source, Material& material,
-                               const std::string& where) {
-    GltfFactors factors;
-    source.Get(AI_MATKEY_METALLIC_FACTOR, factors.metallic);
-    source.Get(AI_MATKEY_ROUGHNESS_FACTOR, factors.roughness);
-    source.Get(AI_MATKEY_REFRACTI, factors.index);
-    for (const float factor : {factors.metallic, factors.roughness})
-      if (!(factor >= 0.0f && factor <= 1.0f))
-        fail(where + ", metallic or roughness factor", std::to_string(factor), "a factor from 0 to 1");
-    if (!(factors.index > 1.0f && factors.index <= 4.0f))
-      fail(where + ", index", std::to_string(factors.index), "above 1, at most 4");
-    aiString path;
-    if (source.GetTexture(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE, &path) == aiReturn_SUCCESS) {
-      const Eigen::Vector3f mean = mean_of(*texture(scene, path.C_Str(), where, TextureEncoding::Linear));
-      factors.roughness *= mean.y();
-      factors.metallic *= mean.z();
-      note("material \"" + material.name + "\": the mean of its metallic-roughness texture is taken");
-    }
-    factors.base_colour = material.albedo;
-    if (material.albedo_texture)
-      factors.base_colour = factors.base_colour.cwiseProduct(mean_of(*material.albedo_texture));
-    GltfSurface found = gltf_surface(factors);
-    if (!found.left_out.empty()) note("material \"" + material.name + "\" is taken without its " + found.left_out);
-    material.surface = std::move(found.surface);
-    if (const auto* metal = std::get_if<Conductor>(&material.surface)) {
-      if (material.albedo_texture)
-        note("material \"" + material.name + "\": the mean colour of its texture is taken, since it is a metal");
-      material.albedo_texture = nullptr;
-      material.albedo = fresnel_conductor(
-          1.0f, metal->eta, metal->kappa);  // the albedo layer shows a metal by its colour seen straight on
-    }
+  /// A file without materials (PLY, STL) has Assimp's grey, which must not darken the colours of its vertices.
+  void whiten_under_colours(const aiScene& scene) {
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i)
+      if (scene.mMeshes[i]->HasVertexColors(0)) result_.materials[scene.mMeshes[i]->mMaterialIndex].albedo.setOnes();
   }
 
   /// The picture of a name in the model: a file beside it, or "*0" and so on, embedded in it.
@@ -154,17 +117,17 @@ class ModelImport {
                               file_.string() + ", " + where + ", texture " + name);
       return encoding == TextureEncoding::Srgb ? srgb_to_linear(stored) : stored;
     }
-    const auto path = file_.parent_path() / name;
-    if (!std::filesystem::is_regular_file(path)) fail(where, path.string(), "a texture file that exists");
+    const NamedFiles files({file_.parent_path()});
+    const auto found = files.find(name);
+    if (!found) fail(where, files.expected(name).string(), "a texture file that exists");
     std::vector<std::string> notes;
-    Image picture = read_texture(path, encoding, notes);
+    Image picture = read_texture(found->file, encoding, notes);
     for (const std::string& text : notes) note(text);
     return picture;
   }
 
-  std::shared_ptr<const Image> texture(const aiScene& scene, std::string name, const std::string& where,
+  std::shared_ptr<const Image> texture(const aiScene& scene, const std::string& name, const std::string& where,
                                        TextureEncoding encoding) {
-    std::replace(name.begin(), name.end(), '\\', '/');  // model files from Windows
     std::shared_ptr<const Image>& known = textures_[{name, encoding}];
     if (known) return known;
     const Image stored = linear_texture(scene, name, where, encoding);
@@ -185,8 +148,17 @@ class ModelImport {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i)
       if (scene.mMeshes[i]->HasBones())
         note("mesh \"" + std::string(scene.mMeshes[i]->mName.C_Str()) + "\": its skeleton is left out");
+    const auto has_colours = [](const aiMesh* mesh) { return mesh->HasVertexColors(0); };
+    if (std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, has_colours))
+      note(note_of_vertex_colours(spec_.texture_encoding));
     for (unsigned i = 0; i < scene.mNumMaterials; ++i)
       if (used[i]) note_material(*scene.mMaterials[i], result_.materials[i].surface);
+  }
+
+  static bool has_highlights(const aiMaterial& source) {
+    int shading = aiShadingMode_Phong;
+    source.Get(AI_MATKEY_SHADING_MODEL, shading);
+    return shading != aiShadingMode_Flat && shading != aiShadingMode_Gouraud && shading != aiShadingMode_NoShading;
   }
 
   void note_material(const aiMaterial& source, const SurfaceModel& surface) {
@@ -195,21 +167,23 @@ class ModelImport {
     float value = 0.0f;
     aiColor3D colour(0, 0, 0);
     const bool lambert = std::holds_alternative<Diffuse>(surface);
+    const std::string name = source.GetName().C_Str();
+    // Assimp has a specular colour of its own for files that state none.
+    const bool specular = specular_ ? specular_->contains(name) : has_materials_ && has_highlights(source);
     if (lambert && source.Get(AI_MATKEY_METALLIC_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("metallic");
-    if (lambert && source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack())
+    if (lambert && specular && source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack())
       add("specular");
     if (source.Get(AI_MATKEY_OPACITY, value) == aiReturn_SUCCESS && value < 1.0f) add("transparency");
     if (source.Get(AI_MATKEY_TRANSMISSION_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("transmission");
-    for (const auto& [type, name] : {std::pair{aiTextureType_NORMALS, "normal map"},
-                                     {aiTextureType_HEIGHT, "bump map"},
-                                     {aiTextureType_EMISSIVE, "emission texture"},
-                                     {aiTextureType_OPACITY, "opacity texture"},
-                                     {aiTextureType_SPECULAR, "specular texture"},
-                                     {aiTextureType_DISPLACEMENT, "displacement"}})
-      if (source.GetTextureCount(type) > 0) add(name);
+    for (const auto& [type, map] : {std::pair{aiTextureType_NORMALS, "normal map"},
+                                    {aiTextureType_HEIGHT, "bump map"},
+                                    {aiTextureType_EMISSIVE, "emission texture"},
+                                    {aiTextureType_OPACITY, "opacity texture"},
+                                    {aiTextureType_SPECULAR, "specular texture"},
+                                    {aiTextureType_DISPLACEMENT, "displacement"}})
+      if (source.GetTextureCount(type) > 0) add(map);
     if (!left_out.empty())
-      note("material \"" + std::string(source.GetName().C_Str()) + "\" is taken " + (lambert ? "as Lambert " : "") +
-           "without its " + left_out);
+      note("material \"" + name + "\" is taken " + (lambert ? "as Lambert " : "") + "without its " + left_out);
   }
 
   void count_shown(const aiNode& node) {
@@ -217,45 +191,75 @@ class ModelImport {
     for (unsigned i = 0; i < node.mNumChildren; ++i) count_shown(*node.mChildren[i]);
   }
 
-  void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& world_from_parent) {
-    const aiMatrix4x4 world_from_node = world_from_parent * node.mTransformation;
+  void add_node(const aiScene& scene, const aiNode& node, const Eigen::Matrix4d& world_from_parent) {
+    const Eigen::Matrix4d world_from_node = world_from_parent * matrix_of(node);
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
       place_mesh(*scene.mMeshes[node.mMeshes[i]], node.mMeshes[i], world_from_node);
     for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(scene, *node.mChildren[i], world_from_node);
   }
 
+  static Eigen::Matrix4d matrix_of(const aiNode& node) {
+    const aiMatrix4x4& m = node.mTransformation;
+    Eigen::Matrix4d matrix;
+    matrix << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
+    return matrix;
+  }
+
+  /// Of a node in the scene: what its points are multiplied with, and where its origin stands.
+  struct Frame {
+    Eigen::Matrix3d linear;
+    Eigen::Vector3d origin;
+
+    Eigen::Vector3d point(const Eigen::Vector3d& p) const { return linear * p + origin; }
+  };
+
+  Frame placed(const Eigen::Matrix4d& file_from_node) const {
+    return {placement_.scale() * (placement_.turn() * file_from_node.topLeftCorner<3, 3>()),
+            placement_.point(file_from_node.topRightCorner<3, 1>())};
+  }
+
   /// A mesh in place, or an instance of its prototype.
-  void place_mesh(const aiMesh& source, unsigned index, const aiMatrix4x4& world_from_node) {
+  void place_mesh(const aiMesh& source, unsigned index, const Eigen::Matrix4d& file_from_node) {
     const bool emits = result_.materials.at(source.mMaterialIndex).emission.maxCoeff() > 0.0f;
+    const Frame frame = placed(file_from_node);
     if (shown_[index] < 2 || emits) {
-      if (Mesh mesh = converted(source, world_from_node); !mesh.triangles.empty())
+      if (Mesh mesh = converted(source, frame); !mesh.triangles.empty()) {
+        note_lost_precision(source, mesh, file_from_node);
         result_.meshes.push_back(std::move(mesh));
+      }
       return;
     }
     if (prototype_of_[index] < 0) {
-      Mesh mesh = converted(source, aiMatrix4x4());
+      const double scale = placement_.scale();
+      Mesh mesh = converted(source, {Eigen::Matrix3d(Eigen::Vector3d::Constant(scale).asDiagonal()), {0.0, 0.0, 0.0}});
       if (mesh.triangles.empty()) return;
+      note_lost_precision(source, mesh, file_from_node);
       prototype_of_[index] = static_cast<int>(result_.prototypes.size());
       result_.prototypes.push_back(std::move(mesh));
     }
-    const aiMatrix4x4& m = world_from_node;
-    const float scale = static_cast<float>(scale_);  // the prototype's positions are scaled already
-    Instance instance{prototype_of_[index], {}};
-    instance.world_from_prototype << m.a1, m.a2, m.a3, scale * m.a4, m.b1, m.b2, m.b3, scale * m.b4, m.c1, m.c2, m.c3,
-        scale * m.c4;
+    Instance instance{prototype_of_[index], {}};  // the prototype's positions are scaled already
+    instance.world_from_prototype.leftCols<3>() = (frame.linear / placement_.scale()).cast<float>();
+    instance.world_from_prototype.col(3) = frame.origin.cast<float>();
     if (!instance.world_from_prototype.allFinite())
       fail("mesh \"" + result_.prototypes.back().name + "\"", "a transformation that is not finite",
            "finite transformations");
     result_.instances.push_back(instance);
   }
 
-  Mesh converted(const aiMesh& source, const aiMatrix4x4& world_from_node) const {
+  /// Where single precision came in: at the positions in the scene, and where Assimp has rounded.
+  void note_lost_precision(const aiMesh& source, const Mesh& mesh, const Eigen::Matrix4d& file_from_node) {
+    const double rounded = placement_.scale() * positions_.largest_rounded(source, file_from_node);
+    if (const std::string lost = lost_precision(mesh, std::max<double>(largest_coordinate_of(mesh), rounded));
+        !lost.empty())
+      note(lost);
+  }
+
+  Mesh converted(const aiMesh& source, const Frame& frame) const {
     Mesh mesh;
     mesh.name = source.mName.C_Str();
     mesh.material = static_cast<int>(source.mMaterialIndex);
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
-      const aiVector3D p = world_from_node * source.mVertices[i];
-      const Eigen::Vector3f position = (scale_ * Eigen::Vector3d(p.x, p.y, p.z)).cast<float>();
+      const Eigen::Vector3f position = frame.point(positions_.position(source, i)).cast<float>();
       if (!position.allFinite())
         fail("mesh \"" + mesh.name + "\"", "vertex " + std::to_string(i) + " is not finite", "finite positions");
       mesh.positions.push_back(position);
@@ -266,7 +270,7 @@ class ModelImport {
              "finite coordinates");
       mesh.texture_coordinates.push_back(uv);
     }
-    const bool mirrored = world_from_node.Determinant() < 0.0f;
+    const bool mirrored = frame.linear.determinant() < 0.0;
     for (unsigned f = 0; f < source.mNumFaces; ++f) {
       const aiFace& face = source.mFaces[f];
       if (face.mNumIndices != 3) continue;  // points and lines that share a mesh with triangles
@@ -277,46 +281,59 @@ class ModelImport {
       if (mirrored) std::swap(triangle[1], triangle[2]);
       mesh.triangles.push_back(triangle);
     }
-    if (source.HasNormals()) mesh.normals = vertex_normals(source, world_from_node, mesh);
+    if (source.HasNormals()) mesh.normals = vertex_normals(source, frame, mesh);
+    if (source.HasVertexColors(0)) mesh.vertex_colours = vertex_colours(source);
     return mesh;
   }
 
-  /// The file's normals, or none where they say no more than the triangles (or are no directions at all).
-  static std::vector<Eigen::Vector3f> vertex_normals(const aiMesh& source, const aiMatrix4x4& world_from_node,
-                                                     const Mesh& mesh) {
-    aiMatrix3x3 turn(world_from_node);
-    turn.Inverse().Transpose();
-    std::vector<Eigen::Vector3f> normals;
+  std::vector<Eigen::Vector4f> vertex_colours(const aiMesh& source) const {
+    std::vector<Eigen::Vector3f> colours;
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
-      const aiVector3D n = turn * source.mNormals[i];
-      const Eigen::Vector3d world(n.x, n.y, n.z);
-      const double length = world.norm();
-      if (!(length > 0.0 && std::isfinite(length))) return {};
-      normals.push_back((world / length).cast<float>());
+      const aiColor4D& c = source.mColors[0][i];
+      colours.push_back(checked_colour(
+          {c.r, c.g, c.b}, 1.0f, "mesh " + in_quotes(source.mName.C_Str()) + ", vertex colour", "numbers from 0 to 1"));
     }
-    for (const auto& triangle : mesh.triangles) {
-      const Eigen::Vector3f& a = mesh.positions[triangle[0]];
-      const Eigen::Vector3f face =
-          (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a).normalized();
-      for (const std::uint32_t corner : triangle)
-        if (!((normals[corner] - face).norm() < 1e-3f)) return normals;
+    decode_vertex_colours(colours, spec_.texture_encoding);
+    std::vector<Eigen::Vector4f> with_alpha;
+    for (unsigned i = 0; i < source.mNumVertices; ++i)
+      with_alpha.push_back(Eigen::Vector4f(colours[i].x(), colours[i].y(), colours[i].z(), source.mColors[0][i].a));
+    return with_alpha;
+  }
+
+  static std::vector<Eigen::Vector3f> vertex_normals(const aiMesh& source, const Frame& frame, const Mesh& mesh) {
+    const Eigen::Matrix3d normal_from_node = frame.linear.inverse().transpose();
+    std::vector<Eigen::Vector3d> normals;
+    for (unsigned i = 0; i < source.mNumVertices; ++i) {
+      const aiVector3D& n = source.mNormals[i];
+      normals.push_back(normal_from_node * Eigen::Vector3d(n.x, n.y, n.z));
     }
-    return {};
+    return normals_that_bend(normals, mesh);
   }
 
   const ModelSpec& spec_;
   const std::filesystem::path& file_;
-  double scale_;
+  ModelPlacement placement_;
   std::vector<unsigned> shown_;    // by how many nodes each mesh is
   std::vector<int> prototype_of_;  // −1: none yet
   std::map<std::pair<std::string, TextureEncoding>, std::shared_ptr<const Image>> textures_;
+  AssimpPositions positions_;
+  std::optional<std::set<std::string>> specular_;  // materials that state a specular part, if known
+  bool has_materials_ = true;                      // the format can state one
   SceneDescription result_;
 };
 
 }  // namespace
 
 SceneDescription import_model(const ModelSpec& spec) {
-  return ModelImport(spec).run();
+  if (!std::filesystem::is_regular_file(spec.file))
+    throw InputError(spec.file.string(), "", "", "a model file that exists");
+  if (!(spec.scale > 0.0 && std::isfinite(spec.scale)))
+    throw InputError(spec.file.string(), "scale", shortest(spec.scale), "a positive number");
+  std::string extension = spec.file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".gltf" || extension == ".glb" || extension == ".vrm") return import_gltf(spec);
+  return extension == ".obj" ? import_obj(spec) : ModelImport(spec).run(extension);
 }
 
 }  // namespace sturm

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
+#include "pathtrace/scene/message_text.h"
 #include "pathtrace/scene/texture.h"
 
 namespace sturm {
@@ -15,20 +16,50 @@ namespace {
 /// build.
 constexpr RTCBuildQuality build_quality = RTC_BUILD_QUALITY_MEDIUM;
 
-constexpr unsigned triangle_geometry = 0, sphere_geometry = 1, first_instance = 2;
+constexpr unsigned triangle_geometry = 0, sphere_geometry = 1, cut_out_geometry = 2, first_instance = 3;
 constexpr float least_squared_area =
     1e-36f;  // [m⁴], of the doubled area; below, its square root is lost in single precision
 constexpr float largest_coordinate = 1e6f;  // [m]; beyond it single precision cannot resolve a millimetre
 
 void require_usable(const Eigen::Vector3f& p, const std::string& where) {
   if (!(p.array().abs() <= largest_coordinate).all())
-    throw InputError("", where,
-                     "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")",
+    throw InputError("", where, "(" + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ")",
                      "finite coordinates within ±1e6 m");
+}
+
+/// Of a scene that reaches as far from the origin [m]. A power of two: scenes that differ by one look alike to the bit.
+float offset_unit_of(float reach) {
+  constexpr float least_reach = 0.25f;  // above it the offset is below 1/16000 of the scene
+  return reach < least_reach && reach > 0.0f ? std::exp2(std::floor(std::log2(reach / least_reach))) : 1.0f;
 }
 
 bool emits(const Material& material) {
   return material.emission.maxCoeff() > 0.0f;
+}
+
+/// The normal, as long as twice the area. A triangle without area has none; as a point it cannot be hit.
+Eigen::Vector3f doubled_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
+  const Eigen::Vector3f& a = mesh.positions[corners[0]];
+  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
+}
+
+/// For the choice of lights, which need not be exact but never 0 where something is emitted: of a texture, the mean
+/// over some points of the triangle, and at least 1 % of the factor.
+Eigen::Vector3f mean_emission(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners, const Material& material) {
+  if (!material.emission_texture) return material.emission;
+  const auto& coordinates = mesh.emission_coordinates.empty() ? mesh.texture_coordinates : mesh.emission_coordinates;
+  constexpr int steps = 4;
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  int points = 0;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; i + j < steps; ++j, ++points) {
+      const float u = (static_cast<float>(i) + 1.0f / 3.0f) / steps, v = (static_cast<float>(j) + 1.0f / 3.0f) / steps;
+      const Eigen::Vector2f at =
+          (1.0f - u - v) * coordinates[corners[0]] + u * coordinates[corners[1]] + v * coordinates[corners[2]];
+      sum += texel(*material.emission_texture, material.emission_mapping, at, material.nearest_filter);
+    }
+  const Eigen::Vector3f mean = sum / static_cast<float>(points);
+  return material.emission.cwiseProduct(mean.cwiseMax(0.01f));
 }
 
 void require_material(int material, std::size_t count, const std::string& where) {
@@ -52,16 +83,19 @@ void validate(const Mesh& mesh, std::size_t material_count) {
   if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
     throw InputError("", where, std::to_string(mesh.normals.size()) + " normals",
                      "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
+  if (!mesh.vertex_colours.empty() && mesh.vertex_colours.size() != mesh.positions.size())
+    throw InputError("", where, std::to_string(mesh.vertex_colours.size()) + " vertex colours",
+                     "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
   for (const Eigen::Vector3f& n : mesh.normals)
     if (!(std::abs(n.squaredNorm() - 1.0f) < 1e-3f))
-      throw InputError("", where, "a normal of length " + std::to_string(n.norm()), "unit normals");
+      throw InputError("", where, "a normal of length " + shortest(n.norm()), "unit normals");
 }
 
 void validate(const Sphere& sphere, std::size_t material_count) {
   require_material(sphere.material, material_count, "sphere");
   require_usable(sphere.center, "sphere");
   if (!(sphere.radius > 0.0f && sphere.radius <= largest_coordinate))
-    throw InputError("", "sphere", "radius " + std::to_string(sphere.radius) + " m", "a radius above 0");
+    throw InputError("", "sphere", "radius " + shortest(sphere.radius) + " m", "a radius above 0");
 }
 
 }  // namespace
@@ -92,7 +126,14 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
       lower_ = lower_.cwiseMin(p);
       upper_ = upper_.cwiseMax(p);
     }
-  add_triangles(description.meshes, scene_.get());
+  // Lights are numbered in this order (pathtrace/plan/unseen_emitters.cpp).
+  for (const bool cut_out : {false, true}) {
+    std::vector<const Mesh*> meshes;
+    for (const Mesh& mesh : description.meshes)
+      if (is_cut_out(materials_[static_cast<std::size_t>(mesh.material)]) == cut_out) meshes.push_back(&mesh);
+    if (cut_out) first_cut_out_ = triangles_.size();
+    add_triangles(meshes, scene_.get());
+  }
   add_instances(description);
   add_spheres(description);
   if (triangles_.empty() && sphere_material_.empty())
@@ -102,6 +143,7 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
   for (const int light : description.unseen_emitters) lights_.leave_out(light);
   lights_.finish();
   kind_ = kind_of(description);
+  offset_unit_ = offset_unit_of(lower_.cwiseAbs().cwiseMax(upper_.cwiseAbs()).maxCoeff());
   rtcCommitScene(scene_.get());
   if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
     throw RuntimeFailure("Embree could not build the scene (error " + std::to_string(error) + ")");
@@ -110,11 +152,14 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
 void Scene::validate_meshes(const SceneDescription& description) {
   const auto check = [&](const Mesh& mesh) {
     validate(mesh, materials_.size());
-    const bool wants_texture = materials_[mesh.material].albedo_texture != nullptr;
+    const Material& material = materials_[mesh.material];
+    const bool wants_texture = material.albedo_texture || material.emission_texture || material.opacity.texture;
     if (wants_texture && mesh.texture_coordinates.empty())
       throw InputError("", "mesh '" + mesh.name + "'", "a textured material", "texture coordinates on the mesh");
     textured_ = textured_ || wants_texture;
     smooth_ = smooth_ || !mesh.normals.empty();
+    coloured_ = coloured_ || !mesh.vertex_colours.empty();
+    lit_by_textures_ = lit_by_textures_ || material.emission_texture != nullptr;
   };
   for (const Mesh& mesh : description.meshes) check(mesh);
   for (const Mesh& mesh : description.prototypes) {
@@ -124,11 +169,11 @@ void Scene::validate_meshes(const SceneDescription& description) {
   }
 }
 
-void Scene::add_triangles(std::span<const Mesh> meshes, RTCScene into) {
+void Scene::add_triangles(const std::vector<const Mesh*>& meshes, RTCScene into) {
   std::size_t vertex_count = 0, triangle_count = 0;
-  for (const Mesh& mesh : meshes) {
-    vertex_count += mesh.positions.size();
-    triangle_count += mesh.triangles.size();
+  for (const Mesh* mesh : meshes) {
+    vertex_count += mesh->positions.size();
+    triangle_count += mesh->triangles.size();
   }
   if (triangle_count == 0) return;
   if (vertex_count > std::numeric_limits<std::uint32_t>::max() ||
@@ -146,37 +191,60 @@ void Scene::add_triangles(std::span<const Mesh> meshes, RTCScene into) {
     throw RuntimeFailure("Embree has no memory for " + std::to_string(triangle_count) + " triangles");
   }
   std::uint32_t first_vertex = 0;
-  for (const Mesh& mesh : meshes) {
-    for (const Eigen::Vector3f& p : mesh.positions) vertices = std::copy_n(p.data(), 3, vertices);
-    const Material& material = materials_[mesh.material];
-    for (const auto& triangle : mesh.triangles) {
-      const auto corner = [&](int k) { return mesh.positions[triangle[k]]; };
-      // A triangle without area has no normal; as a point it cannot be hit.
-      const Eigen::Vector3f across = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-      const bool has_area = across.squaredNorm() > least_squared_area;
+  for (const Mesh* mesh : meshes) {
+    for (const Eigen::Vector3f& p : mesh->positions) vertices = std::copy_n(p.data(), 3, vertices);
+    for (const auto& triangle : mesh->triangles) {
+      const bool has_area = doubled_area(*mesh, triangle).squaredNorm() > least_squared_area;
       for (std::uint32_t v : triangle) *indices++ = first_vertex + (has_area ? v : triangle[0]);
-      triangles_.push_back(
-          {across.stableNormalized(), static_cast<int>(mesh.material),
-           emits(material) ? lights_.add_triangle(corner(0), corner(1), corner(2), material.emission) : -1});
-      if (textured_) {
-        const bool has = !mesh.texture_coordinates.empty();
-        const auto uv = [&](int k) {
-          return has ? mesh.texture_coordinates[triangle[k]] : Eigen::Vector2f(0.0f, 0.0f);
-        };
-        triangle_uv_.push_back({uv(0), uv(1), uv(2)});
-      }
-      if (smooth_) {
-        const auto normal = [&](int k) {
-          return mesh.normals.empty() ? Eigen::Vector3f(0.0f, 0.0f, 0.0f) : mesh.normals[triangle[k]];
-        };
-        triangle_normals_.push_back({normal(0), normal(1), normal(2)});
-      }
     }
-    first_vertex += static_cast<std::uint32_t>(mesh.positions.size());
+    add_facts(*mesh);
+    first_vertex += static_cast<std::uint32_t>(mesh->positions.size());
+  }
+  const bool cut_out = is_cut_out(materials_[static_cast<std::size_t>(meshes.front()->material)]);
+  if (cut_out) {
+    if (!cut_outs_) cut_outs_ = std::make_unique<CutOuts>();
+    cut_outs_->attach(geometry, meshes, materials_);
   }
   rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(into, geometry, triangle_geometry);
+  rtcAttachGeometryByID(into, geometry, cut_out ? cut_out_geometry : triangle_geometry);
   rtcReleaseGeometry(geometry);
+}
+
+/// What shading needs of each triangle, and its lights.
+void Scene::add_facts(const Mesh& mesh) {
+  const Material& material = materials_[static_cast<std::size_t>(mesh.material)];
+  const bool varies = material.emission_texture || is_cut_out(material);
+  for (const auto& triangle : mesh.triangles) {
+    const auto corner = [&](int k) { return mesh.positions[triangle[k]]; };
+    int emitter = -1;
+    if (emits(material)) {
+      const Eigen::Vector3f radiance = mean_emission(mesh, triangle, material);
+      emitter = lights_.add_triangle(corner(0), corner(1), corner(2), radiance, {.varies = varies});
+      if (material.emits_behind)
+        lights_.add_triangle(corner(0), corner(2), corner(1), radiance, {.behind = true, .varies = varies});
+    }
+    triangles_.push_back({doubled_area(mesh, triangle).stableNormalized(), static_cast<int>(mesh.material), emitter});
+    add_lookups(mesh, triangle);
+  }
+}
+
+/// What is interpolated over a triangle.
+void Scene::add_lookups(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
+  const auto at = [&](const auto& values, auto otherwise) {
+    return values.empty() ? std::array{otherwise, otherwise, otherwise}
+                          : std::array{values[corners[0]], values[corners[1]], values[corners[2]]};
+  };
+  const Eigen::Vector2f nowhere(0.0f, 0.0f);
+  if (textured_) triangle_uv_.push_back(at(mesh.texture_coordinates, nowhere));
+  if (smooth_) triangle_normals_.push_back(at(mesh.normals, Eigen::Vector3f(0.0f, 0.0f, 0.0f)));
+  if (lit_by_textures_)
+    triangle_emission_uv_.push_back(
+        at(mesh.emission_coordinates.empty() ? mesh.texture_coordinates : mesh.emission_coordinates, nowhere));
+  if (!coloured_) return;
+  auto& colours = triangle_colours_.emplace_back();
+  for (std::size_t k = 0; k < 3; ++k)
+    colours[k] = mesh.vertex_colours.empty() ? Eigen::Vector3f(1.0f, 1.0f, 1.0f)
+                                             : Eigen::Vector3f(mesh.vertex_colours[corners[k]].head<3>());
 }
 
 void Scene::add_instances(const SceneDescription& description) {
@@ -185,7 +253,7 @@ void Scene::add_instances(const SceneDescription& description) {
     first_triangle.push_back(triangles_.size());
     EmbreeScene& prototype = prototypes_.emplace_back(rtcNewScene(device_.get()));
     rtcSetSceneBuildQuality(prototype.get(), build_quality);
-    add_triangles({&mesh, 1}, prototype.get());
+    add_triangles({&mesh}, prototype.get());
     rtcCommitScene(prototype.get());
   }
   for (const Instance& instance : description.instances) {
@@ -265,8 +333,8 @@ SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& orig
   const PlacedInstance* instance = nullptr;
   if (!instances_.empty() && hit.instID[0] != RTC_INVALID_GEOMETRY_ID)
     instance = &instances_[hit.instID[0] - first_instance];
-  const std::size_t primitive = instance ? instance->first_triangle + hit.primID : hit.primID;
-  const Triangle* triangle = instance || hit.geomID == triangle_geometry ? &triangles_[primitive] : nullptr;
+  const std::size_t primitive = instance ? instance->first_triangle + hit.primID : number_in_place(hit);
+  const Triangle* triangle = instance || hit.geomID != sphere_geometry ? &triangles_[primitive] : nullptr;
   const Material& material =
       materials_[static_cast<std::size_t>(triangle ? triangle->material : sphere_material_[primitive])];
   SurfacePoint point;
@@ -282,20 +350,52 @@ SurfacePoint Scene::surface_point(const RTCHit& hit, const Eigen::Vector3f& orig
   point.material = &material;
   point.emitter = triangle ? triangle->emitter : sphere_emitter_[primitive];
   point.albedo = material.albedo;
-  if (triangle && material.albedo_texture) {
-    const auto& uv = triangle_uv_[primitive];
-    const Eigen::Vector2f at = (1.0f - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
-    point.albedo = point.albedo.cwiseProduct(
-        texel(*material.albedo_texture, at, material.nearest_filter, material.repeat_texture));
+  if (point.emitter >= 0) {
+    point.emission = material.emission;
+    if (triangle && material.emits_behind && point.normal.dot(direction) > 0.0f) {
+      ++point.emitter;  // the light behind, seen from its own side
+      point.normal = -point.normal;
+      point.shading_normal = -point.shading_normal;
+    }
   }
+  if (triangle && (textured_ || coloured_)) look_up(point, material, primitive, hit.u, hit.v);
   return point;
+}
+
+void Scene::look_up(SurfacePoint& point, const Material& material, std::size_t triangle, float u, float v) const {
+  const float w = 1.0f - u - v;
+  const auto between = [=](const auto& corner) { return (w * corner[0] + u * corner[1] + v * corner[2]).eval(); };
+  if (material.albedo_texture)
+    point.albedo = point.albedo.cwiseProduct(texel(*material.albedo_texture, material.albedo_mapping,
+                                                   between(triangle_uv_[triangle]), material.nearest_filter));
+  if (coloured_) point.albedo = point.albedo.cwiseProduct(between(triangle_colours_[triangle]));
+  if (point.emitter < 0 || !material.emission_texture) return;
+  point.emission = emission_at(material, between(triangle_emission_uv_[triangle]));
+  if (!(point.emission.maxCoeff() > 0.0f)) point.emitter = -1;
+}
+
+Eigen::Vector3f Scene::emission_at(const Material& material, const Eigen::Vector2f& coordinate) {
+  return material.emission.cwiseProduct(
+      texel(*material.emission_texture, material.emission_mapping, coordinate, material.nearest_filter));
+}
+
+std::size_t Scene::number_in_place(const RTCHit& hit) const {
+  return hit.geomID == cut_out_geometry ? first_cut_out_ + hit.primID : hit.primID;
 }
 
 bool Scene::shines(const RTCHit& hit, const Eigen::Vector3f& direction) const {
   if (hit.instID[0] != RTC_INVALID_GEOMETRY_ID) return false;  // prototypes do not
-  const Triangle* triangle = hit.geomID == triangle_geometry ? &triangles_[hit.primID] : nullptr;
-  if ((triangle ? triangle->emitter : sphere_emitter_[hit.primID]) < 0) return false;
-  return (triangle ? triangle->normal : Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z)).dot(direction) < 0.0f;
+  if (hit.geomID == sphere_geometry)
+    return sphere_emitter_[hit.primID] >= 0 && Eigen::Vector3f(hit.Ng_x, hit.Ng_y, hit.Ng_z).dot(direction) < 0.0f;
+  const std::size_t number = number_in_place(hit);
+  const Triangle& triangle = triangles_[number];
+  if (triangle.emitter < 0) return false;
+  const Material& material = materials_[static_cast<std::size_t>(triangle.material)];
+  if (!material.emits_behind && !(triangle.normal.dot(direction) < 0.0f)) return false;
+  if (!material.emission_texture) return true;
+  const auto& uv = triangle_emission_uv_[number];
+  const Eigen::Vector2f at = (1.0f - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
+  return emission_at(material, at).maxCoeff() > 0.0f;
 }
 
 }  // namespace sturm

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pathtrace/lights/light_set.h"
+#include "pathtrace/scene/cut_outs.h"
 #include "pathtrace/scene/scene_description.h"
 
 namespace sturm {
@@ -20,12 +21,13 @@ struct SurfacePoint {
   Eigen::Vector3f shading_normal;  ///< interpolated from the vertices where the mesh has normals, on the side of
                                    ///< `normal`; else the same
   const Material* material;
-  int emitter;             ///< index into the light set, −1 where the surface does not emit
-  Eigen::Vector3f albedo;  ///< texture applied
+  int emitter;               ///< index into the light set, −1 where the surface does not emit
+  Eigen::Vector3f albedo;    ///< texture and vertex colours applied
+  Eigen::Vector3f emission;  ///< texture applied; only where it emits
 };
 
-/// Immutable scene on Embree 3: all triangles in one geometry, all spheres in another; repeated meshes are Embree
-/// instances.
+/// Immutable scene on Embree 3: all triangles in one geometry, those that rays may pass in another, all spheres in a
+/// third; repeated meshes are Embree instances.
 class Scene {
  public:
   /// What its surfaces and its surroundings ask of a path tracer, each kind more than the one before it.
@@ -51,6 +53,9 @@ class Scene {
   bool has_environment() const { return environment_map_ || constant_environment_.maxCoeff() > 0.0f; }
   const Eigen::Vector3f& lower() const { return lower_; }
   const Eigen::Vector3f& upper() const { return upper_; }
+  /// What lengths by which rays keep off surfaces are measured in [m] (offset_from_surface): 1 where the scene reaches
+  /// at least 1/4 m from the origin, else a power of two that shrinks with it.
+  float offset_unit() const { return offset_unit_; }
   /// Triangles in memory: those of a prototype count once.
   std::size_t triangle_count() const { return triangles_.size(); }
   const std::string& instruction_set() const { return instruction_set_; }
@@ -85,7 +90,12 @@ class Scene {
   };
 
   void validate_meshes(const SceneDescription& description);
-  void add_triangles(std::span<const Mesh> meshes, RTCScene into);
+  void add_triangles(const std::vector<const Mesh*>& meshes, RTCScene into);
+  void add_facts(const Mesh& mesh);
+  void add_lookups(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners);
+  std::size_t number_in_place(const RTCHit& hit) const;
+  static Eigen::Vector3f emission_at(const Material& material, const Eigen::Vector2f& coordinate);
+  void look_up(SurfacePoint& point, const Material& material, std::size_t triangle, float u, float v) const;
   void add_instances(const SceneDescription& description);
   void add_spheres(const SceneDescription& description);
   void add_environment(const Environment& environment);
@@ -97,18 +107,23 @@ class Scene {
   EmbreeScene scene_;
   std::vector<EmbreeScene> prototypes_;
   std::vector<PlacedInstance> instances_;
-  bool textured_ = false, smooth_ = false;
+  std::unique_ptr<CutOuts> cut_outs_;
+  std::size_t first_cut_out_ = 0;  ///< index of the first triangle of the geometry that rays may pass
+  bool textured_ = false, smooth_ = false, coloured_ = false, lit_by_textures_ = false;
   std::vector<Material> materials_;
   std::vector<Triangle> triangles_;
   std::vector<std::array<Eigen::Vector2f, 3>> triangle_uv_;  // empty when no mesh is textured
   std::vector<std::array<Eigen::Vector3f, 3>>
       triangle_normals_;  // empty when no mesh is smooth; zero vectors on flat meshes
+  std::vector<std::array<Eigen::Vector3f, 3>> triangle_colours_;      // empty when no mesh has colours
+  std::vector<std::array<Eigen::Vector2f, 3>> triangle_emission_uv_;  // empty when no emission is textured
   std::vector<int> sphere_material_, sphere_emitter_;
   std::shared_ptr<const EnvironmentMap> environment_map_;
   Eigen::Vector3f constant_environment_{0.0f, 0.0f, 0.0f};
   Kind kind_ = Kind::plain;
   LightSet lights_;
   Eigen::Vector3f lower_, upper_;
+  float offset_unit_ = 1.0f;
 };
 
 /// The kind that a scene has once it is built: Scene(description).kind().

@@ -13,6 +13,7 @@
 #include "pathtrace/materials/named_metals.h"
 #include "pathtrace/scene/assimp_import.h"
 #include "pathtrace/scene/environment_picture.h"
+#include "pathtrace/scene/lost_precision.h"
 
 namespace sturm {
 namespace {
@@ -64,37 +65,55 @@ Material build_material(const MaterialSpec& spec) {
   return material;
 }
 
+bool is_named(const Mesh& mesh, const std::string& name) {
+  return mesh.name == name || std::find(mesh.also_named.begin(), mesh.also_named.end(), name) != mesh.also_named.end();
+}
+
+/// Names by which overrides can find meshes, each once.
+std::vector<std::string> names_of(const SceneDescription& model) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const std::vector<Mesh>* meshes : {&model.meshes, &model.prototypes})
+    for (const Mesh& mesh : *meshes) {
+      add(mesh.name);
+      std::for_each(mesh.also_named.begin(), mesh.also_named.end(), add);
+    }
+  return names;
+}
+
+/// Every mesh of an override's name gets its material.
 void apply_overrides(SceneDescription& model, const ModelSpec& spec) {
   for (const MaterialOverride& change : spec.overrides) {
-    std::vector<std::string> names;
     bool found = false;
     for (std::vector<Mesh>* meshes : {&model.meshes, &model.prototypes})
       for (Mesh& mesh : *meshes) {
-        if (std::find(names.begin(), names.end(), mesh.name) == names.end()) names.push_back(mesh.name);
-        if (mesh.name != change.mesh) continue;
+        if (!is_named(mesh, change.mesh)) continue;
         found = true;
         mesh.material = static_cast<int>(model.materials.size());
+        mesh.vertex_colours.clear();  // they belong to what the file says
       }
-    if (!found)
+    if (!found) {
+      const std::vector<std::string> names = names_of(model);
       throw InputError(spec.file.string(), "overrides", "\"" + change.mesh + "\"" + did_you_mean(change.mesh, names),
                        one_of(names) + " (meshes of this model)");
+    }
     model.materials.push_back(build_material(change.material));
   }
 }
 
-/// Turns the model about +y and moves it to its place.
-void place(SceneDescription& model, const ModelSpec& spec) {
-  if (spec.turn == 0.0 && spec.position.isZero()) return;
-  const Eigen::Matrix3f turn = Eigen::AngleAxisd(spec.turn, Eigen::Vector3d::UnitY()).toRotationMatrix().cast<float>();
-  const Eigen::Vector3f position = spec.position.cast<float>();
-  for (Mesh& mesh : model.meshes) {
-    for (Eigen::Vector3f& p : mesh.positions) p = turn * p + position;
-    for (Eigen::Vector3f& n : mesh.normals) n = turn * n;
-  }
-  for (Instance& instance : model.instances) {
-    instance.world_from_prototype = (turn * instance.world_from_prototype).eval();
-    instance.world_from_prototype.col(3) += position;
-  }
+/// A texture needs to know where on its mesh it lies.
+void require_coordinates(const SceneDescription& model, const ModelSpec& spec) {
+  for (const std::vector<Mesh>* meshes : {&model.meshes, &model.prototypes})
+    for (const Mesh& mesh : *meshes) {
+      const Material& material = model.materials[static_cast<std::size_t>(mesh.material)];
+      if ((material.albedo_texture || material.emission_texture || material.opacity.texture) &&
+          mesh.texture_coordinates.empty())
+        throw InputError(spec.file.string(), "mesh \"" + mesh.name + "\"",
+                         "faces without texture coordinates under the textured material \"" + material.name + "\"",
+                         "texture coordinates at all of their corners");
+    }
 }
 
 /// Lights must know where they are: instances of emitters become meshes in place.
@@ -147,6 +166,8 @@ SceneDescription build_scene(const SceneSpec& spec) {
     mesh.material = m.material;
     mesh.triangles = m.triangles;
     for (const Eigen::Vector3d& p : m.positions) mesh.positions.push_back(p.cast<float>());
+    if (const std::string lost = lost_precision(mesh, largest_coordinate_of(mesh)); !lost.empty())
+      scene.notes.push_back(lost);
     scene.meshes.push_back(std::move(mesh));
   }
   for (const SphereSpec& s : spec.spheres)
@@ -156,7 +177,7 @@ SceneDescription build_scene(const SceneSpec& spec) {
   for (const ModelSpec& spec_of_model : spec.models) {
     SceneDescription model = import_model(spec_of_model);
     apply_overrides(model, spec_of_model);
-    place(model, spec_of_model);
+    require_coordinates(model, spec_of_model);
     place_emitters(model);
     append_model(scene, std::move(model));
   }

@@ -1,3 +1,4 @@
+#include "compare/findings/stored_run.h"
 #include "io/json/stored.h"
 #include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
@@ -27,13 +28,11 @@ Html facts(const Json& provenance) {
   return html.empty() ? Html() : fact_list(html);
 }
 
-Html input_table(const Json& inputs) {
+Html input_table(const std::vector<StoredInput>& inputs) {
   if (inputs.empty()) return {};
   HtmlTable table("Input files", "", {{"File"_html, false}, {"SHA-256"_html, false}});
-  for (const Json& input : inputs) {
-    table.add_row({code_html(text_at(input, "file")),
-                   inline_element("code", {{"class", "hash"}}, text_or_dash(text_at(input, "sha256")))});
-  }
+  for (const StoredInput& input : inputs)
+    table.add_row({code_html(input.file), inline_element("code", {{"class", "hash"}}, text_or_dash(input.sha256))});
   return table.html();
 }
 
@@ -43,7 +42,7 @@ Html provenance_section(const Json& report) {
   const Json& provenance = value_at(report, "provenance");
   const Json& spec = value_at(report, "spec");
   Html html;
-  if (provenance.is_object()) html += facts(provenance) + input_table(array_at(provenance, "inputs"));
+  if (provenance.is_object()) html += facts(provenance) + input_table(read_stored_run(report).inputs);
   if (!spec.is_null()) {
     html += folded("The experiment with every default spelt out"_html,
                    element("pre", {{"tabindex", "0"}}, text(spec.dump(2, ' ', false, Json::error_handler_t::replace))));

@@ -33,6 +33,10 @@ struct ReportSection {
   const char* title;  ///< in the page's navigation
   /// Nothing when the report has nothing for it.
   Html (*draw)(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
+  /// Key in the report's verdict of the sentence that says what the section measured, and its heading at the head of
+  /// the page; null where it has none.
+  const char* sentence_key = nullptr;
+  const char* sentence_heading = nullptr;
 };
 
 /// All sections after the verdict, in reading order. A further section is a further line there.

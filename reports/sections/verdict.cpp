@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/findings/ellipses.h"
+#include "compare/findings/stored_run.h"
 #include "io/json/stored.h"
 #include "reports/markup/numbers.h"
 #include "reports/markup/parts.h"
@@ -22,31 +23,24 @@ Html ray_facts(const EllipseConditions& conditions) {
   return html;
 }
 
-Html time_facts(const Json& provenance) {
-  Html html = duration_html(number_at(provenance, "seconds/total"));
+Html time_facts(const StoredRun& run) {
+  Html html = duration_html(run.total_seconds());
   Html parts;
-  const Json& seconds = value_at(provenance, "seconds");
-  if (seconds.is_object()) {
-    for (const auto& [part, time] : seconds.items()) {
-      if (part == "total") continue;
-      add_item(parts, text(part) + " "_html + duration_html(number_at(time, "")));
-    }
-  }
+  for (const auto& [part, time] : run.seconds)
+    if (part != "total") add_item(parts, text(part) + " "_html + duration_html(time));
   return parts.empty() ? html : html + small_html(parts);
 }
 
 Html conditions(const Json& report) {
-  const Json& provenance = value_at(report, "provenance");
-  std::string machine = text_at(provenance, "cpu");
-  if (const std::string set = text_at(provenance, "instruction_set"); !set.empty()) machine += " (" + set + ")";
-  const std::string version = text_at(provenance, "version"), commit = text_at(provenance, "commit");
-  return fact_list(fact("Seed", exact_html(number_at(provenance, "seed"))) +
+  const StoredRun run = read_stored_run(report);
+  const std::string machine = run.cpu + (run.instruction_set.empty() ? "" : " (" + run.instruction_set + ")");
+  return fact_list(fact("Seed", exact_html(run.seed)) +
                    fact("Rays per case and model", ray_facts(read_ellipses(report).conditions)) +
-                   fact("Time", time_facts(provenance)) +
-                   fact("Threads", exact_html(number_at(provenance, "threads"))) + fact("Machine", text(machine)) +
-                   fact("Version", (version.empty() ? Html() : text(version + " · ")) +
-                                       (commit.empty() ? Html() : code_html(commit))) +
-                   fact("Started (UTC)", text_or_dash(text_at(provenance, "started_utc"))));
+                   fact("Time", time_facts(run)) + fact("Threads", exact_html(run.threads)) +
+                   fact("Machine", text(machine)) +
+                   fact("Version", (run.version.empty() ? Html() : text(run.version + " · ")) +
+                                       (run.commit.empty() ? Html() : code_html(run.commit))) +
+                   fact("Started (UTC)", text_or_dash(run.started_utc)));
 }
 
 }  // namespace
@@ -60,13 +54,12 @@ Html verdict_section(const Json& report) {
   Html html = element("p", {{"class", "kind"}}, "Sturm: path-traced against predicted blur of an astigmatic eye"_html) +
               element("h1", text_or_dash(text_at(report, "title"))) +
               element("div", {{"class", "verdict " + css_class}, {"role", "status"}}, banner);
-  const auto add_finding = [&](const char* key, const Html& heading) {
-    if (const std::string sentence = verdict.finding(key); !sentence.empty())
-      html += element("div", {{"class", "finding"}}, element("h2", heading) + element("p", text(sentence)));
-  };
-  add_finding("sin2_sentence", "What was measured of sin²"_html);
-  add_finding("lens_sentence", "What was measured of conoid tracing"_html);
-  add_finding("sin2_study_sentence", "The verdict on sin²"_html);
+  for (const ReportSection& section : report_sections()) {
+    if (!section.sentence_key) continue;
+    if (const std::string sentence = verdict.finding(section.sentence_key); !sentence.empty())
+      html += element("div", {{"class", "finding"}},
+                      element("h2", text(section.sentence_heading)) + element("p", text(sentence)));
+  }
   return element("header", {{"id", "verdict"}}, html + conditions(report));
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/findings/stored_run.h"
 #include "io/files/formatted_text.h"
 #include "io/json/stored.h"
 #include "io/specs/experiment/gate_kind.h"
@@ -56,10 +57,9 @@ std::string report_markdown(const Json& report, std::span<const GateResult> resu
   if (const std::string failures = table(results, false); !failures.empty()) text += "\n" + failures;
   if (const std::string passes = table(results, true); !passes.empty())
     text += "\n<details><summary>Gates that passed</summary>\n\n" + passes + "\n</details>\n";
-  const Json& provenance = value_at(report, "provenance");
-  text += "\nSeed " + number(number_at(provenance, "seed")) + ", commit " + cell(text_at(provenance, "commit")) + ", " +
-          number(number_at(provenance, "seconds/total")) + " s with " + number(number_at(provenance, "threads")) +
-          " threads. Values ± one standard error.\n";
+  const StoredRun run = read_stored_run(report);
+  text += "\nSeed " + number(run.seed) + ", commit " + cell(run.commit) + ", " + number(run.total_seconds()) +
+          " s with " + number(run.threads) + " threads. Values ± one standard error.\n";
   return text;
 }
 

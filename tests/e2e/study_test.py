@@ -24,6 +24,11 @@ class StudyTest(FolderTest):
     def study(self, folder):
         return strict_json((self.folder / folder / "report.json").read_text())[self.section]
 
+    def noticed_by(self, folder):
+        """{id of a deliberate error: {id of a gate that noticed it: what it says}}"""
+        power = strict_json((self.folder / folder / "report.json").read_text())["gate_power"]
+        return {mutation["id"]: {caught["gate"]: caught for caught in mutation["caught_by"]} for mutation in power["mutations"]}
+
     def expect_a_wrong_bound_to_fail(self, bound):
         """`bound` of the first gate is beyond what can be met."""
         self.write("gates.json", changed(self.gates, "/gates/0/bound", bound))

@@ -31,8 +31,8 @@ GATES = {
     "format": "sturm.gates/1",
     "gates": [{"id": "order", "title": "Order 4", "statistic": "lens_order_max_deviation", "comparison": "at_most", "bound": 0.05,
                "reason": "as in the shipped gates"},
-              {"id": "mutant", "title": "A mutant", "statistic": "must_fail/published_as_exact", "comparison": "must_fail", "bound": 0.05,
-               "reason": "as in the shipped gates"}],
+              {"id": "mutations", "title": "Each deliberate error is noticed", "statistic": "mutation_min_gates", "comparison": "at_least",
+               "bound": 1, "reason": "as in the shipped gates"}],
 }
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1"/></svg>'
 
@@ -48,6 +48,12 @@ class LensStudy(StudyTest):
         out = self.folder / "out"
         self.assertIn("2 of 2 gates passed", process.stdout)
         self.assertIn("Through 3 lenses", process.stdout)
+        noticed = self.noticed_by("out")
+        # An error of first order makes the error of order 2, which is 2 less than that of the exact first order.
+        self.assertEqual(set(noticed), {"published_as_exact", "mirrored_gaze"})
+        for gates in noticed.values():
+            self.assertGreater(gates["order"]["value"], 1)
+            self.assertLess(gates["order"]["honest_value"], 0.05)
         self.succeed("validate", out / "report.json")
         study = self.study("out")
         self.assertEqual(len(study["gazes"]), 3 * (1 + 2 * 2))

@@ -225,6 +225,7 @@ class View(Malformed):
                 self.reject_view(changed(view, pointer, value), pointer, *named)
 
     def test_model_files(self):
+        self.write("empty.mtl", "newmtl silver\n")
         for name, content, *named in [
             ("noise.obj", b"\x00\xff\x13\x37" * 50),
             ("empty.obj", ""),
@@ -233,7 +234,7 @@ class View(Malformed):
             ("infinite.obj", OBJ.replace("v 0 1 -2", "v 0 1e999 -2"), "finite"),
             ("bad_index.obj", OBJ.replace("f 1 2 3", "f 1 2 9")),
             ("no_library.obj", "mtllib nowhere.mtl\n" + OBJ, "nowhere.mtl"),
-            ("no_material.obj", OBJ.replace("f 1", "usemtl gold\nf 1"), "gold"),
+            ("no_material.obj", "mtllib empty.mtl\n" + OBJ.replace("f 1", "usemtl gold\nf 1"), "gold"),
             ("broken.gltf", "{"),
             ("empty.glb", b""),
         ]:

@@ -25,8 +25,10 @@ GATES = {
     "format": "sturm.gates/1",
     "gates": [{"id": "closed_form", "title": "sin² has its closed form", "statistic": "sin2_study/sin2_vs_closed_form_max",
                "comparison": "at_most", "bound": 1e-9, "reason": "as in the shipped gates"},
-              {"id": "mutant", "title": "A mutant", "statistic": "must_fail/wrong_coefficient", "comparison": "must_fail", "bound": 1e-9,
-               "reason": "as in the shipped gates"}],
+              {"id": "theory", "title": "Matrix rays are wavefront theory", "statistic": "sin2_study/matrix_vs_theory_max",
+               "comparison": "at_most", "bound": 1e-9, "reason": "as in the shipped gates"},
+              {"id": "mutations", "title": "Each deliberate error is noticed", "statistic": "mutation_min_gates", "comparison": "at_least",
+               "bound": 1, "reason": "as in the shipped gates"}],
 }
 
 
@@ -41,7 +43,10 @@ class Sin2Study(StudyTest):
 
     def test_a_small_grid(self):
         process = self.run_study("out", "--threads", 2)
-        self.assertIn("2 of 2 gates passed", process.stdout)
+        self.assertIn("3 of 3 gates passed", process.stdout)
+        noticed = {mutation: set(gates) for mutation, gates in self.noticed_by("out").items()}
+        self.assertEqual(noticed, {"repaired_as_sin2": {"closed_form"}, "wrong_coefficient": {"closed_form"}, "mirrored_axis": {"theory"},
+                                   "sin2_as_matrix": {"theory"}})
         self.succeed("validate", self.folder / "out/report.json")
         rows = self.rows("out")
         eyes = 4 * (1 + 2) + 2  # a sphere needs no second axis

@@ -24,13 +24,30 @@ std::vector<RayModel> ray_models_of(const Json& value, const Source& where) {
   return read_words(value["ray_models"], where / "ray_models", ray_model_words);
 }
 
+/// Numbers, or a text in optical notation in their place.
+Prescription read_named_prescription(const Json& value, const Source& where) {
+  const auto text = value.find("prescription");
+  if (text == value.end()) {
+    if (!value.contains("sphere_D"))
+      throw InputError(where.file, where.pointer, "no \"sphere_D\"",
+                       "\"sphere_D\": a number from -40 to 40 (sphere [D]; a myope's is negative), or a "
+                       "\"prescription\" such as \"-2.00 -1.50 x 30\"");
+    return read_prescription(value, where);
+  }
+  for (const char* key : {"sphere_D", "cylinder_D", "axis_deg", "vertex_distance_mm"})
+    if (value.contains(key)) (where / key).fail(value[key], "no \"" + std::string(key) + "\" beside \"prescription\"");
+  const Prescription rx = read_prescription(*text, where / "prescription");
+  if (rx.prism_cm_per_m != 0.0) (where / "prescription").fail(*text, "no prism: it has no part in a blur ellipse");
+  return rx;
+}
+
 EllipseExperiment read_ellipses(const Json& value, const Source& where) {
   EllipseExperiment ellipses;
   const Json& list = value["prescriptions"];
   require_unique_ids(list, where / "prescriptions");
   for (std::size_t i = 0; i < list.size(); ++i)
     ellipses.prescriptions.push_back({list[i]["id"].get<std::string>(), list[i].value("note", ""),
-                                      read_prescription(list[i], where / "prescriptions" / i)});
+                                      read_named_prescription(list[i], where / "prescriptions" / i)});
   for (std::size_t i = 0; i < value["distances_m"].size(); ++i)
     ellipses.distances_m.push_back(read_distance(value["distances_m"][i], where / "distances_m" / i));
   for (const Json& diameter_mm : value["pupil_diameters_mm"])

@@ -71,11 +71,44 @@ TEST(CsvReader, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_THAT(error("a,b\n\"1\n2\"3,4\n"), AllOf(HasSubstr("line 3"), HasSubstr("3,4"), HasSubstr("closing quote")));
 }
 
+TEST(CsvReader, CarriageReturnsAloneEndRows) {
+  EXPECT_THAT(rows_of("a,b\r1,2\r\r3,4"),
+              ElementsAre(ElementsAre("a", "b"), ElementsAre("1", "2"), ElementsAre("3", "4")));
+  CsvReader reader("a\r\r\nb\rc\n\"d\re\"\nf", "table.csv");
+  for (const int line : {1, 3, 4, 5, 7}) EXPECT_EQ(reader.next()->line, line);
+}
+
+TEST(CsvDialect, IsToldFromTheHeading) {
+  EXPECT_EQ(csv_dialect_of("a,b\n1;2\n").separator, ',');
+  EXPECT_EQ(csv_dialect_of("# one, two\n\r\n\"a,b\";c\n").separator, ';');
+  EXPECT_EQ(csv_dialect_of("a, b\tc\n").separator, '\t');
+  EXPECT_EQ(csv_dialect_of("x_mm  y_mm z_mm\n").separator, ' ');
+  EXPECT_EQ(csv_dialect_of("alone\n").separator, ',');
+  EXPECT_EQ(csv_dialect_of("\xEF\xBB\xBFsep=;\r\na,b\n").separator, ';');
+  EXPECT_EQ(csv_dialect_of("").separator, ',');
+}
+
+TEST(CsvReader, BlanksSeparateInRuns) {
+  EXPECT_THAT(rows_of(" a  b\tc \n1   -2 3\n", {' ', '"'}),
+              ElementsAre(ElementsAre("a", "b", "c"), ElementsAre("1", "-2", "3")));
+}
+
+TEST(CsvReader, TheLineThatNamesTheSeparatorIsNoRow) {
+  EXPECT_THAT(rows_of("sep=;\r\na;b\r\n", {';', '"'}), ElementsAre(ElementsAre("a", "b")));
+}
+
 TEST(CsvNumber, IsAllOfTheField) {
   EXPECT_EQ(csv_number("-0.25"), -0.25);
   EXPECT_EQ(csv_number("2e-3"), 0.002);
   EXPECT_EQ(csv_number("inf"), std::numeric_limits<double>::infinity());
-  for (const char* text : {"", "1,5", "1.5 D", " 1", "+1", "0x10", "one"}) EXPECT_FALSE(csv_number(text)) << text;
+  for (const char* text : {"", "1,2,5", "1.000,5", "1.5 D", " 1", "+-1", "++1", "-", "+", "0x10", "one"})
+    EXPECT_FALSE(csv_number(text)) << text;
+}
+
+TEST(CsvNumber, IsAsPeopleTypeIt) {
+  for (const char* text : {"+1.25", "1,25", "+1,25", "1.25", "+1.25e0", "\uFF0B1.25"})
+    EXPECT_EQ(csv_number(text), 1.25) << text;
+  for (const char* text : {"-0.5", "\u22120.5", "\u20130,5", "-,5", "-.5"}) EXPECT_EQ(csv_number(text), -0.5) << text;
 }
 
 TEST(CsvWriter, WritesWhatTheReaderReads) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "io/files/text_encoding.h"
 #include "io/io_testing.h"
 #include "io/json/json.h"
 #include "io/json/json_pointer_set.h"
@@ -124,6 +125,20 @@ TEST(Set, BadAssignmentsAreExplained) {
             "--set: /eye: got \"a.json\", expected an object or array, to set \"pupil_diameter_mm\" in it");
   EXPECT_THAT(error("/a~2=1"), HasSubstr("~2"));
   EXPECT_THAT(error("/a=\xff"), HasSubstr("UTF-8"));
+}
+
+TEST(ParseJson, TypographicSignsAreNamedWhole) {
+  const auto message = [](const std::string& text) { return input_error([&] { parse_json(text, "f.json"); }); };
+  EXPECT_THAT(message("{\"a\": \u22121}"),
+              AllOf(HasSubstr("f.json:1:7: got \"\u2212\""), HasSubstr("the \"-\" of the keyboard")));
+  EXPECT_THAT(message("{\u201Ca\u201D: 1}"),
+              AllOf(HasSubstr("got \"\u201C\""), HasSubstr("the quotes of the keyboard")));
+  EXPECT_THAT(message("{\"a\": \U0001F453}"), HasSubstr("got \"\U0001F453\""));
+  EXPECT_THAT(message("{\"a\": \xE9}"), HasSubstr("a byte that is not UTF-8"));
+  // A word of any length is cut, and between characters.
+  const std::string long_text = message("{\"a\": \"" + std::string(500, 'a') + "\xE9\"}");
+  EXPECT_LT(long_text.size(), 300u);
+  EXPECT_TRUE(is_utf8(long_text)) << long_text;
 }
 
 }  // namespace

@@ -139,5 +139,21 @@ TEST(RenderView, RingsNeedTheirSampling) {
   EXPECT_EQ(read_render_spec(document, "view.json").sampling.rings, 4);
 }
 
+TEST(WavefrontEye, AWrongIndexIsNamed) {
+  for (const auto& [key, hint] : {std::pair("Z4", "did you mean \"4\"?"),
+                                  {"c12", "did you mean \"12\"?"},
+                                  {"04", "did you mean \"4\"?"},
+                                  {"-1", "did you mean \"1\"?"},
+                                  {"defocus", "defocus"}}) {
+    Json document = eye_document();
+    document["wavefront"]["coefficients_um"] = {{key, 1.0}};
+    const std::string message = error_of([&] { validate(document, "eye", "eye.json"); });
+    EXPECT_THAT(message, HasSubstr(std::string("eye.json: /wavefront/coefficients_um/") + key + ": got the key"))
+        << message;
+    EXPECT_THAT(message, HasSubstr("OSA/ANSI single index j"));
+    EXPECT_THAT(message, HasSubstr(hint));
+  }
+}
+
 }  // namespace
 }  // namespace sturm

@@ -56,5 +56,86 @@ TEST_F(PrescriptionTableFile, WhatIsWrongIsNamedWithItsLine) {
               HasSubstr("a file that can be read"));
 }
 
+/// The one eye of a table of one row.
+Prescription only(const std::vector<TabledPrescription>& eyes) {
+  EXPECT_EQ(eyes.size(), 1u);
+  return eyes.at(0).prescription;
+}
+
+TEST_F(PrescriptionTableFile, IsReadAsPeopleWriteIt) {
+  // One eye, −2.00 −0.50 × 30, by everyone's spreadsheet.
+  for (const char* text : {
+           "eye,id,sph_D,cyl_D,axis_deg\nOD,P1,-2.00,-0.50,30\n",
+           "Eye;ID;Sph;Cyl;Axis\r\nOD;P1;-2,00;-0,50;30\r\n",
+           "eye\tid\tSphere (D)\tCylinder (D)\tAxis (\u00B0)\nOD\tP1\t-2,00\t-0,50\t30\n",
+           "eye,id,sph_D,cyl_D,axis_deg\rOD,P1,-2,-0.5,030\r",
+           "\"eye\",\"id\",\"sph_D\",\"cyl_D\",\"axis_deg\"\n\"OD\",\"P1\",\"-2,00\",\"-0,50\",\"30\"\n",
+           "sep=;\neye;id;sph;zyl;achse\nOD;P1;\u22122,00;\u22120,50;30\u00B0\n",
+           " EYE , Id , SPH_D , CYL_D , AXIS_DEG \n\n# from a clinic\n OD , P1 , -2.00 DS , -0.50 DC , x 30 \n,,,,\n",
+           "eye,id,sph_D,cyl_D,axis_deg,,\nOD,P1,-2.00,-0.50,30,,\n",
+           "eye,id,rx\nOD,P1,-2.00 -0.50 x 30\n",
+           "id;prescription\nP1;OD -2,00 -0,50 x 30\n",
+           "eye,id,rx\nright,P1,OD -2.00/-0.50x30 OS +1.00 DS\n",
+       }) {
+    const auto eyes = read_prescription_table(file(text), 0.012);
+    const Prescription rx = only(eyes);
+    EXPECT_EQ(rx.sphere_D, -2.0) << text;
+    EXPECT_EQ(rx.cylinder_D, -0.5) << text;
+    EXPECT_EQ(rx.axis_deg, 30.0) << text;
+    EXPECT_EQ(rx.vertex_distance_m, 0.012) << text;
+    EXPECT_EQ(eyes[0].id.substr(0, 3), "P1-") << text;
+  }
+}
+
+TEST_F(PrescriptionTableFile, IsReadInTheEncodingsOfSpreadsheets) {
+  std::string utf16 = "\xFF\xFE";
+  for (const char c : std::string("eye\tid\tsph\tcyl\taxis\r\nOS\tP2\t+1,25\t\t\r\n")) utf16 += c, utf16 += '\0';
+  EXPECT_EQ(only(read_prescription_table(file(utf16), 0.012)).sphere_D, 1.25);
+  // Latin-1: a name with an umlaut.
+  const auto eyes = read_prescription_table(file("eye;id;sph;cyl;axis\nOD;M\xFCller;-1;;\n"), 0.012);
+  EXPECT_EQ(eyes.at(0).id, "M\u00FCller-OD");
+}
+
+TEST_F(PrescriptionTableFile, ASphereLeavesCylinderAndAxisEmpty) {
+  for (const char* cells : {"+1.25,,", "1.25,0,", "+1.25,DS,", "+1.25,-,-", "+1.25,SPH,", "+1.25,0.00,90"}) {
+    const Prescription rx =
+        only(read_prescription_table(file(std::string("eye,id,sph_D,cyl_D,axis_deg\nOD,P1,") + cells + "\n"), 0.012));
+    EXPECT_EQ(rx.sphere_D, 1.25) << cells;
+    EXPECT_EQ(rx.cylinder_D, 0.0) << cells;
+  }
+  EXPECT_EQ(only(read_prescription_table(file("eye,id,sph_D,cyl_D,axis_deg\nOD,P1,PL,-0.75,180\n"), 0.0)).sphere_D,
+            0.0);
+}
+
+TEST_F(PrescriptionTableFile, BothEyesOfATextAndItsVertexDistance) {
+  const auto eyes = read_prescription_table(file("id,rx\nP1,OD -2.00 DS VD 14 OS PL -0.75 x 180\n"), 0.012);
+  ASSERT_EQ(eyes.size(), 2u);
+  EXPECT_EQ(eyes[0].id, "P1-OD");
+  EXPECT_DOUBLE_EQ(eyes[0].prescription.vertex_distance_m, 0.014);
+  EXPECT_EQ(eyes[1].id, "P1-OS");
+  EXPECT_EQ(eyes[1].prescription.cylinder_D, -0.75);
+  EXPECT_EQ(eyes[1].prescription.vertex_distance_m, 0.012);
+  EXPECT_DOUBLE_EQ(
+      only(read_prescription_table(file("eye,id,sph,cyl,axis,BVD (mm)\nOD,P1,-2,,,13\n"), 0.012)).vertex_distance_m,
+      0.013);
+}
+
+TEST_F(PrescriptionTableFile, WhatCouldBeMisreadIsRefused) {
+  const std::string heading = "eye,id,sph_D,cyl_D,axis_deg\n";
+  // A decimal comma between commas would make a cylinder of 25 D.
+  EXPECT_THAT(error(heading + "OD,P1,-1,25,-0,75,80\n"), AllOf(HasSubstr("line 2"), HasSubstr("at most 5 fields")));
+  EXPECT_THAT(error(heading + "OD,P1,-1.25,-0.75,\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("axis_deg, which a cylinder needs")));
+  EXPECT_THAT(error(heading + "OD,P1,-1.25,-0.75,190\n"), HasSubstr("axis [deg] is 190, expected 0 to 180"));
+  EXPECT_THAT(error(heading + "OD,P1,-40.0000001,0,\n"), HasSubstr("sphere [D] is -40.0000001, expected -40 to 40"));
+  EXPECT_THAT(error("eye,id,sph,Sphere,cyl,axis\nOD,P1,1,2,,\n"),
+              AllOf(HasSubstr("\"sph\" and \"Sphere\""), HasSubstr("one column for sph_D")));
+  EXPECT_THAT(error("eye,id,rx\nOD,P1,-2.00 -1.50\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("an axis behind the cylinder")));
+  EXPECT_THAT(error("eye,id,rx\nOD,P1,OS -2.00 DS\n"), HasSubstr("the prescription of the right eye"));
+  EXPECT_THAT(error("eye,id,rx\nOD,P1,-2.00 DS 2^ BI\n"), HasSubstr("no prism"));
+  EXPECT_THAT(error("eye,id,rx,sph\nOD,P1,-2.00 DS,1\n"), HasSubstr("a column rx, or columns"));
+}
+
 }  // namespace
 }  // namespace sturm

@@ -86,6 +86,27 @@ TEST_F(SagGridFile, OtherPointsAreFittedAndTheResidualIsSaid) {
   EXPECT_GT(coarse.residual.rms, grid.residual.rms);
 }
 
+TEST_F(SagGridFile, ATableIsReadAsPeopleWriteIt) {
+  const auto with = [](const char* heading, const char* format, char point) {
+    std::string text = heading;
+    for (int j = -10; j <= 10; ++j)
+      for (int i = -10; i <= 10; ++i) {
+        std::string line = row(2.0 * i, 2.0 * j, sphere_mm(2.0 * i, 2.0 * j), format);
+        for (char& c : line)
+          if (c == '.') c = point;
+        text += line;
+      }
+    return text;
+  };
+  const double sag = read_sag_grid(file(regular()), std::nullopt, 15 * mm).surface.sag(9 * mm, -5 * mm)->value;
+  for (const std::string& text :
+       {with("X (mm);Y (mm);Sag (mm)\r\n", "%.9f;%.9f;%.9f\r\n", ','), with("x\ty\tz\n", "%+.9f\t%+.9f\t%+.9f\n", ','),
+        with("x y z\n", "  %.9f   %.9f  %.9f\n", '.'), with("x_mm,y_mm,SAG_mm\r", "\"%.9f\",\"%.9f\",\"%.9f\"\r", ',')})
+    EXPECT_NEAR(read_sag_grid(file(text), std::nullopt, 15 * mm).surface.sag(9 * mm, -5 * mm)->value, sag, 1e-12);
+  EXPECT_THAT(error("x_mm,y_mm,z_mm\n0,0,1,5\n"), AllOf(HasSubstr("line 2"), HasSubstr("at most 3 fields")));
+  EXPECT_THAT(error("x_m,y_m,z_m\n0,0,0\n"), HasSubstr("x_mm, y_mm and z_mm"));  // another unit is not misread
+}
+
 TEST_F(SagGridFile, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_THAT(error("a,b,c\n1,2,3\n"),
               AllOf(HasSubstr("front.csv"), HasSubstr("line 1"), HasSubstr("x_mm, y_mm and z_mm")));

@@ -28,13 +28,14 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-Json mutant(const char* id, double value) {
-  return {{"id", id}, {"what", "by hand"}, {"failed_as_it_must", true}, {"value", value}, {"bound", 0.05}};
+Json mutation(const char* id) {
+  const Json caught = {{"gate", "order_of_absolute_error"}, {"value", 1.9}, {"bound", 0.05}};
+  return {{"id", id}, {"what", "by hand"}, {"caught_by", Json::array({caught})}};
 }
 
 Json healthy() {
   return {{"lens_study", test::synthetic_lens_study()},
-          {"must_fail", {mutant("published_as_exact", 1.9), mutant("mirrored_gaze", 1.8)}}};
+          {"gate_power", {{"mutations", Json::array({mutation("published_as_exact"), mutation("mirrored_gaze")})}}}};
 }
 
 std::vector<std::string> failures_of(const Json& report) {
@@ -88,8 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                            1e-6},
                     Spoilt{"/lens_study/views/2/first_order/published", "published_is_exact_without_cylinder", nullptr},
                     Spoilt{"/lens_study/views/0/previous_unscaled_error", "previous_is_exact_inside", 1e-6},
-                    Spoilt{"/must_fail/0/value", "published_cannot_pass_as_exact", 0.04},
-                    Spoilt{"/must_fail/1/failed_as_it_must", "mirrored_gaze_is_caught", false}),
+                    Spoilt{"/gate_power/mutations/0/caught_by", "every_mutation_is_noticed", Json::array()},
+                    Spoilt{"/gate_power/mutations/1/caught_by", "every_mutation_is_noticed", Json::array()}),
     [](const auto& info) { return std::string(info.param.gate) + "_" + std::to_string(info.index); });
 
 TEST(LensStudyGates, PreviousMustDifferThroughEveryLens) {

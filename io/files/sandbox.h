@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace sturm {
+
+/// From now on files may name only files in their own folder and below it, links followed (`--sandbox`): for documents
+/// and models from someone who is not trusted.
+void enter_sandbox();
+
+/// Whether `path`, which `naming_file` names, may be opened: always outside of a sandbox. Both are paths of the file
+/// system; `naming_file` may be "<stdin>", which stands in the working directory.
+bool within_sandbox(const std::filesystem::path& path, const std::string& naming_file);
+
+}  // namespace sturm
