@@ -36,13 +36,14 @@ void prepare_standard_streams() {
 }
 
 void finish_standard_output() {
-  errno = 0;
+  int error = std::fflush(stdout) == 0 ? 0 : errno;
   std::cout.flush();
-  const bool flushed = std::fflush(stdout) == 0;
-  int error = flushed ? 0 : errno;
+  const bool failed_before = std::ferror(stdout) || !std::cout.good();
+  // The stream does not keep the reason of an earlier failure. A further byte behind what is broken anyway meets it.
+  if (failed_before && !error && ::write(STDOUT_FILENO, "\n", 1) < 0) error = errno;
   // Some file systems tell only on closing that there was no room; closing a copy leaves the stream to its owner.
   if (const int copy = ::dup(STDOUT_FILENO); copy >= 0 && ::close(copy) != 0 && !error) error = errno;
-  if (!error && flushed && !std::ferror(stdout) && std::cout.good()) return;
+  if (!error && !failed_before) return;
   throw RuntimeFailure("standard output: writing failed" +
                        (error ? std::string(": ") + std::strerror(error) : std::string()));
 }

@@ -90,9 +90,12 @@ std::vector<ExrLayer> layers_of(const ExrReader& file) {
   for (int part = 0; part < file.parts(); ++part) {
     const std::string part_name = file.header(part).hasName() ? file.header(part).name() : "";
     for (auto& [layer, channels] : layers_of_channels(file.channels(part))) {
+      const ExrLayer::Kind kind = kind_of(file, part, layer, channels);
       std::string name = name_of(part_name, layer, file.parts() > 1);
+      if (name.empty() && kind == ExrLayer::Kind::Other)  // the main layer is a picture
+        for (const std::string& channel : channels) name += channel_role(channel);
       if (const int use = ++uses[name]; use > 1) name += "#" + std::to_string(use);
-      layers.push_back({name, kind_of(file, part, layer, channels), part, channels});
+      layers.push_back({name, kind, part, channels});
     }
   }
   return layers;

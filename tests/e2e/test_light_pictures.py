@@ -32,11 +32,11 @@ class Rendered(FolderTest):
 
     def refuse(self, scene, *named):
         self.write("view.json", view(scene))
-        process = sturm("render", "view.json", "-o", "view.exr", "--quiet", cwd=self.folder)
+        process = sturm("render", "view.json", "-o", "refused.exr", "--quiet", cwd=self.folder)
         self.assertEqual(process.returncode, WRONG_INPUT, process.stderr)
         for text in named:
             self.assertIn(text, process.stderr)
-        self.assertFalse((self.folder / "view.exr").exists())
+        self.assertFalse((self.folder / "refused.exr").exists())
 
 
 class Environments(Rendered):
