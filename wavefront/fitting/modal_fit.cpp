@@ -1,5 +1,6 @@
 #include "wavefront/fitting/modal_fit.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -33,19 +34,20 @@ Eigen::MatrixXd rows_of(const ModalProblem& problem, const std::vector<bool>& us
   return design;
 }
 
-/// Residuals of the fit with the least sum of distances, by weights 1/distance.
+/// Residuals of the fit with the least sum of distances, by weights 1/distance. They only judge samples, so normal
+/// equations are exact enough.
 Eigen::VectorXd least_absolute_residuals(const ModalProblem& problem) {
   constexpr int rounds = 30;
   const int rows = problem.rows_per_sample;
-  Eigen::VectorXd roots = Eigen::VectorXd::Ones(problem.values.size()), residuals;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(problem.values.size()), residuals;
   for (int round = 0; round < rounds; ++round) {
-    const Eigen::VectorXd c = (roots.asDiagonal() * problem.design)
-                                  .bdcSvd(Eigen::ComputeThinU | Eigen::ComputeThinV)
-                                  .solve(roots.cwiseProduct(problem.values));
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * problem.design;
+    const Eigen::VectorXd c =
+        (problem.design.transpose() * weighted).ldlt().solve(weighted.transpose() * problem.values);
     residuals = problem.values - problem.design * c;
     for (int sample = 0; sample < problem.samples(); ++sample)
-      roots.segment(sample * rows, rows)
-          .setConstant(1.0 / std::sqrt(std::max(problem.negligible, distance(residuals, sample, rows))));
+      weights.segment(sample * rows, rows)
+          .setConstant(1.0 / std::max(problem.negligible, distance(residuals, sample, rows)));
   }
   return residuals;
 }

@@ -1,5 +1,7 @@
 #include "wavefront/psf/psf_kernels.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,6 +39,17 @@ SpreadKernel wave_kernel(const WavePsf& psf, double pixel_rad, double left_out) 
   const int radius = static_cast<int>(std::ceil(std::min(reach, half_window) / pixel_rad));
   const PsfCells cells = cells_of(psf, pixel_rad, 2 * radius + 1);
   return kernel_of(cells, 1.0 / cells.energy.cwiseMax(0.0).sum());
+}
+
+std::vector<SpreadKernel> wave_kernels(const PupilWave& pupil, const Light& light,
+                                       const std::vector<double>& vergences_D, double pixel_rad) {
+  constexpr int coarse_grid = 512;
+  std::vector<SpreadKernel> kernels(vergences_D.size());
+  tbb::parallel_for(std::size_t{0}, kernels.size(), [&](std::size_t i) {
+    const WaveSampling sampling = wave_sampling(pupil, light, vergences_D[i], std::nullopt, coarse_grid);
+    kernels[i] = wave_kernel(wave_psf(pupil, light, vergences_D[i], sampling), pixel_rad);
+  });
+  return kernels;
 }
 
 }  // namespace sturm

@@ -13,4 +13,9 @@ SpreadKernel ray_kernel(const RayFan& fan, double vergence_D, double pixel_rad);
 /// over the pixels, scaled to sum to 1.
 SpreadKernel wave_kernel(const WavePsf& psf, double pixel_rad, double left_out = 2e-3);
 
+/// Those of one wave at many vergence errors [D], side by side on coarser grids (512² where the slopes allow it), which
+/// pixels much larger than the diffraction limit do not see. Throws AliasedSampling.
+std::vector<SpreadKernel> wave_kernels(const PupilWave& pupil, const Light& light,
+                                       const std::vector<double>& vergences_D, double pixel_rad);
+
 }  // namespace sturm

@@ -129,6 +129,23 @@ TEST(WavePsf, CellsHoldItsEnergy) {
   EXPECT_NEAR(kernel.sum(), 1.0, 1e-6);
 }
 
+TEST(WaveKernels, AreThoseOfTheFineGrid) {
+  const PupilWave pupil = examiner_wave(testing::hofer_eye(5), 6.0, 5.0);
+  const Light light = luminance_weighted_light(20.0);
+  const std::vector<double> vergences = {0.0, 0.7, 2.0};
+  const auto kernels = wave_kernels(pupil, light, vergences, 2.0 * arcmin);
+  ASSERT_EQ(kernels.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SpreadKernel fine = wave_kernel(spread_of(pupil, light, vergences[i]), 2.0 * arcmin);
+    const int radius = std::min(fine.radius_px, kernels[i].radius_px);
+    EXPECT_NEAR(fine.radius_px, kernels[i].radius_px, 2);
+    double difference = 0.0;
+    for (int y = -radius; y <= radius; ++y)
+      for (int x = -radius; x <= radius; ++x) difference += std::abs(fine.weight(x, y) - kernels[i].weight(x, y));
+    EXPECT_LT(difference, 4e-3);  // twice what each leaves out at its rim
+  }
+}
+
 TEST(WavePsf, ReferencesAt550nm) {
   const auto file = testing::reference_file("wave_psf.json");
   for (const auto& c : file["cases"]) {
