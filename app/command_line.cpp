@@ -17,6 +17,7 @@
 #include "io/files/sandbox.h"
 #include "io/files/standard_output.h"
 #include "io/json/manifest.h"
+#include "io/specs/sensor_table.h"
 
 namespace sturm {
 
@@ -65,6 +66,8 @@ struct CommandLine {
   CompareRunsOptions compare_runs;
   PlanOptions plan;
   GateOptions gate;
+  PsfOptions psf;
+  WavefrontOptions wavefront;
   std::string output, folder, file, schema;
   bool resume = false, explain = false;
   std::function<int()> action;
@@ -78,6 +81,8 @@ struct CommandLine {
     add_ellipse();
     add_lens();
     add_blurfield();
+    add_psf();
+    add_wavefront();
     add_render();
     add_bench();
     add_stress();
@@ -145,6 +150,50 @@ struct CommandLine {
     b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it")->required();
     b->add_option("--layers", blurfield.layers, "SVG file: the ellipses at the distances layers_m");
     b->callback([this] { action = [this] { return blurfield_command(common, blurfield); }; });
+  }
+
+  void add_psf() {
+    auto* p =
+        app.add_subcommand("psf", "point spreads of an eye over distance, by rays and by waves: JSON in, JSON out");
+    add_document(*p, common, "point spreads (sturm.psf/1)");
+    p->add_option("--threads", common.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
+    p->add_option("-o,--output", psf.output, "file instead of standard output");
+    p->add_option("--images", psf.images,
+                  "EXR file with a picture of each point spread; a PNG of all appears beside it");
+    p->callback([this] { action = [this] { return psf_command(common, psf); }; });
+  }
+
+  void add_wavefront() {
+    WavefrontOptions& w = wavefront;
+    auto* c = app.add_subcommand("wavefront", "Zernike coefficients and an eye's file from slopes, spots or heights");
+    c->add_option("file", w.file, "CSV of slopes, pairs of spots or heights, or the JSON of an eye to restate");
+    c->add_option("-o,--output", w.output, "file for the eye (sturm.eye/1)");
+    c->add_option("--report", w.report, "file for the fit's report instead of standard output");
+    c->add_option("--residuals", w.residuals, "CSV file: what the fit leaves at each spot");
+    c->add_option("--pupil-mm", w.pupil_mm, "diameter of the pupil that the coefficients are for [mm]");
+    c->add_option("--eye-pupil-mm", w.eye_pupil_mm, "diameter of the eye's own pupil [mm] (default: the same)");
+    c->add_option("--lenslet-mm", w.lenslet_mm, "side of a lenslet [mm], over which its slope is the mean");
+    c->add_option("--gradient", w.gradient, "mean over the lenslet (default), or at its center")
+        ->check(CLI::IsMember({"mean", "center"}));
+    c->add_option("--order", w.order, "radial order 1 ... 20, or auto: the one that best predicts spots left out")
+        ->capture_default_str();
+    c->add_option("--center", w.center, "X Y of the pupil's centre in the table's own unit and frame")->expected(2);
+    c->add_option("--frame", w.frame, "of the table: examiner (default), wearer, or image (y down; default for px)")
+        ->check(CLI::IsMember(table_frame_words.all()));
+    c->add_flag("--negative-slopes", w.negative_slopes, "the slopes are minus the gradient of the wavefront");
+    c->add_option("--pixel-um", w.pixel_um, "side of a pixel [um], for columns in px");
+    c->add_option("--focal-length-mm", w.focal_length_mm, "of the lenslets [mm], for pairs of spots");
+    c->add_option("--grid-step-mm", w.grid_step_mm, "between the heights of a plain matrix [mm]");
+    c->add_option("--wavelength-nm", w.wavelength_nm, "that the wavefront is stated for [nm]");
+    c->add_option("--noise", w.noise, "standard deviation of a slope [rad] or height [um], if it is known");
+    c->add_flag("--keep-spurious", w.keep_spurious, "fit all spots, also those that do not belong");
+    c->add_flag("--drop-outside", w.drop_outside, "leave out spots outside of the pupil");
+    c->add_flag("--no-tilt", w.no_tilt, "leave piston and tilt out of the eye's file");
+    c->add_option("--side", w.side, "which eye it is")->check(CLI::IsMember({"right", "left"}));
+    c->add_flag("--mirror", w.mirror, "write the mirrored wavefront, as of the other eye");
+    c->add_flag("--random", w.random, "draw a random eye of a population instead of reading a file");
+    c->add_option("--seed", w.seed, "of the random eye")->capture_default_str();
+    c->callback([this] { action = [this] { return wavefront_command(wavefront); }; });
   }
 
   void add_render() {

@@ -70,6 +70,26 @@ struct StressOptions {
   std::optional<std::uint64_t> replayed;  ///< one case in full instead of the suite
 };
 
+/// What `sturm psf` writes.
+struct PsfOptions {
+  std::string output;  ///< JSON, "" = standard output
+  std::string images;  ///< EXR; a PNG appears beside it; "" = none
+};
+
+/// What `sturm wavefront` is asked for; "" and none are what was not given.
+struct WavefrontOptions {
+  std::string file;  ///< CSV of a sensor or heights, or the JSON of an eye; "" with `random`
+  std::optional<double> pupil_mm, eye_pupil_mm, lenslet_mm, pixel_um, focal_length_mm, grid_step_mm, wavelength_nm,
+      noise;
+  std::vector<double> center;  ///< X Y of the pupil in the table's own unit and frame
+  std::string gradient, frame, side;
+  std::string order = "auto";
+  bool negative_slopes = false, keep_spurious = false, drop_outside = false, no_tilt = false, mirror = false;
+  bool random = false;
+  std::uint64_t seed = 1;
+  std::string output, report, residuals;  ///< files: the eye, the report ("" = standard output), a CSV of residuals
+};
+
 struct GateOptions {
   std::string report, gates, baseline, junit, markdown, new_baseline;  ///< "" = not given
 };
@@ -93,6 +113,8 @@ int bench_command(const CommonOptions& options, const std::string& folder, bool 
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
 int compare_runs_command(const CompareRunsOptions& options);
+int psf_command(const CommonOptions& options, const PsfOptions& files);
+int wavefront_command(const WavefrontOptions& options);
 int plan_samples_command(const PlanOptions& options);
 int gate_command(const GateOptions& options);
 int report_command(const std::string& run, const std::string& output);

@@ -9,6 +9,7 @@
 #include "io/specs/experiment/bench_spec.h"
 #include "io/specs/experiment/experiment_spec.h"
 #include "io/specs/experiment/gate_spec.h"
+#include "io/specs/psf_spec.h"
 #include "io/specs/render_spec.h"
 #include "io/specs/spectacles_spec.h"
 
@@ -25,6 +26,8 @@ int validate_command(const std::string& file) {
     read_blur_field_spec(document, file);
   else if (name == "render")
     read_render_spec(document, file);
+  else if (name == "psf")
+    read_psf_spec(document, file);
   else if (name == "experiment")
     read_experiment(document, file);
   else if (name == "bench")

@@ -4,16 +4,13 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lensmodel/zernike_order.h"
+
 namespace sturm {
 
 namespace {
 
 constexpr int highest_order = 20;
-
-/// x → −x: between the examiner's and the wearer's frame.
-bool changes_sign(int m) {
-  return m >= 0 ? m % 2 == 1 : m % 2 == 0;
-}
 
 double factorial(int n) {
   return std::tgamma(n + 1.0);
@@ -42,10 +39,7 @@ ZernikeWave::ZernikeWave(std::vector<double> coefficients, double radius_m)
 }
 
 ZernikeWave ZernikeWave::from_examiner(std::span<const double> coefficients_m, double radius_m) {
-  std::vector<double> c(coefficients_m.begin(), coefficients_m.end());
-  for (std::size_t j = 0; j < c.size(); ++j)
-    if (changes_sign(ZernikeIndex::of(static_cast<int>(j)).m)) c[j] = -c[j];
-  return ZernikeWave(std::move(c), radius_m);
+  return ZernikeWave(mirrored(coefficients_m), radius_m);
 }
 
 ZernikeWave ZernikeWave::of_power(const PowerMatrix& power, double a) {

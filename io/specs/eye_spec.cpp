@@ -8,7 +8,7 @@
 #include "io/files/error.h"
 #include "io/json/named_file.h"
 #include "io/json/schema.h"
-#include "io/specs/words.h"
+#include "io/specs/wavefront_spec.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -31,23 +31,6 @@ void require_absent(const Json& value, std::initializer_list<const char*> keys, 
           .fail(value[key], "no \"" + std::string(key) + "\" for mode \"" + value["mode"].get<std::string>() + "\"");
 }
 
-/// Coefficients [m] from j = 0 on, as given.
-std::vector<double> read_coefficients(const Json& value, const Source& where) {
-  constexpr std::size_t most = 231;  // order 20
-  std::vector<double> c;
-  if (value.is_array()) {
-    for (const Json& coefficient : value) c.push_back(metres_per_micrometre * coefficient.get<double>());
-    return c;
-  }
-  for (const auto& [key, coefficient] : value.items()) {
-    const std::size_t j = std::stoul(key);
-    if (j >= most) (where / key).fail(coefficient, "an index from 0 to 230");
-    c.resize(std::max(c.size(), j + 1), 0.0);
-    c[j] = metres_per_micrometre * coefficient.get<double>();
-  }
-  return c;
-}
-
 /// An eye with a measured wavefront; `rx` is its prescription, if it has one too.
 Eye read_wavefront_eye(const Json& value, const Source& where, const std::optional<Prescription>& rx, double pupil_mm,
                        const Accommodation& accommodation) {
@@ -57,11 +40,8 @@ Eye read_wavefront_eye(const Json& value, const Source& where, const std::option
   if (pupil_mm > wave_pupil_mm)
     (where / "pupil_diameter_mm")
         .fail(value["pupil_diameter_mm"], "at least the eye's own " + Json(pupil_mm).dump() + " mm");
-  const SecondOrder rule = read_word(value["second_order"], where / "second_order", second_order_words);
-  const ZernikeWave measured =
-      ZernikeWave::from_examiner(read_coefficients(value["coefficients_um"], where / "coefficients_um"),
-                                 0.5 * metres_per_millimetre * wave_pupil_mm);
-  return Eye::with(measured, rule, rx, metres_per_millimetre * pupil_mm, accommodation);
+  const WavefrontSpec measured = read_wavefront(value, where);
+  return Eye::with(measured.wave, measured.second_order, rx, metres_per_millimetre * pupil_mm, accommodation);
 }
 
 /// Which eye a wavefront was measured of, if that is said.

@@ -91,6 +91,35 @@ TEST(EyeWavefront, RefusesWhatItCannotMean) {
   }
 }
 
+TEST(EyeWavefront, OtherOrdersAndTheOtherEye) {
+  const auto coefficients = [](const Json& changes) {
+    Json document = eye_document();
+    document["wavefront"].merge_patch(changes);
+    validate(document, "eye", "eye.json");
+    return read_eye(document, {"eye.json", ""}).wavefront->coefficients();
+  };
+  const Json none = {{"coefficients_um", {{"4", nullptr}, {"8", nullptr}}}};
+  const auto only = [&](const char* number, Json changes) {
+    changes["coefficients_um"] = none["coefficients_um"];
+    changes["coefficients_um"][number] = 0.2;
+    return coefficients(changes);
+  };
+  // Wearer's frame: the cosine coma Z₈ changes its sign, spherical aberration Z₁₂ does not.
+  EXPECT_NEAR(only("8", {{"order", "noll"}}).at(8), -0.2e-6, 1e-21);
+  EXPECT_NEAR(only("7", {{"order", "fringe"}, {"normalised", true}}).at(8), -0.2e-6, 1e-21);
+  EXPECT_NEAR(only("9", {{"order", "fringe"}}).at(12), 0.2e-6 / 2.23606797749979, 1e-21);
+  EXPECT_NEAR(only("12", {{"normalised", false}}).at(12), 0.2e-6 / 2.23606797749979, 1e-21);
+  EXPECT_NEAR(only("8", {{"eye", "left"}, {"mirror_to", "right"}}).at(8), 0.2e-6, 1e-21);
+  EXPECT_NEAR(only("8", {{"eye", "left"}, {"mirror_to", "left"}}).at(8), -0.2e-6, 1e-21);
+  Json sideless = eye_document();
+  sideless["wavefront"]["mirror_to"] = "left";
+  EXPECT_THAT(eye_error(sideless), HasSubstr("\"mirror_to\" without \"eye\""));
+  Json piston = eye_document();
+  piston["wavefront"].merge_patch({{"order", "noll"}, {"coefficients_um", {{"0", 0.1}}}});
+  EXPECT_THAT(eye_error(piston),
+              HasSubstr("/wavefront/coefficients_um/0: got 0.1, expected a number of order \"noll\""));
+}
+
 TEST(RenderView, KnowsGazesProjectionsAndPairs) {
   Json document = view_document();
   document["camera"]["gaze"] = "foveal";

@@ -11,6 +11,7 @@
 #include "io/specs/ellipse_query.h"
 #include "io/specs/experiment/bench_spec.h"
 #include "io/specs/prediction_spec.h"
+#include "io/specs/psf_spec.h"
 #include "io/specs/pupil_sampling_spec.h"
 #include "io/specs/ray_bundle_spec.h"
 #include "io/specs/scene_spec.h"
@@ -18,6 +19,7 @@
 #include "lensmodel/field_method.h"
 #include "lensmodel/lens_status.h"
 #include "lensmodel/ray_model.h"
+#include "lensmodel/zernike_order.h"
 #include "lensmodel/zernike_wave.h"
 
 namespace sturm {
@@ -59,6 +61,8 @@ TEST(Words, AreThoseOfTheSchemas) {
       table("render", "/definitions/prediction", prediction_kind_words),
       table("experiment", "/properties/agreement/items/properties/predictions/items", prediction_kind_words),
       table("eye", "/definitions/wavefront/properties/second_order", second_order_words),
+      table("eye", "/definitions/wavefront/properties/order", zernike_order_words),
+      table("psf", "/properties/models/items", psf_model_words),
       table("bench", "/properties/require/items/properties/statistic", bench_statistic_words)};
   for (const Table& t : tables) {
     EXPECT_THAT(t.words, ElementsAreArray(accepted(t.schema, t.pointer))) << t.schema << t.pointer;

@@ -1,0 +1,28 @@
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/configuration.h"
+#include "io/files/error.h"
+#include "stages/image_files.h"
+#include "stages/psf_pictures.h"
+
+namespace sturm {
+
+int psf_command(const CommonOptions& options, const PsfOptions& files) {
+  const std::filesystem::path exr(files.images);
+  if (!files.images.empty() && exr.extension() != ".exr")
+    throw InputError("", "--images", "\"" + files.images + "\"", "a name that ends in .exr");
+  const PsfSpec spec = read_psf_spec(load_configuration(options), options.file);
+  if (!files.output.empty()) require_writable(files.output);
+  if (!files.images.empty()) require_writable(exr);
+  const PointSpreads spreads = point_spreads(spec, options.file);
+  if (!files.images.empty()) {
+    write_exr_parts(exr, psf_parts(spec, spreads));
+    write_png(std::filesystem::path(exr).replace_extension(".png"), psf_sheet(spec, spreads), 1.0);
+  }
+  write_result(psf_result(spec, spreads), files.output);
+  return 0;
+}
+
+}  // namespace sturm

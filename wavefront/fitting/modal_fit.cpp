@@ -1,0 +1,191 @@
+#include "wavefront/fitting/modal_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lensmodel/gauss_legendre.h"
+#include "lensmodel/zernike.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double normal_quartile = 0.6744897501960817;  // median of |x| of a normal distribution
+
+/// Length of a sample's residual.
+double distance(const Eigen::VectorXd& residuals, int sample, int rows) {
+  return residuals.segment(sample * rows, rows).norm();
+}
+
+Eigen::MatrixXd rows_of(const ModalProblem& problem, const std::vector<bool>& used, Eigen::VectorXd& values) {
+  const int rows = problem.rows_per_sample;
+  const auto count = static_cast<int>(std::count(used.begin(), used.end(), true));
+  Eigen::MatrixXd design(count * rows, problem.design.cols());
+  values.resize(count * rows);
+  for (int sample = 0, row = 0; sample < problem.samples(); ++sample) {
+    if (!used[static_cast<std::size_t>(sample)]) continue;
+    design.middleRows(row, rows) = problem.design.middleRows(sample * rows, rows);
+    values.segment(row, rows) = problem.values.segment(sample * rows, rows);
+    row += rows;
+  }
+  return design;
+}
+
+/// Residuals of the fit with the least sum of distances, by weights 1/distance. They only judge samples, so normal
+/// equations are exact enough.
+Eigen::VectorXd least_absolute_residuals(const ModalProblem& problem) {
+  constexpr int rounds = 30;
+  const int rows = problem.rows_per_sample;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(problem.values.size()), residuals;
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * problem.design;
+    const Eigen::VectorXd c =
+        (problem.design.transpose() * weighted).ldlt().solve(weighted.transpose() * problem.values);
+    residuals = problem.values - problem.design * c;
+    for (int sample = 0; sample < problem.samples(); ++sample)
+      weights.segment(sample * rows, rows)
+          .setConstant(1.0 / std::max(problem.negligible, distance(residuals, sample, rows)));
+  }
+  return residuals;
+}
+
+/// Standard deviation of residuals by the median of their sizes, which a minority of bad ones hardly moves.
+double robust_deviation(const ModalProblem& problem, const Eigen::VectorXd& residuals, const std::vector<bool>& used) {
+  std::vector<double> sizes;
+  for (int row = 0; row < residuals.size(); ++row)
+    if (used[static_cast<std::size_t>(row / problem.rows_per_sample)]) sizes.push_back(std::abs(residuals[row]));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle / normal_quartile;
+}
+
+std::vector<bool> without_spurious(const ModalProblem& problem, const Eigen::VectorXd& residuals,
+                                   const std::vector<bool>& before) {
+  const double limit = std::max(problem.negligible, spurious_distance * robust_deviation(problem, residuals, before));
+  std::vector<bool> used(before.size());
+  for (int sample = 0; sample < problem.samples(); ++sample)
+    used[static_cast<std::size_t>(sample)] = distance(residuals, sample, problem.rows_per_sample) <= limit;
+  return used;
+}
+
+/// Each used sample's residual in the fit to all others is (I − H)⁻¹ r with its block H of the hat matrix.
+std::optional<double> left_out_rms(const ModalProblem& problem, const ModalFit& fit) {
+  constexpr double least_pivot = 1e-9;
+  const int rows = problem.rows_per_sample;
+  double sum = 0.0;
+  int count = 0;
+  for (int sample = 0; sample < problem.samples(); ++sample) {
+    if (!fit.used[static_cast<std::size_t>(sample)]) continue;
+    const Eigen::MatrixXd block = problem.design.middleRows(sample * rows, rows);
+    const Eigen::MatrixXd rest =
+        Eigen::MatrixXd::Identity(rows, rows) - block * fit.unit_covariance * block.transpose();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rest, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    if (svd.singularValues().minCoeff() < least_pivot) return std::nullopt;
+    sum += svd.solve(fit.residuals.segment(sample * rows, rows)).squaredNorm();
+    count += rows;
+  }
+  return std::sqrt(sum / count);
+}
+
+}  // namespace
+
+std::vector<int> modes_of_slopes(int radial_order) {
+  std::vector<int> modes;
+  for (int j = 1; j < (radial_order + 1) * (radial_order + 2) / 2; ++j) modes.push_back(j);
+  return modes;
+}
+
+ModalProblem slope_problem(const std::vector<SlopeSample>& samples, const std::vector<int>& modes, double pupil_radius,
+                           double lenslet) {
+  static const std::vector<QuadratureNode> nodes = gauss_legendre(11);  // exact for order 20
+  const double h = 0.5 * lenslet / pupil_radius;
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  ModalProblem problem{modes, Eigen::MatrixXd(2 * count, modes.size()), Eigen::VectorXd(2 * count), 2, 1e-7};
+  for (Eigen::Index i = 0; i < count; ++i)
+    problem.values.segment<2>(2 * i) = samples[static_cast<std::size_t>(i)].slope;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const PlanePolynomial z = zernike_polynomial(modes[m]), zx = z.derivative_x(), zy = z.derivative_y();
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Vector2d p = samples[static_cast<std::size_t>(i)].point / pupil_radius;
+      Eigen::Vector2d mean(zx(p.x(), p.y()), zy(p.x(), p.y()));
+      if (h > 0.0) {  // the mean of a derivative along its side is the difference of the ends
+        mean.setZero();
+        for (const QuadratureNode& node : nodes) {
+          const double x = p.x() + h * node.x, y = p.y() + h * node.x;
+          mean.x() += 0.25 * node.weight / h * (z(p.x() + h, y) - z(p.x() - h, y));
+          mean.y() += 0.25 * node.weight / h * (z(x, p.y() + h) - z(x, p.y() - h));
+        }
+      }
+      problem.design.block<2, 1>(2 * i, static_cast<Eigen::Index>(m)) = mean / pupil_radius;
+    }
+  }
+  return problem;
+}
+
+ModalProblem height_problem(const std::vector<HeightSample>& samples, const std::vector<int>& modes,
+                            double pupil_radius) {
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  ModalProblem problem{modes, Eigen::MatrixXd(count, modes.size()), Eigen::VectorXd(count), 1, 1e-10};
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const PlanePolynomial z = zernike_polynomial(modes[m]);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const HeightSample& sample = samples[static_cast<std::size_t>(i)];
+      problem.values[i] = sample.height;
+      problem.design(i, static_cast<Eigen::Index>(m)) =
+          z(sample.point.x() / pupil_radius, sample.point.y() / pupil_radius);
+    }
+  }
+  return problem;
+}
+
+double ModalFit::standard_error(int i, double noise_deviation) const {
+  return noise_deviation * std::sqrt(unit_covariance(i, i));
+}
+
+ModalFit fit_modes(const ModalProblem& problem, const std::vector<bool>& used) {
+  constexpr double least_ratio = 1e-9;  // of singular values
+  Eigen::VectorXd values;
+  const Eigen::MatrixXd design = rows_of(problem, used, values);
+  if (design.rows() < design.cols())
+    throw UndeterminedFit(std::to_string(design.rows()) + " values for " + std::to_string(design.cols()) + " modes");
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(design, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::VectorXd& singular = svd.singularValues();
+  if (!(singular.minCoeff() > least_ratio * singular.maxCoeff()))
+    throw UndeterminedFit("the points do not tell the " + std::to_string(design.cols()) + " modes apart");
+  ModalFit fit;
+  fit.modes = problem.modes;
+  fit.coefficients = svd.solve(values);
+  const Eigen::MatrixXd scaled = svd.matrixV() * singular.cwiseInverse().asDiagonal();
+  fit.unit_covariance = scaled * scaled.transpose();
+  fit.condition_number = singular.maxCoeff() / singular.minCoeff();
+  fit.residuals = problem.values - problem.design * fit.coefficients;
+  fit.used = used;
+  const double square = (values - design * fit.coefficients).squaredNorm();
+  fit.residual_rms = std::sqrt(square / static_cast<double>(design.rows()));
+  const auto spare = design.rows() - design.cols();
+  if (spare > 0) {
+    fit.noise = std::sqrt(square / static_cast<double>(spare));
+    fit.left_out_rms = left_out_rms(problem, fit);
+  }
+  return fit;
+}
+
+ModalFit fit_modes_robustly(const ModalProblem& problem) {
+  constexpr int rounds = 20;
+  const std::vector<bool> all(static_cast<std::size_t>(problem.samples()), true);
+  if (problem.design.rows() <= problem.design.cols()) return fit_modes(problem, all);
+  std::vector<bool> used = without_spurious(problem, least_absolute_residuals(problem), all);
+  ModalFit fit = fit_modes(problem, used);
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<bool> next = without_spurious(problem, fit.residuals, used);
+    if (next == used) break;
+    used = next;
+    fit = fit_modes(problem, used);
+  }
+  return fit;
+}
+
+}  // namespace sturm
