@@ -58,6 +58,30 @@ struct BlurFieldOptions {
   std::string layers;  ///< SVG, "" = not drawn
 };
 
+/// What `sturm see` is asked for.
+struct SeeOptions {
+  std::string picture, eye, output;  ///< picture and eye files; where the result goes ("" with `explain`)
+  std::string depth;                 ///< depth map, "" = the picture's own
+  std::vector<std::string> layers;   ///< pictures of hidden surfaces
+  std::string distance_m;            ///< of a flat picture: > 0 or "inf"; "" = it has depth
+  std::optional<double> vfov_deg, hfov_deg;
+  std::string depth_unit;  ///< "m", "mm", "D"; "" = by the file
+  std::optional<double> depth_scale;
+  bool disparity = false;      ///< the depth map holds disparities
+  std::string disparity_file;  ///< that map, if --disparity names it
+  std::optional<double> focal_px, baseline_m;
+  double doffs_px = 0.0;
+  std::optional<double> pupil_mm, focus_D;  ///< in place of the eye's own
+  std::string focus_m;                      ///< the same as a distance
+  std::optional<int> parts;                 ///< of the pupil
+  std::optional<double> error;              ///< beside edges, from which the parts follow
+  std::string psf = "rays";                 ///< or "waves"
+  bool chromatic = false, explain = false;
+  double exposure = 1.0;                                ///< of a PNG
+  std::vector<double> rack_focus_D, pupil_sequence_mm;  ///< first and last of a sequence of frames
+  int frames = 25;
+};
+
 /// What `sturm render` writes beside its picture.
 struct PreviewOptions {
   std::string file;  ///< PNG that is replaced while the picture grows; "" = none
@@ -108,6 +132,7 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
 int explain_command(const CommonOptions& options);  ///< sturm render --explain
+int see_command(const CommonOptions& common, const SeeOptions& options);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
 int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);

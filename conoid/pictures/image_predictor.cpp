@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "conoid/pictures/disocclusion.h"
+#include "io/images/disocclusion.h"
 #include "conoid/pictures/ellipse_kernel.h"
 #include "conoid/pictures/layer_compositor.h"
 #include "lensmodel/symmetric2.h"

@@ -20,7 +20,7 @@ struct PredictionCounters {
   long long splatted_pixels = 0;  ///< source pixels that were spread
   long long sharp_pixels = 0;     ///< source pixels whose ellipse is so small that they were copied
   long long hidden_pixels =
-      0;  ///< further source pixels that were guessed behind edges (conoid/pictures/disocclusion.h), spread or copied
+      0;  ///< further source pixels that were guessed behind edges (io/images/disocclusion.h), spread or copied
   int layers = 0;  ///< depth layers that held any pixel
   double clipped_radius_px =
       0.0;  ///< largest semi-axis [output px] that reaches beyond the guard band (0: none): light from outside of
@@ -50,7 +50,7 @@ struct PredictorSettings {
 /// Depth layers, uniform in dioptres, are composited from near to far with clipped additive coverage: a layer of
 /// coverage α adds min(α, 1 − A) to the coverage A so far. Pieces of one surface that fall into two layers have
 /// complementary coverage, so they must add. Far surfaces are continued a little way behind near edges
-/// (conoid/pictures/disocclusion.h); the sum is divided by A at the end.
+/// (io/images/disocclusion.h); the sum is divided by A at the end.
 ///
 /// What this leaves out:
 /// - one surface per pixel: mixed edge pixels belong to one depth as a whole, and what is hidden is a guess;

@@ -27,7 +27,7 @@ FLOORS = {
     "io": [["files"], ["json"], ["images"], ["specs"]],
     "pathtrace": [["sampling"], ["materials"], ["lights"], ["scene"], ["cameras"], ["plan"], ["integrator"], ["guide"], ["film"]],
     "conoid": [["tracing"], ["blur_field"], ["pictures"]],
-    "wavefront": [["fitting", "psf"]],
+    "wavefront": [["fft"], ["fitting", "psf"], ["layers"]],
     "compare": [["statistics"], ["metrics"], ["ellipses", "images", "psf"], ["gates"], ["studies"], ["findings"]],
     "reports": [["markup"], ["plots", "viewer"], ["text", "sections"], ["page"]],
     "stages": [["plan"], [""]],

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "conoid/pictures/disocclusion.h"
+#include "io/images/disocclusion.h"
 
 namespace sturm {
 namespace {

@@ -1,4 +1,4 @@
-#include "conoid/pictures/disocclusion.h"
+#include "io/images/disocclusion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,10 @@ struct Guess {
 class HiddenSurface {
  public:
   HiddenSurface(const Image& radiance, const std::vector<double>& vergence_D, double jump_D)
-      : radiance_(radiance),
-        vergence_(vergence_D),
-        jump_(jump_D),
-        guesses_(vergence_D.size()),
-        ring_(vergence_D.size(), 0) {}
+      : radiance_(radiance), vergence_(vergence_D), jump_(jump_D), guess_(vergence_D.size(), none) {}
 
   void grow(const std::function<double(double)>& reach_px) {
+    find_edges();
     mark_mixed_pixels();
     std::vector<std::size_t> front = first_ring();
     for (std::int32_t ring = 2; !front.empty(); ++ring) front = next_ring(front, ring, reach_px);
@@ -29,12 +26,12 @@ class HiddenSurface {
 
   std::vector<HiddenSample> samples() const {
     std::vector<HiddenSample> result;
-    for (std::size_t i = 0; i < ring_.size(); ++i) {
-      if (ring_[i] <= 0) continue;
-      const auto& rgb = guesses_[i].rgb;
+    for (std::size_t i = 0; i < guess_.size(); ++i) {
+      if (guess_[i] == none) continue;
+      const auto& rgb = guess(i).rgb;
       result.push_back({x_of(i),
                         y_of(i),
-                        guesses_[i].vergence_D,
+                        guess(i).vergence_D,
                         {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])}});
     }
     return result;
@@ -43,6 +40,13 @@ class HiddenSurface {
  private:
   int x_of(std::size_t i) const { return static_cast<int>(i % radiance_.width); }
   int y_of(std::size_t i) const { return static_cast<int>(i / radiance_.width); }
+  const Guess& guess(std::size_t i) const { return guesses_[static_cast<std::size_t>(guess_[i])]; }
+
+  void keep(std::size_t i, const Guess& guess) {
+    guess_[i] = static_cast<std::int32_t>(guesses_.size());
+    guesses_.push_back(guess);
+  }
+
   bool hides(std::size_t i, double far_vergence) const { return vergence_[i] - far_vergence > jump_; }
 
   template <class Visit>
@@ -53,11 +57,35 @@ class HiddenSurface {
         if (u != x || v != y) visit(static_cast<std::size_t>(v) * radiance_.width + u);
   }
 
+  /// Pixels beside which something lies behind or before them; most pictures have few.
+  void find_edges() {
+    const int width = radiance_.width, height = radiance_.height;
+    std::vector<char> edge(vergence_.size(), 0);
+    const auto compare = [&](int x_from, int x_to, int y_end, int dx, int dy) {
+      for (int y = 0; y < y_end; ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * width;
+        const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(dy) * width + dx;
+        for (int x = x_from; x < x_to; ++x) {
+          const std::size_t i = row + x, j = i + step;
+          const char differs = std::abs(vergence_[i] - vergence_[j]) > jump_;
+          edge[i] |= differs;
+          edge[j] |= differs;
+        }
+      }
+    };
+    compare(0, width - 1, height, 1, 0);
+    compare(0, width, height - 1, 0, 1);
+    compare(0, width - 1, height - 1, 1, 1);
+    compare(1, width, height - 1, -1, 1);
+    for (std::size_t i = 0; i < edge.size(); ++i)
+      if (edge[i]) edges_.push_back(i);
+  }
+
   /// A far pixel beside an edge may hold some of the near surface's light (pixels are box filtered): not a source of
   /// colour if avoidable.
   void mark_mixed_pixels() {
     mixed_.assign(vergence_.size(), false);
-    for (std::size_t i = 0; i < vergence_.size(); ++i)
+    for (const std::size_t i : edges_)
       around(i, 1, [&](std::size_t j) {
         if (hides(j, vergence_[i])) mixed_[i] = true;
       });
@@ -84,16 +112,16 @@ class HiddenSurface {
 
   std::vector<std::size_t> first_ring() {
     std::vector<std::size_t> ring;
-    for (std::size_t i = 0; i < vergence_.size(); ++i) {
+    for (const std::size_t i : edges_) {
       bool edge = false;
       around(i, 1, [&](std::size_t j) { edge = edge || hides(i, vergence_[j]); });
       if (!edge) continue;
       bool found = false;
-      guesses_[i] = visible_behind(i, true, found);
-      if (!found) guesses_[i] = visible_behind(i, false, found);
+      Guess behind = visible_behind(i, true, found);
+      if (!found) behind = visible_behind(i, false, found);
+      keep(i, behind);
       ring.push_back(i);
     }
-    for (const std::size_t i : ring) ring_[i] = 1;
     return ring;
   }
 
@@ -103,27 +131,28 @@ class HiddenSurface {
     std::vector<std::size_t> candidates;
     for (const std::size_t i : front)
       around(i, 1, [&](std::size_t j) {
-        if (ring_[j] == 0) candidates.push_back(j);
+        if (guess_[j] == none) candidates.push_back(j);
       });
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     std::vector<std::size_t> grown;
+    std::vector<Guess> guesses;
     for (const std::size_t i : candidates) {
       Guess sum;
       int count = 0;
       around(i, 1, [&](std::size_t j) {
-        if (ring_[j] == 0 || !hides(i, guesses_[j].vergence_D)) return;
-        sum.vergence_D += guesses_[j].vergence_D;
-        for (int c = 0; c < 3; ++c) sum.rgb[c] += guesses_[j].rgb[c];
+        if (guess_[j] == none || !hides(i, guess(j).vergence_D)) return;
+        sum.vergence_D += guess(j).vergence_D;
+        for (int c = 0; c < 3; ++c) sum.rgb[c] += guess(j).rgb[c];
         ++count;
       });
       if (count == 0) continue;
-      const Guess guess = divided(sum, count);
-      if (ring > reach_px(vergence_[i]) + reach_px(guess.vergence_D) + 1.0) continue;
-      guesses_[i] = guess;
+      const Guess mean = divided(sum, count);
+      if (ring > reach_px(vergence_[i]) + reach_px(mean.vergence_D) + 1.0) continue;
+      guesses.push_back(mean);
       grown.push_back(i);
     }
-    for (const std::size_t i : grown) ring_[i] = ring;
+    for (std::size_t k = 0; k < grown.size(); ++k) keep(grown[k], guesses[k]);
     return grown;
   }
 
@@ -136,8 +165,10 @@ class HiddenSurface {
   const Image& radiance_;
   const std::vector<double>& vergence_;
   double jump_;
+  static constexpr std::int32_t none = -1;
+  std::vector<std::int32_t> guess_;  // of each pixel, which of the guesses
   std::vector<Guess> guesses_;
-  std::vector<std::int32_t> ring_;  // 0 = nothing hidden is known here
+  std::vector<std::size_t> edges_;
   std::vector<bool> mixed_;
 };
 

@@ -1,0 +1,143 @@
+#include "io/images/depth_map.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "io/files/error.h"
+#include "io/images/exr.h"
+#include "io/images/image_formats.h"
+#include "io/images/pfm.h"
+#include "io/images/png_header.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double hole = -1.0;  // vergence of a pixel without depth
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// What a number says about its pixel, at column x and row y.
+double vergence_of_number(double number, DepthUnit unit, const StereoCalibration& stereo, const std::string& name,
+                          int x, int y) {
+  const auto refuse = [&](const char* expected) {
+    throw InputError(
+        name, "", std::to_string(number) + " at column " + std::to_string(x) + ", row " + std::to_string(y), expected);
+  };
+  if (std::isnan(number) || number < 0.0) refuse("a depth that is a number and not negative");
+  if (unit == DepthUnit::Dioptres) {
+    if (std::isinf(number)) refuse("a finite number of dioptres");
+    return number;
+  }
+  if (number == 0.0) return hole;
+  if (unit == DepthUnit::Disparity)
+    return std::isinf(number) ? hole : (number + stereo.doffs_px) / (stereo.focal_px * stereo.baseline_m);
+  const double metres = unit == DepthUnit::Millimetres ? 1e-3 * number : number;
+  return 1.0 / metres;
+}
+
+/// Fills holes ring by ring; a ring sees only what earlier ones have filled, so that the order of visits does not
+/// matter.
+void fill_holes(DepthMap& map) {
+  std::vector<std::size_t> holes;
+  for (std::size_t i = 0; i < map.vergence_D.size(); ++i)
+    if (map.vergence_D[i] == hole) holes.push_back(i);
+  map.filled_holes = static_cast<long long>(holes.size());
+  const auto farthest_around = [&](std::size_t i) {
+    const int x = static_cast<int>(i % map.width), y = static_cast<int>(i / map.width);
+    double farthest = hole;
+    for (int v = std::max(0, y - 1); v <= std::min(map.height - 1, y + 1); ++v)
+      for (int u = std::max(0, x - 1); u <= std::min(map.width - 1, x + 1); ++u) {
+        const double there = map.vergence_D[static_cast<std::size_t>(v) * map.width + u];
+        if (there != hole && (farthest == hole || there < farthest)) farthest = there;
+      }
+    return farthest;
+  };
+  while (!holes.empty()) {
+    std::vector<std::pair<std::size_t, double>> ring;
+    std::vector<std::size_t> left;
+    for (const std::size_t i : holes)
+      if (const double v = farthest_around(i); v != hole)
+        ring.emplace_back(i, v);
+      else
+        left.push_back(i);
+    for (const auto& [i, v] : ring) map.vergence_D[i] = v;
+    holes = std::move(left);
+  }
+}
+
+/// The channel of an image that holds numbers: the only one, or all three are equal.
+Image one_channel(const Image& image, const std::string& name) {
+  Image numbers(image.width, image.height, 1);
+  const bool alpha = image.channels == 2 || image.channels == 4;
+  const int used = image.channels - (alpha ? 1 : 0);
+  for (std::size_t i = 0; i < numbers.pixels.size(); ++i) {
+    const float* pixel = &image.pixels[i * static_cast<std::size_t>(image.channels)];
+    for (int c = 1; c < used; ++c)
+      if (pixel[c] != pixel[0] && !(std::isnan(pixel[c]) && std::isnan(pixel[0])))
+        throw InputError(name, "", "a picture in colour", "a depth map: one channel, or equal ones");
+    numbers.pixels[i] = pixel[0];
+  }
+  return numbers;
+}
+
+Image read_exr_numbers(const std::filesystem::path& path) {
+  const LayeredImage file = read_exr(path);
+  if (const Image* depth = depth_layer(file)) return *depth;
+  if (file.layers.size() == 1) return one_channel(file.layers.begin()->second, path.string());
+  if (const auto main = file.layers.find(""); main != file.layers.end())
+    return one_channel(main->second, path.string());
+  throw InputError(path.string(), "", "no channel Z", "a depth channel: Z, depth.Z, or a file of one channel");
+}
+
+}  // namespace
+
+const Image* depth_layer(const LayeredImage& image) {
+  const Image* found = nullptr;
+  for (const auto& [name, layer] : image.layers) {
+    if (layer.channels != 1) continue;
+    const std::string word = lower(name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1));
+    if (word == "z" || word == "depth") {
+      if (name == "depth" || name == "Z") return &layer;
+      if (!found) found = &layer;
+    }
+  }
+  return found;
+}
+
+DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::string& name) {
+  const DepthUnit unit = reading.unit.value_or(DepthUnit::Metres);
+  DepthMap map{stored.width, stored.height, std::vector<double>(stored.pixels.size()), 0};
+  bool any = false;
+  for (std::size_t i = 0; i < stored.pixels.size(); ++i) {
+    map.vergence_D[i] =
+        vergence_of_number(reading.scale.value_or(1.0) * static_cast<double>(stored.pixels[i]), unit, reading.stereo,
+                           name, static_cast<int>(i % stored.width), static_cast<int>(i / stored.width));
+    any = any || map.vergence_D[i] != hole;
+  }
+  if (!any) throw InputError(name, "", "no pixel with a depth", "a depth map");
+  fill_holes(map);
+  return map;
+}
+
+DepthMap read_depth_map(const std::filesystem::path& path, const DepthReading& reading) {
+  const std::string suffix = lower(path.extension().string());
+  if (suffix == ".exr") return depth_of(read_exr_numbers(path), reading, path.string());
+  if (suffix == ".pfm") return depth_of(one_channel(read_pfm(path), path.string()), reading, path.string());
+  if (suffix != ".png") throw InputError(path.string(), "", "\"" + suffix + "\"", "a depth map as EXR, PFM or PNG");
+  Image stored = one_channel(read_image(path), path.string());
+  const int bits = png_bit_depth(path).value_or(0);
+  if (bits != 16 && !(bits == 8 && reading.unit == DepthUnit::Disparity))
+    throw InputError(path.string(), "", std::to_string(bits) + " bits", "16 bits for each pixel of a depth map");
+  const float largest = bits == 16 ? 65535.0f : 255.0f;
+  for (float& value : stored.pixels) value = std::round(value * largest);
+  DepthReading in_file = reading;
+  if (!reading.unit && !reading.scale) in_file.unit = DepthUnit::Millimetres;
+  return depth_of(stored, in_file, path.string());
+}
+
+}  // namespace sturm

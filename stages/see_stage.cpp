@@ -1,0 +1,127 @@
+#include "stages/see_stage.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/files/error.h"
+#include "stages/stopwatch.h"
+#include "wavefront/layers/guessed_background.h"
+#include "wavefront/layers/kernel_bank.h"
+#include "wavefront/layers/ray_kernels.h"
+#include "wavefront/layers/unmixed_edges.h"
+#include "wavefront/layers/wave_kernels.h"
+
+namespace sturm {
+
+namespace {
+
+KernelModel kernels_of(const SeeSettings& settings, int parts) {
+  if (settings.psf == SeenPsf::Waves)
+    return wave_kernels(settings.eye, settings.accommodation_D, settings.pixel_slope, settings.chromatic);
+  return ray_kernels(settings.eye, settings.accommodation_D, settings.pixel_slope, {parts, settings.chromatic});
+}
+
+bool one_distance(const LayeredPicture& picture, std::span<const PictureLayer> layers) {
+  const auto all_alike = [](const std::vector<double>& v) {
+    return std::all_of(v.begin(), v.end(), [&](double x) { return x == v.front(); });
+  };
+  return layers.empty() && all_alike(picture.vergence_D);
+}
+
+/// The vergences of everything that may be seen.
+std::vector<double> all_vergences(const LayeredPicture& picture) {
+  std::vector<double> all = picture.vergence_D;
+  for (const HiddenPixel& pixel : picture.hidden) all.push_back(pixel.vergence_D);
+  return all;
+}
+
+}  // namespace
+
+SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings) {
+  SeenPicture seen;
+  Stopwatch watch;
+  // At one distance the parts of the pupil add up to the whole.
+  seen.parts = settings.psf == SeenPsf::Waves || one_distance(sharp, layers) ? 1 : settings.parts;
+  try {
+    const KernelModel model = kernels_of(settings, seen.parts);
+    LayeredPicture parted;  // the edges of a picture whose layers are known are parted in a copy
+    if (!layers.empty()) parted = sharp;
+    LayeredPicture& picture = layers.empty() ? sharp : parted;
+    picture.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
+    picture.hidden = hidden_by(picture, layers);
+    seen.hidden_given = static_cast<long long>(picture.hidden.size());
+    unmix_edges(picture, layers);
+    const KernelBank bank(model, picture.hidden.empty() ? planes_for(picture.vergence_D, model.reach_px_per_D)
+                                                        : planes_for(all_vergences(picture), model.reach_px_per_D));
+    seen.seconds["kernels"] = watch.lap();
+    seen.hidden_guessed = add_guessed_background(picture, bank);
+    seen.seconds["hidden_surfaces"] = watch.lap();
+    seen.radiance = blur_layers(picture, bank, seen.work);
+    seen.seconds["blur"] = watch.lap();
+    seen.planes_D = bank.planes_D();
+    for (std::size_t i = 0; i < seen.planes_D.size(); ++i) seen.radii_px.push_back(bank.radius_px(static_cast<int>(i)));
+  } catch (const std::invalid_argument& error) {
+    throw InputError("", "", error.what(),
+                     "a blur that can be computed: a smaller picture, pupil or distance to focus");
+  }
+  return seen;
+}
+
+int parts_for_error(double error) {
+  struct Measured {
+    int parts;
+    double error;
+  };
+  // Root-mean-square errors within 16 px of an edge, the largest of seven pictures
+  // (docs/theory.md#143-pictures-with-depth).
+  constexpr Measured table[] = {{1, 0.012}, {4, 0.0045}, {8, 0.0035}, {16, 0.003}};
+  for (const Measured& row : table)
+    if (row.error <= error) return row.parts;
+  return std::end(table)[-1].parts;
+}
+
+Json counters_of(const SeenPicture& seen) {
+  const BlurCounters& work = seen.work;
+  return {{"planes", seen.planes_D.size()},
+          {"pupil_parts", seen.parts},
+          {"tiles", work.tiles.size()},
+          {"tile_side_px", work.tile_side_px},
+          {"layers_empty", work.layers(LayerWork::Empty)},
+          {"layers_covered", work.layers(LayerWork::Covered)},
+          {"layers_unblurred", work.layers(LayerWork::Unblurred)},
+          {"layers_spatial", work.layers(LayerWork::Spatial)},
+          {"layers_transform", work.layers(LayerWork::Transform)},
+          {"lamp_pixels", work.lamp_pixels},
+          {"hidden_pixels_given", seen.hidden_given},
+          {"hidden_pixels_guessed", seen.hidden_guessed}};
+}
+
+std::string explanation_of(const SeenPicture& seen) {
+  const auto number = [](double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", value);
+    return std::string(text);
+  };
+  std::string text =
+      std::to_string(seen.planes_D.size()) + " planes, " + std::to_string(seen.parts) + " part(s) of the pupil, " +
+      std::to_string(seen.work.tiles.size()) + " tiles of " + std::to_string(seen.work.tile_side_px) +
+      " px; hidden pixels: " + std::to_string(seen.hidden_given) + " given, " + std::to_string(seen.hidden_guessed) +
+      " guessed\nplanes, nearest first: vergence [D], kernel radius [px]\n";
+  for (std::size_t i = seen.planes_D.size(); i-- > 0;)
+    text += "  " + number(seen.planes_D[i]) + "  " + std::to_string(seen.radii_px[i]) + "\n";
+  text +=
+      "tiles (left, top) and their layers, nearest first: . empty, c covered by what lies before it, = copied, s "
+      "blurred "
+      "tap by tap, F through the spectrum\n";
+  for (const TileWork& tile : seen.work.tiles) {
+    text += "  (" + std::to_string(tile.left) + ", " + std::to_string(tile.top) + ")  ";
+    for (const LayerWork work : tile.layers) text += static_cast<char>(work);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace sturm

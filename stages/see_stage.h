@@ -1,0 +1,58 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "io/json/json.h"
+#include "lensmodel/eye.h"
+#include "lensmodel/words.h"
+#include "wavefront/layers/layer_blur.h"
+#include "wavefront/layers/layered_picture.h"
+
+namespace sturm {
+
+/// What the kernels of a seen picture are made of.
+enum class SeenPsf { Rays, Waves };
+
+inline constexpr Words<SeenPsf, 2> seen_psf_words{{{SeenPsf::Rays, "rays"}, {SeenPsf::Waves, "waves"}}};
+
+/// Who sees a picture, and how exactly.
+struct SeeSettings {
+  Eye eye;
+  double accommodation_D = 0.0;
+  double pixel_slope = 0.0;  ///< size of a pixel in tangent units, > 0
+  SeenPsf psf = SeenPsf::Rays;
+  bool chromatic = false;  ///< R, G and B have kernels of their own
+  int parts = 1;           ///< of the pupil; waves have one
+};
+
+/// What the eye sees.
+struct SeenPicture {
+  Image radiance;                ///< linear, 3 channels
+  std::vector<double> planes_D;  ///< vergences of the planes, ascending
+  std::vector<int> radii_px;     ///< of their kernels
+  BlurCounters work;
+  long long hidden_given = 0, hidden_guessed = 0;  ///< pixels of hidden surfaces
+  int parts = 1;
+  std::map<std::string, double> seconds;
+};
+
+/// What an eye sees of a picture with a depth map (docs/theory.md#143-pictures-with-depth). `layers` are further
+/// surfaces of the same size; what the picture hides of them counts. Where they say nothing about what lies behind an
+/// edge it is guessed. `picture.hidden` and `picture.jump_D` are set here. Throws InputError where the blur is too
+/// large for the picture.
+SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings);
+
+/// The least number of parts of the pupil with which the root-mean-square error beside edges stayed below `error`
+/// (linear light, pictures between 0 and 1) in pictures with known hidden surfaces; the largest of the table where none
+/// did.
+int parts_for_error(double error);
+
+/// Counters for the manifest.
+Json counters_of(const SeenPicture& seen);
+
+/// What was done with every layer of every tile, for people.
+std::string explanation_of(const SeenPicture& seen);
+
+}  // namespace sturm

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <numeric>
+
+#include "wavefront/layers/guessed_background.h"
+#include "wavefront/layers/layer_blur.h"
+#include "wavefront/layers/ray_kernels.h"
+
+namespace sturm {
+namespace {
+
+constexpr double pixel = 4e-4;
+
+/// Everything at one vergence.
+LayeredPicture flat_picture(int width, int height, double vergence_D) {
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  picture.vergence_D.assign(static_cast<std::size_t>(width) * height, vergence_D);
+  return picture;
+}
+
+Eye myope(double pupil_mm) {
+  return Eye::with(Prescription{-1.5, -1.0, 30.0, 0.0}, 1e-3 * pupil_mm);
+}
+
+Image seen(LayeredPicture picture, const Eye& eye, int parts = 1) {
+  const KernelModel model = ray_kernels(eye, 0.0, pixel, {parts, false});
+  picture.jump_D = 1.0 / model.reach_px_per_D;
+  const KernelBank bank(model, planes_for(picture.vergence_D, model.reach_px_per_D));
+  add_guessed_background(picture, bank);
+  BlurCounters work;
+  return blur_layers(picture, bank, work);
+}
+
+double light(const Image& image) {
+  return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0);
+}
+
+TEST(LayerBlur, ConstantPictureStays) {
+  LayeredPicture picture = flat_picture(400, 300, 1.0);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x) {
+      picture.vergence_D[static_cast<std::size_t>(y) * 400 + x] = x < 200 ? 3.0 : y < 150 ? 1.0 : 0.2;
+      std::fill_n(picture.radiance.at(x, y), 3, 0.37f);
+    }
+  for (const int parts : {1, 4})
+    for (const float value : seen(picture, myope(5.0), parts).pixels) EXPECT_NEAR(value, 0.37f, 1e-6);
+}
+
+TEST(LayerBlur, LightAwayFromTheBorderIsKept) {
+  LayeredPicture picture = flat_picture(600, 300, 0.5);
+  for (int y = 100; y < 200; ++y)
+    for (int x = 200; x < 400; ++x)
+      for (int c = 0; c < 3; ++c)
+        picture.radiance.at(x, y)[c] = static_cast<float>(0.2 + 0.1 * ((x * 7 + y * 3 + c) % 5));
+  EXPECT_NEAR(light(seen(picture, myope(6.0))) / light(picture.radiance), 1.0, 1e-6);
+}
+
+TEST(LayerBlur, FlatPictureIsTheConvolutionByItsKernel) {
+  LayeredPicture picture = flat_picture(300, 260, 0.8);
+  for (std::size_t i = 0; i < picture.radiance.pixels.size(); ++i)
+    picture.radiance.pixels[i] = static_cast<float>((i * 2654435761u >> 16) % 1000) / 1000.0f;
+  const SpreadKernel kernel = ray_kernels(myope(6.0), 0.0, pixel, {}).kernel(0.8, 0, 0);
+  ASSERT_GT(kernel.radius_px, 6);
+  const Image test = seen(picture, myope(6.0));
+  for (const auto& [x, y] : {std::pair{150, 130}, {40, 200}, {230, 128}, {200, 60}})
+    for (int c = 0; c < 3; ++c) {
+      double sum = 0.0;
+      for (int dy = -kernel.radius_px; dy <= kernel.radius_px; ++dy)
+        for (int dx = -kernel.radius_px; dx <= kernel.radius_px; ++dx)
+          sum += kernel.weight(dx, dy) * picture.radiance.at(x - dx, y - dy)[c];
+      EXPECT_NEAR(test.at(x, y)[c], sum, 1e-5);
+    }
+}
+
+TEST(LayerBlur, LampLeavesWhatItDoesNotReach) {
+  LayeredPicture dark = flat_picture(500, 300, 0.5);
+  for (std::size_t i = 0; i < dark.radiance.pixels.size(); ++i)
+    dark.radiance.pixels[i] = 0.3f + 0.1f * static_cast<float>(i % 7);
+  LayeredPicture lit = dark;
+  for (int c = 0; c < 3; ++c) lit.radiance.at(120, 130)[c] = 1e4f;
+  const Image without = seen(dark, myope(6.0)), with = seen(lit, myope(6.0));
+  const int reach = ray_kernels(myope(6.0), 0.0, pixel, {}).kernel(0.5, 0, 0).radius_px;
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 500; ++x)
+      if (std::max(std::abs(x - 120), std::abs(y - 130)) > reach) {
+        ASSERT_NEAR(with.at(x, y)[0], without.at(x, y)[0], 1e-5);
+      }
+  EXPECT_GT(with.at(121, 131)[0], 5.0f);  // 1e4 over a kernel of some hundred pixels
+}
+
+TEST(LayerBlur, NothingIsNegativeAndNothingWrapsAround) {
+  LayeredPicture picture = flat_picture(260, 260, 0.5);
+  for (int y = 0; y < 260; ++y) std::fill_n(picture.radiance.at(0, y), 3, 50.0f);
+  const Image test = seen(picture, myope(6.0));
+  for (const float value : test.pixels) ASSERT_GE(value, 0.0f);
+  for (int y = 0; y < 260; ++y) ASSERT_LT(test.at(259, y)[0], 1e-5f);
+}
+
+TEST(LayerBlur, SameBitsForAnyNumberOfThreads) {
+  LayeredPicture picture = flat_picture(600, 400, 0.5);
+  for (std::size_t i = 0; i < picture.vergence_D.size(); ++i) {
+    picture.vergence_D[i] = 0.2 + 2.0 * static_cast<double>(i % 600) / 600.0;
+    picture.radiance.pixels[3 * i] = static_cast<float>(i % 11);
+  }
+  const Image many = seen(picture, myope(5.0), 4);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(seen(picture, myope(5.0), 4).pixels, many.pixels);
+}
+
+TEST(LayerBlur, SlantedSurfaceHasNoSteps) {
+  LayeredPicture picture = flat_picture(300, 400, 0.0);
+  for (int y = 0; y < 400; ++y)
+    for (int x = 0; x < 300; ++x) {
+      picture.vergence_D[static_cast<std::size_t>(y) * 300 + x] = 0.1 + (3.3 - 0.1) * y / 399.0;
+      std::fill_n(picture.radiance.at(x, y), 3, static_cast<float>(0.2 + 0.6 * x / 299.0));
+    }
+  const Image test = seen(picture, myope(5.0), 4);
+  // A ramp across the slant stays a ramp, up to the spread of the kernel's mean (none for a second-order eye).
+  for (int y = 40; y < 360; ++y)
+    for (int x = 60; x < 240; x += 20) {
+      ASSERT_NEAR(test.at(x, y)[0], 0.2 + 0.6 * x / 299.0, 0.002);
+      ASSERT_LT(std::abs(test.at(x, y)[0] - test.at(x, y - 1)[0]), 1.0 / 255.0);
+    }
+}
+
+}  // namespace
+}  // namespace sturm

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compare/metrics/ssim.h"
+#include "io/images/tone_map.h"
+#include "wavefront/layers/plane_cases.h"
+#include "wavefront/layers/unmixed_edges.h"
+
+namespace sturm {
+namespace {
+
+using testing::middle;
+using testing::plane_eye;
+using testing::plane_image;
+
+const nlohmann::json& planes() {
+  static const nlohmann::json file = testing::reference_file("planes/planes.json");
+  return file;
+}
+
+struct Scene {
+  std::string name;
+  std::vector<PictureLayer> layers;
+};
+
+Scene scene_of(const std::string& name, bool hidden_given) {
+  Scene scene{name, {}};
+  if (!hidden_given) return scene;
+  if (name == "two") scene.layers = {testing::plane_layer("two", 1, 3.0, false)};
+  if (name == "three")
+    scene.layers = {testing::plane_layer("three", 1, 1.0, true), testing::plane_layer("three", 2, 4.0, false)};
+  return scene;
+}
+
+struct Settings {
+  int parts = 1;
+  bool chromatic = false;
+  double stiles_crawford_per_m2 = 0.0;
+};
+
+Image seen(const Scene& scene, const std::string& eye_name, const Settings& settings) {
+  auto [eye, accommodation] = plane_eye(planes(), eye_name);
+  eye.stiles_crawford_per_m2 = settings.stiles_crawford_per_m2;
+  const KernelModel model =
+      ray_kernels(eye, accommodation, testing::plane_pixel(planes()), {settings.parts, settings.chromatic});
+  LayeredPicture picture = testing::plane_picture(scene.name, 1.0 / model.reach_px_per_D);
+  picture.hidden = hidden_by(picture, scene.layers);
+  unmix_edges(picture, scene.layers);
+  const KernelBank bank(model, planes_for(picture.vergence_D, model.reach_px_per_D));
+  if (scene.layers.empty()) add_guessed_background(picture, bank);
+  BlurCounters counters;
+  return middle(blur_layers(picture, bank, counters), 256);
+}
+
+double rmse(const Image& a, const Image& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::pow(a.pixels[i] - b.pixels[i], 2.0);
+  return std::sqrt(sum / static_cast<double>(a.pixels.size()));
+}
+
+/// Similarity in display space, whole and by the distance from steps of the depth map.
+struct Similarity {
+  double whole, near_edges, away;
+};
+
+Similarity similarity(const std::string& scene, const Image& test, const Image& truth) {
+  const Image map = ssim(to_display(test, 1.0), to_display(truth, 1.0)).map;
+  const Image depth = middle(plane_image(scene + "_depth"), 256);
+  const auto around_steps = [&](int reach) {
+    std::vector<char> marked(256 * 256, 0);
+    for (int y = 1; y < 256; ++y)
+      for (int x = 1; x < 256; ++x) {
+        if (*depth.at(x, y) == *depth.at(x - 1, y) && *depth.at(x, y) == *depth.at(x, y - 1)) continue;
+        for (int v = std::max(0, y - reach); v <= std::min(255, y + reach); ++v)
+          for (int u = std::max(0, x - reach); u <= std::min(255, x + reach); ++u)
+            if (std::hypot(u - x, v - y) <= reach) marked[static_cast<std::size_t>(v) * 256 + u] = 1;
+      }
+    return marked;
+  };
+  const std::vector<char> within_16 = around_steps(16), within_24 = around_steps(24);
+  double sums[3] = {}, counts[3] = {};
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const std::size_t pixel = static_cast<std::size_t>(y + 5) * 256 + (x + 5);
+      const bool near = within_16[pixel], away = !within_24[pixel];
+      for (int region = 0; region < 3; ++region)
+        if (region == 0 || (region == 1 && near) || (region == 2 && away)) {
+          sums[region] += *map.at(x, y);
+          ++counts[region];
+        }
+    }
+  return {sums[0] / counts[0], sums[1] / counts[1], sums[2] / counts[2]};
+}
+
+struct Case {
+  const char *scene, *eye;
+};
+
+class LayeredTruth : public ::testing::TestWithParam<Case> {
+ protected:
+  Similarity against_truth(bool hidden_given, int parts) const {
+    const auto& [scene, eye] = GetParam();
+    const Image truth = plane_image(std::string(scene) + "_" + eye + "_truth");
+    return similarity(scene, seen(scene_of(scene, hidden_given), eye, {parts}), truth);
+  }
+};
+
+TEST_P(LayeredTruth, HiddenLayersGiven) {
+  const Similarity s = against_truth(true, 4);
+  EXPECT_GE(s.whole, 0.999);
+  EXPECT_GE(s.near_edges, 0.996);
+  EXPECT_GE(s.away, 0.9995);
+}
+
+TEST_P(LayeredTruth, PictureAlone) {
+  const Similarity s = against_truth(false, 4);
+  EXPECT_GE(s.whole, 0.996);
+  EXPECT_GE(s.near_edges, 0.98);
+  EXPECT_GE(s.away, 0.9995);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planes, LayeredTruth,
+                         ::testing::Values(Case{"two", "myope"}, Case{"two", "astigmat"}, Case{"two", "coma"},
+                                           Case{"three", "coma"}),
+                         [](const auto& test) { return std::string(test.param.scene) + "_" + test.param.eye; });
+
+class FlatTruth : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(FlatTruth, RelativeErrorIsSmall) {
+  const auto [eye, accommodation] = plane_eye(planes(), GetParam());
+  const KernelModel model = ray_kernels(eye, accommodation, testing::plane_pixel(planes()), {});
+  LayeredPicture picture;
+  picture.radiance = plane_image("two_layer1");
+  picture.vergence_D.assign(picture.radiance.pixels.size() / 3, 1.0 / 3.0);
+  BlurCounters counters;
+  const Image test = middle(
+      blur_layers(picture, KernelBank(model, planes_for(picture.vergence_D, model.reach_px_per_D)), counters), 128);
+  const Image truth = plane_image(std::string("flat_") + GetParam() + "_truth");
+  double power = 0.0;
+  for (const float v : truth.pixels) power += v * v;
+  EXPECT_LE(rmse(test, truth) / std::sqrt(power / static_cast<double>(truth.pixels.size())), 0.002);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planes, FlatTruth, ::testing::Values("myope", "astigmat", "coma"));
+
+TEST(LayeredTruthInColour, ChannelsHaveTheirOwnBlur) {
+  const Image test = seen(scene_of("two", true), "coma", {4, true});
+  EXPECT_LE(rmse(test, plane_image("two_coma_colour_truth")), 0.003);
+}
+
+TEST(LayeredTruthInColour, RimOfThePupilCountsLess) {
+  const Image test = seen(scene_of("two", true), "coma", {4, false, 0.05e6});
+  EXPECT_LE(rmse(test, plane_image("two_coma_stiles_crawford_truth")), 0.003);
+}
+
+}  // namespace
+}  // namespace sturm

@@ -1,0 +1,34 @@
+#include "wavefront/layers/guessed_background.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "io/images/disocclusion.h"
+#include "wavefront/layers/smooth_fill.h"
+
+namespace sturm {
+
+namespace {
+
+bool comes_before(const HiddenPixel& a, const HiddenPixel& b) {
+  return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+}
+
+}  // namespace
+
+long long add_guessed_background(LayeredPicture& picture, const KernelBank& bank) {
+  const auto reach = [&](double vergence_D) { return static_cast<double>(bank.radius_at(vergence_D)); };
+  std::vector<HiddenPixel> guessed;
+  for (const HiddenSample& sample : extrapolate_hidden(picture.radiance, picture.vergence_D, picture.jump_D, reach)) {
+    const HiddenPixel pixel{sample.x, sample.y, sample.vergence_D, 1.0f, {sample.rgb[0], sample.rgb[1], sample.rgb[2]}};
+    if (!std::binary_search(picture.hidden.begin(), picture.hidden.end(), pixel, comes_before))
+      guessed.push_back(pixel);
+  }
+  smooth_guesses(picture, guessed);
+  std::vector<HiddenPixel> all(picture.hidden.size() + guessed.size());
+  std::merge(picture.hidden.begin(), picture.hidden.end(), guessed.begin(), guessed.end(), all.begin(), comes_before);
+  picture.hidden = std::move(all);
+  return static_cast<long long>(guessed.size());
+}
+
+}  // namespace sturm

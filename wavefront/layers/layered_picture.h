@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/images/image.h"
+
+namespace sturm {
+
+/// A piece of a surface that the sharp picture does not show, because something nearer hides it.
+struct HiddenPixel {
+  std::int32_t x, y;                     ///< pixel of the picture
+  double vergence_D;                     ///< 1/planar distance
+  float coverage;                        ///< of the pixel, 0 … 1
+  float rgb[3];                          ///< its colour, not multiplied by the coverage
+  float slope_x = 0.0f, slope_y = 0.0f;  ///< of its surface: change of the vergence to the next pixel, right and down
+};
+
+/// A sharp picture in linear light with the vergence of every pixel, and what it hides.
+struct LayeredPicture {
+  Image radiance;                   ///< 3 channels, finite, ≥ 0; not multiplied by the coverage
+  std::vector<double> vergence_D;   ///< one for each pixel, row by row: of one surface, never a mean across an edge
+  std::vector<float> coverage;      ///< by the picture's surface, 0 … 1; empty where it covers every pixel
+  std::vector<HiddenPixel> hidden;  ///< rows ascend, columns within a row
+  /// Vergences of neighbours that differ by more belong to two surfaces.
+  double jump_D = 0.0;
+};
+
+/// A surface of its own, beside the picture: of the same size.
+struct PictureLayer {
+  Image radiance;  ///< 3 channels; not multiplied by the coverage
+  std::vector<double> vergence_D;
+  std::vector<float> coverage;  ///< empty where it covers every pixel
+};
+
+/// How the vergence of a surface changes from pixel to pixel at (x, y), to the right and down; neighbours beyond an
+/// edge do not count.
+struct SurfaceSlope {
+  float x, y;
+};
+SurfaceSlope surface_slope(const std::vector<double>& vergence_D, int width, int height, int x, int y, double jump_D);
+
+/// What of the layers the picture hides: where they lie behind it, or where it does not cover its pixel.
+std::vector<HiddenPixel> hidden_by(const LayeredPicture& picture, std::span<const PictureLayer> layers);
+
+}  // namespace sturm

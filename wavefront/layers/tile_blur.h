@@ -1,0 +1,60 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "wavefront/layers/blur_plan.h"
+#include "wavefront/layers/kernel_spectra.h"
+#include "wavefront/layers/layer_blur.h"
+#include "wavefront/layers/layer_split.h"
+#include "wavefront/layers/tile_light.h"
+
+namespace sturm {
+
+/// What all tiles of a picture share.
+struct BlurScene {
+  const LayeredPicture& picture;
+  const KernelBank& bank;
+  const BlurPlan& plan;
+  const KernelSpectra& spectra;
+  float lamp_level;
+};
+
+/// Blurs tiles one after the other in memory of its own: one for each thread.
+class TileBlur {
+ public:
+  explicit TileBlur(const BlurScene& scene);
+
+  /// The tile whose kept part starts at the pixel (tile.left, tile.top), into `seen`; enters the work that was done.
+  void blur(TileWork& tile, Image& seen);
+
+  long long lamp_pixels() const { return lamp_pixels_; }  ///< of all tiles so far
+
+ private:
+  struct Lamp {
+    int x, y;      // cell
+    float rgb[3];  // its light beyond the lamp level, times its coverage
+  };
+
+  struct Blurred {
+    LayerWork work;
+    bool covered;  // nothing behind it is seen
+  };
+
+  Blurred blur_layer(int plane, std::span<const LayerEntry> entries);
+  bool same_for_all_parts(std::span<const LayerEntry> entries) const;
+  void fill_source(std::span<const LayerEntry> entries, int part, bool same, bool without_lamps);
+  void blur_source(BlurMethod method, int plane, int part, bool transformed);
+  void add_lamps(int plane, int part);
+  void write(int left, int top, Image& seen) const;
+
+  BlurScene scene_;
+  TileLight source_, spectrum_, blurred_;
+  Image product_;
+  std::vector<TileLight> totals_;  // of each part of the pupil
+  std::vector<Lamp> lamps_;
+  CellBox lit_;
+  long long lamp_pixels_ = 0;
+};
+
+}  // namespace sturm
