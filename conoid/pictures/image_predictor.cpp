@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "io/images/disocclusion.h"
 #include "conoid/pictures/ellipse_kernel.h"
 #include "conoid/pictures/layer_compositor.h"
+#include "io/images/disocclusion.h"
 #include "lensmodel/symmetric2.h"
 
 namespace sturm {
