@@ -8,6 +8,8 @@ namespace sturm {
 
 namespace {
 
+constexpr float rounded_up = 1.0f + 1e-6f;  // a product that is the cutoff but for rounding reaches it
+
 /// Uniform in [0, 1) and the same for the same words; the finalizer of MurmurHash3 after each.
 class NumberOfWords {
  public:
@@ -41,7 +43,8 @@ float number_of(RTCRayN* rays, unsigned count, unsigned lane, std::uint32_t tria
 float CutOuts::Part::alpha(const Triangle& triangle, float u, float v) const {
   const auto& [opacity, nearest] = surfaces[triangle.surface];
   const float w = 1.0f - u - v;
-  float alpha = opacity.factor * (w * triangle.alpha[0] + u * triangle.alpha[1] + v * triangle.alpha[2]);
+  const auto& [a, b, c] = triangle.alpha;
+  float alpha = opacity.factor * (a + u * (b - a) + v * (c - a));  // exact where all are the same
   if (opacity.texture) {
     const auto& uv = triangle.coordinates;
     alpha *= grey_texel(*opacity.texture, opacity.mapping, w * uv[0] + u * uv[1] + v * uv[2], nearest);
@@ -59,7 +62,7 @@ void CutOuts::pass_rays(const RTCFilterFunctionNArguments* arguments) {
     const float alpha =
         part.alpha(triangle, RTCHitN_u(arguments->hit, count, lane), RTCHitN_v(arguments->hit, count, lane));
     const Opacity& opacity = part.surfaces[triangle.surface].opacity;
-    const bool stops = opacity.mode == Opacity::Mode::mask ? alpha >= opacity.cutoff
+    const bool stops = opacity.mode == Opacity::Mode::mask ? rounded_up * alpha >= opacity.cutoff
                                                            : number_of(arguments->ray, count, lane, number) < alpha;
     if (!stops) arguments->valid[lane] = 0;
   }
