@@ -90,7 +90,9 @@ class Notation(FolderTest):
         self.assertIn("addition_D", process.stderr)
 
     def test_an_experiment_takes_texts(self):
+        self.write("gates.json", documents.gates())
         experiment = documents.experiment()
+        experiment.pop("images", None)  # their scene is not beside it
         experiment["ellipses"]["prescriptions"][0] = {"id": "oblique", "prescription": "-2.50 -3.25 x 35"}
         self.succeed("validate", self.write("experiment.json", experiment))
         experiment["ellipses"]["prescriptions"][0]["sphere_D"] = -2
