@@ -62,11 +62,11 @@ struct PointLightSpec {
 /// Light from infinity: a colour, or a latitude–longitude picture times that colour.
 struct EnvironmentSpec {
   Eigen::Vector3d radiance{1.0, 1.0, 1.0};
-  std::optional<std::filesystem::path> file;  ///< absolute
-  double rotation = 0.0;                      ///< [rad], to the right
-  std::optional<std::string> layer;           ///< of an EXR file with several pictures
+  std::optional<std::filesystem::path> file;         ///< absolute
+  double rotation = 0.0;                             ///< [rad], to the right
+  std::optional<std::string> layer;                  ///< of an EXR file with several pictures
   TextureEncoding encoding = TextureEncoding::Srgb;  ///< of 8-bit and 16-bit values
-  std::optional<double> clamp;                ///< values are moved into 0 … this one; none: they must be there
+  std::optional<double> clamp;                       ///< values are moved into 0 … this one; none: they must be there
 };
 
 /// What is in the world: model files and things given in place. Nothing of it has been loaded.
