@@ -63,8 +63,11 @@ Image decoded(const std::string& name, const Read& read) {
   Image image;
   float* pixels = nullptr;
   std::array<char, 1024> error{};
-  if (read(image, &pixels, error.data(), error.size()))
-    throw InputError(name, "", error.data(), "an image that OpenImageIO reads");
+  if (read(image, &pixels, error.data(), error.size())) {
+    std::string reason = error.data();
+    std::replace(reason.begin(), reason.end(), '\n', ';');
+    throw InputError(name, "", reason, "an image that OpenImageIO reads");
+  }
   const std::unique_ptr<float, decltype(Module::free)> owner(pixels, module().free);
   image.pixels.assign(pixels, pixels + static_cast<std::size_t>(image.width) * image.height * image.channels);
   return image;
