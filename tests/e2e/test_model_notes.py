@@ -23,7 +23,7 @@ class ModelNotes(ModelTest):
                                 ("<phong>{}<specular><color>0 0 0 1</color></specular></phong>", False),
                                 ("<lambert>{}<specular><color>1 1 1 1</color></specular></lambert>", False),
                                 ("<phong>{}<specular><color>0.5 0.5 0.5 1</color></specular><shininess><float>20</float></shininess></phong>", True),
-                                ("<blinn>{}<specular><color sid='s'> .25 0 0 1</color></specular></blinn>", True)):
+                                ("<blinn>{}<specular><color sid='s'>0.25 0 0 1</color></specular></blinn>", True)):
             with self.subTest(shading):
                 self.write("m.dae", DAE.format(shading.format(DIFFUSE)))
                 picture = self.model("m.dae")
