@@ -38,6 +38,7 @@ BsdfSample sample(const SurfaceModel& model, const Eigen::Vector3f& out, const B
 
 bool only_sharp(const SurfaceModel& model) {
   if (const auto* conductor = std::get_if<Conductor>(&model)) return conductor->roughness == 0.0f;
+  if (const auto* tinted = std::get_if<TintedMetal>(&model)) return tinted->roughness == 0.0f;
   if (const auto* dielectric = std::get_if<Dielectric>(&model)) return dielectric->roughness == 0.0f;
   if (const auto* metal = std::get_if<SeedMetal>(&model)) return metal->alpha == 0.0f;
   return std::holds_alternative<SeedDielectric>(model);

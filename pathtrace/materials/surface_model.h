@@ -8,11 +8,13 @@
 #include "pathtrace/materials/seed_dielectric.h"
 #include "pathtrace/materials/seed_diffuse.h"
 #include "pathtrace/materials/seed_metal.h"
+#include "pathtrace/materials/tinted_metal.h"
 
 namespace sturm {
 
 /// How a surface scatters light. A new kind is a file of its own and a line here.
-using SurfaceModel = std::variant<Diffuse, Conductor, Dielectric, Plastic, SeedDiffuse, SeedMetal, SeedDielectric>;
+using SurfaceModel =
+    std::variant<Diffuse, Conductor, Dielectric, Plastic, SeedDiffuse, SeedMetal, SeedDielectric, TintedMetal>;
 
 /// True where light passes through, so that front and back differ; all other surfaces reflect on both sides alike.
 template <class Model>

@@ -1,6 +1,5 @@
 #include "pathtrace/scene/assimp_import.h"
 
-#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -22,19 +21,17 @@
 #include "io/files/error.h"
 #include "io/images/image_formats.h"
 #include "io/images/tone_map.h"
-#include "pathtrace/materials/fresnel.h"
 #include "pathtrace/scene/assimp_positions.h"
 #include "pathtrace/scene/collada_check.h"
 #include "pathtrace/scene/collada_specular.h"
-#include "pathtrace/scene/gltf_check.h"
-#include "pathtrace/scene/gltf_surface.h"
+#include "pathtrace/scene/gltf/gltf_import.h"
 #include "pathtrace/scene/lost_precision.h"
 #include "pathtrace/scene/message_text.h"
 #include "pathtrace/scene/model_placement.h"
 #include "pathtrace/scene/named_files.h"
 #include "pathtrace/scene/obj/obj_import.h"
-#include "pathtrace/scene/smooth_normals.h"
 #include "pathtrace/scene/vertex_colours.h"
+#include "pathtrace/scene/vertex_normals.h"
 
 namespace sturm {
 namespace {
@@ -44,7 +41,6 @@ class ModelImport {
   explicit ModelImport(const ModelSpec& spec) : spec_(spec), file_(spec.file), placement_(spec) {}
 
   SceneDescription run(const std::string& extension) {
-    if (extension == ".gltf" || extension == ".glb") check_gltf(file_);
     if (extension == ".dae") check_collada(file_);
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
@@ -59,9 +55,7 @@ class ModelImport {
     // A library may define more than the model uses: textures nobody sees are not loaded.
     std::vector<bool> used(scene->mNumMaterials, false);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) used.at(scene->mMeshes[i]->mMaterialIndex) = true;
-    const bool metallic_roughness = extension == ".gltf" || extension == ".glb";
-    for (unsigned i = 0; i < scene->mNumMaterials; ++i)
-      add_material(*scene, *scene->mMaterials[i], used[i], metallic_roughness);
+    for (unsigned i = 0; i < scene->mNumMaterials; ++i) add_material(*scene, *scene->mMaterials[i], used[i]);
     if (!has_materials_) whiten_under_colours(*scene);
     shown_.assign(scene->mNumMeshes, 0);
     prototype_of_.assign(scene->mNumMeshes, -1);
@@ -85,7 +79,7 @@ class ModelImport {
     return {colour.r, colour.g, colour.b};
   }
 
-  void add_material(const aiScene& scene, const aiMaterial& source, bool used, bool metallic_roughness) {
+  void add_material(const aiScene& scene, const aiMaterial& source, bool used) {
     Material material;
     material.name = source.GetName().C_Str();
     const std::string where = "material \"" + material.name + "\"";
@@ -101,7 +95,6 @@ class ModelImport {
     if (used && (source.GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
                  source.GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS))
       material.albedo_texture = texture(scene, path.C_Str(), where, spec_.texture_encoding);
-    if (used && metallic_roughness) take_metallic_roughness(scene, source, material, where);
     material.nearest_filter = spec_.texture_filter == TextureFilter::Nearest;
     material.albedo_mapping.wrap_u = material.albedo_mapping.wrap_v = spec_.texture_wrap.value_or(TextureWrap::Clamp);
     result_.materials.push_back(std::move(material));
@@ -111,47 +104,6 @@ class ModelImport {
   void whiten_under_colours(const aiScene& scene) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i)
       if (scene.mMeshes[i]->HasVertexColors(0)) result_.materials[scene.mMeshes[i]->mMaterialIndex].albedo.setOnes();
-  }
-
-  static Eigen::Vector3f mean_of(const Image& picture) {
-    Eigen::Vector3d sum(0.0, 0.0, 0.0);
-    for (std::size_t i = 0; i < picture.pixels.size(); i += 3)
-      sum += Eigen::Vector3d(picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2]);
-    return (3.0 / static_cast<double>(picture.pixels.size()) * sum).cast<float>();
-  }
-
-  /// glTF's factors; a texture of them counts with its mean (roughness in green, metallic in blue), which is noted.
-  void take_metallic_roughness(const aiScene& scene, const aiMaterial& source, Material& material,
-                               const std::string& where) {
-    GltfFactors factors;
-    source.Get(AI_MATKEY_METALLIC_FACTOR, factors.metallic);
-    source.Get(AI_MATKEY_ROUGHNESS_FACTOR, factors.roughness);
-    source.Get(AI_MATKEY_REFRACTI, factors.index);
-    for (const float factor : {factors.metallic, factors.roughness})
-      if (!(factor >= 0.0f && factor <= 1.0f))
-        fail(where + ", metallic or roughness factor", shortest(factor), "a factor from 0 to 1");
-    if (!(factors.index > 1.0f && factors.index <= 4.0f))
-      fail(where + ", index", shortest(factors.index), "above 1, at most 4");
-    aiString path;
-    if (source.GetTexture(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE, &path) == aiReturn_SUCCESS) {
-      const Eigen::Vector3f mean = mean_of(*texture(scene, path.C_Str(), where, TextureEncoding::Linear));
-      factors.roughness *= mean.y();
-      factors.metallic *= mean.z();
-      note("material \"" + material.name + "\": the mean of its metallic-roughness texture is taken");
-    }
-    factors.base_colour = material.albedo;
-    if (material.albedo_texture)
-      factors.base_colour = factors.base_colour.cwiseProduct(mean_of(*material.albedo_texture));
-    GltfSurface found = gltf_surface(factors);
-    if (!found.left_out.empty()) note("material \"" + material.name + "\" is taken without its " + found.left_out);
-    material.surface = std::move(found.surface);
-    if (const auto* metal = std::get_if<Conductor>(&material.surface)) {
-      if (material.albedo_texture)
-        note("material \"" + material.name + "\": the mean colour of its texture is taken, since it is a metal");
-      material.albedo_texture = nullptr;
-      material.albedo = fresnel_conductor(
-          1.0f, metal->eta, metal->kappa);  // the albedo layer shows a metal by its colour seen straight on
-    }
   }
 
   /// The picture of a name in the model: a file beside it, or "*0" and so on, embedded in it.
@@ -345,15 +297,12 @@ class ModelImport {
   /// The file's normals, or none where they say no more than the triangles (or are no directions at all).
   static std::vector<Eigen::Vector3f> vertex_normals(const aiMesh& source, const Frame& frame, const Mesh& mesh) {
     const Eigen::Matrix3d normal_from_node = frame.linear.inverse().transpose();
-    std::vector<Eigen::Vector3f> normals;
+    std::vector<Eigen::Vector3d> normals;
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
       const aiVector3D& n = source.mNormals[i];
-      const Eigen::Vector3d world = normal_from_node * Eigen::Vector3d(n.x, n.y, n.z);
-      const double length = world.norm();
-      if (!(length > 0.0 && std::isfinite(length))) return {};
-      normals.push_back((world / length).cast<float>());
+      normals.push_back(normal_from_node * Eigen::Vector3d(n.x, n.y, n.z));
     }
-    return normals_bend(mesh, normals) ? normals : std::vector<Eigen::Vector3f>{};
+    return normals_that_bend(normals, mesh);
   }
 
   const ModelSpec& spec_;
@@ -378,7 +327,9 @@ SceneDescription import_model(const ModelSpec& spec) {
   std::string extension = spec.file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".obj" ? import_obj(spec) : ModelImport(spec).run(extension);
+  if (extension == ".obj") return import_obj(spec);
+  if (extension == ".gltf" || extension == ".glb" || extension == ".vrm") return import_gltf(spec);
+  return ModelImport(spec).run(extension);
 }
 
 }  // namespace sturm

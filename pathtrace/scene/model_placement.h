@@ -16,8 +16,11 @@ class ModelPlacement {
 
   /// [m], world; from units of the file.
   Eigen::Vector3d point(const Eigen::Vector3d& in_file) const { return turn_ * (scale_ * in_file) + position_; }
+  /// The same as a transformation.
+  Eigen::Affine3d scene_from_file() const {
+    return Eigen::Translation3d(position_) * Eigen::Affine3d(Eigen::Matrix3d(scale_ * turn_));
+  }
   const Eigen::Matrix3d& turn() const { return turn_; }
-  const Eigen::Vector3d& position() const { return position_; }
   double scale() const { return scale_; }
 
  private:

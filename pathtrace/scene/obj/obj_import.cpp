@@ -15,8 +15,8 @@
 #include "pathtrace/scene/obj/obj_materials.h"
 #include "pathtrace/scene/obj/obj_model.h"
 #include "pathtrace/scene/obj/obj_words.h"
-#include "pathtrace/scene/smooth_normals.h"
 #include "pathtrace/scene/vertex_colours.h"
+#include "pathtrace/scene/vertex_normals.h"
 
 namespace sturm {
 namespace {
@@ -177,15 +177,11 @@ class ObjImport {
   }
 
   void add_normals(Mesh& mesh, const std::vector<ObjModel::Corner>& corners) const {
-    std::vector<Vector3f> normals;
+    std::vector<Eigen::Vector3d> normals;
     normals.reserve(corners.size());
-    for (const auto& corner : corners) {
-      const Eigen::Vector3d normal = placement_.turn() * model_.normals[corner.normal].cast<double>();
-      const double length = normal.norm();
-      if (!(length > 0.0 && std::isfinite(length))) return;
-      normals.push_back((normal / length).cast<float>());
-    }
-    if (normals_bend(mesh, normals)) mesh.normals = std::move(normals);
+    for (const auto& corner : corners)
+      normals.push_back(placement_.turn() * model_.normals[corner.normal].cast<double>());
+    mesh.normals = normals_that_bend(normals, mesh);
   }
 
   /// Whoever tiles a texture finds its border smeared unless the scene says otherwise.

@@ -10,7 +10,7 @@ namespace sturm {
 /// - The faces of one object, group and material are one mesh, named after the group, else the object, else
 ///   "defaultobject". Overrides find it by the object and by each of its groups, too.
 /// - Vertices with the same position, texture coordinate and normal are shared. Normals are kept where they bend the
-///   surface (pathtrace/scene/smooth_normals.h).
+///   surface (pathtrace/scene/vertex_normals.h).
 /// - `mtllib` names one library, blanks and all, or several. They are looked for beside the OBJ file. Where several
 ///   define a material of the same name, the first counts.
 /// - Faces without a material are Lambert's with a reflectance of 0.6, or of 1 under vertex colours. So are those of a

@@ -176,15 +176,29 @@ TEST_F(GltfMaterial, AMetallicRoughnessTextureCountsWithItsMean) {
   EXPECT_THAT(scene.notes[0], HasSubstr("mean of its metallic-roughness texture"));
 }
 
-TEST_F(GltfMaterial, AMetalsTextureCountsWithItsMean) {
+TEST_F(GltfMaterial, AMetalsTextureTintsItPointByPoint) {
   const SceneDescription scene =
       load(write(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "roughnessFactor": 0.5}})",
                  png({1, 1, 1}, {0, 0, 0})));
   const Material metal = material_of(scene);
-  EXPECT_FALSE(metal.albedo_texture);
-  EXPECT_NEAR(metal.albedo.x(), 0.5f, 1e-5f);  // rounding of float
-  ASSERT_EQ(scene.notes.size(), 1u);
-  EXPECT_THAT(scene.notes[0], HasSubstr("since it is a metal"));
+  ASSERT_TRUE(metal.albedo_texture);
+  EXPECT_EQ(*metal.albedo_texture->at(0, 0), 1.0f);
+  EXPECT_EQ(*metal.albedo_texture->at(1, 0), 0.0f);
+  ASSERT_TRUE(std::holds_alternative<TintedMetal>(metal.surface));
+  EXPECT_EQ(std::get<TintedMetal>(metal.surface).roughness, 0.5f);
+  EXPECT_TRUE(scene.notes.empty());
+}
+
+TEST_F(GltfMaterial, ATintedMetalReflectsAsTheMetalOfThatColour) {
+  const Vector3f out = Vector3f(0.3f, 0.1f, 0.9f).normalized(), in = Vector3f(-0.2f, 0.2f, 0.8f).normalized(),
+                 gold(0.9f, 0.64f, 0.25f);
+  Conductor metal;
+  metal.roughness = 0.4f;
+  metal.eta = Vector3f::Ones();
+  metal.kappa = {6.0f, 2.6666667f, 1.1547005f};  // 2 √(R/(1 − R)): 2 √9, 2 √(16/9), 2 √(1/3)
+  const BsdfValue right = metal.evaluate(out, in, Vector3f::Ones()), seen = TintedMetal{0.4f}.evaluate(out, in, gold);
+  EXPECT_LT((right.value - seen.value).norm(), 1e-5f * right.value.norm());  // rounding of float
+  EXPECT_EQ(right.pdf, seen.pdf);
 }
 
 TEST_F(GltfMaterial, WrongFilesAreRefused) {
