@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 
 #include "io/files/error.h"
+#include "io/files/text_file.h"
 #include "io/images/exr.h"
 #include "io/images/image_formats.h"
-#include "io/images/pfm.h"
 #include "io/images/png_header.h"
+#include "io/images/portable_float_map.h"
 
 namespace sturm {
 
@@ -70,6 +73,18 @@ void fill_holes(DepthMap& map) {
   }
 }
 
+Image read_float_map(const std::filesystem::path& path) {
+  constexpr std::size_t most_pixels = std::size_t{1} << 28;
+  const std::optional<std::string> bytes = file_contents(path);
+  if (!bytes) throw InputError(path.string(), "", "no such file", "a PFM file");
+  if (!is_portable_float_map(*bytes)) throw InputError(path.string(), "", "another first word", "PF or Pf");
+  try {
+    return decode_portable_float_map(*bytes, most_pixels, true);
+  } catch (const std::runtime_error& error) {
+    throw InputError(path.string(), "", error.what(), "a portable float map");
+  }
+}
+
 /// The channel of an image that holds numbers: the only one, or all three are equal.
 Image one_channel(const Image& image, const std::string& name) {
   Image numbers(image.width, image.height, 1);
@@ -127,7 +142,7 @@ DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::s
 DepthMap read_depth_map(const std::filesystem::path& path, const DepthReading& reading) {
   const std::string suffix = lower(path.extension().string());
   if (suffix == ".exr") return depth_of(read_exr_numbers(path), reading, path.string());
-  if (suffix == ".pfm") return depth_of(one_channel(read_pfm(path), path.string()), reading, path.string());
+  if (suffix == ".pfm") return depth_of(one_channel(read_float_map(path), path.string()), reading, path.string());
   if (suffix != ".png") throw InputError(path.string(), "", "\"" + suffix + "\"", "a depth map as EXR, PFM or PNG");
   Image stored = one_channel(read_image(path), path.string());
   const int bits = png_bit_depth(path).value_or(0);

@@ -50,7 +50,7 @@ bool is_portable_float_map(std::string_view bytes) {
          blanks.find(bytes[2]) != std::string_view::npos;
 }
 
-Image decode_portable_float_map(std::string_view bytes, std::size_t max_pixels) {
+Image decode_portable_float_map(std::string_view bytes, std::size_t max_pixels, bool as_stored) {
   std::size_t at = 2;
   const std::size_t channels = bytes[1] == 'F' ? 3 : 1;
   const auto width = number<std::size_t>(next_word(bytes, at), "a width"),
@@ -59,6 +59,7 @@ Image decode_portable_float_map(std::string_view bytes, std::size_t max_pixels) 
   if (width < 1 || height < 1 || width > max_pixels || height > max_pixels || width * height > max_pixels)
     throw std::runtime_error("an image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
   if (scale == 0.0 || !std::isfinite(scale)) throw std::runtime_error("a scale of 0");
+  const double factor = as_stored ? 1.0 : std::abs(scale);
   const std::size_t size = width * height * channels * sizeof(float);
   // One blank ends the header; files from Windows may have two.
   at += bytes.substr(at).starts_with("\r\n") && bytes.size() >= at + 2 + size ? 2 : 1;
@@ -68,7 +69,7 @@ Image decode_portable_float_map(std::string_view bytes, std::size_t max_pixels) 
   for (std::size_t y = 0; y < height; ++y)
     for (std::size_t i = 0; i < row; ++i) {
       const float value = float_at(bytes.data() + at + ((height - 1 - y) * row + i) * sizeof(float), scale < 0.0);
-      image.pixels[y * row + i] = static_cast<float>(value * std::abs(scale));
+      image.pixels[y * row + i] = static_cast<float>(value * factor);
     }
   return image;
 }

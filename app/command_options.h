@@ -1,0 +1,62 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "app/commands.h"
+
+namespace sturm {
+
+/// The commands with their options; `action` is what the chosen one does.
+struct CommandLine {
+  CLI::App app{"Sturm: the blur of an astigmatic eye, path traced and predicted, and whether the two agree.", "sturm"};
+  CommonOptions common;
+  LensOptions lens;
+  BlurFieldOptions blurfield;
+  PreviewOptions preview;
+  SeeOptions see;
+  StressOptions stress;
+  CompareOptions compare;
+  CompareRunsOptions compare_runs;
+  PlanOptions plan;
+  GateOptions gate;
+  PsfOptions psf;
+  WavefrontOptions wavefront;
+  std::string output, folder, file, schema;
+  bool resume = false, explain = false;
+  std::function<int()> action;
+
+  CommandLine();
+
+ private:
+  // command_options_of_optics.cpp
+  void add_ellipse();
+  void add_lens();
+  void add_blurfield();
+  void add_psf();
+  void add_wavefront();
+  void add_stress();
+  void add_plan_samples();
+  // command_options_of_pictures.cpp
+  void add_render();
+  void add_see();
+  void add_see_depth(CLI::App& s);
+  void add_see_view(CLI::App& s);
+  void add_compare();
+  // command_options_of_runs.cpp
+  void add_run();
+  void add_bench();
+  void add_compare_runs();
+  void add_gate();
+  void add_report();
+  void add_validate();
+  void add_schema();
+};
+
+// What several commands share.
+void add_document(CLI::App& command, CommonOptions& options, const char* what);
+void add_prescription(CLI::App& command, CommonOptions& options, const char* whose);
+void add_run_options(CLI::App& command, CommonOptions& options);
+void add_common_options(CLI::App& command, CommonOptions& options, const char* what);
+
+}  // namespace sturm
