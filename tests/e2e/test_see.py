@@ -10,8 +10,6 @@ from sturm_process import SOURCE, WRONG_INPUT, FolderTest, snapshot, sturm
 
 WIDTH, HEIGHT = 48, 40
 MYOPE = {"format": "sturm.eye/1", "prescription": {"sphere_D": -2, "vertex_distance_mm": 0}, "pupil_diameter_mm": 5}
-PLANES = SOURCE / "tests/reference/planes"
-PLANES_VFOV_DEG = math.degrees(2 * math.atan(160 * 0.00043633231299858234))
 
 
 def grey_png(rows, bits):
@@ -136,14 +134,6 @@ class See(FolderTest):
         self.assertIn("pupil_diameter_mm", self.refuse(self.photo, "--eye", hofer, "--vfov-deg", "2", "--depth", good, "--pupil-mm", "7"))
         best = self.write("best.json", dict(MYOPE, accommodation={"mode": "best", "amplitude_D": 3}))
         self.assertIn("accommodation", self.refuse(self.photo, "--eye", best, "--vfov-deg", "2", "--depth", good))
-
-    def test_truth_of_another_program(self):
-        eye = self.write("coma.json", {
-            "wavefront": {"coefficients_um": {"6": 0.08, "7": 0.42, "8": -0.3, "12": 0.12}, "pupil_diameter_mm": 5.7},
-            "pupil_diameter_mm": 5.7, "accommodation": {"mode": "fixed", "power_D": 0.5}})
-        self.succeed("see", PLANES / "two_sharp.exr", "--depth", PLANES / "two_depth.exr", "--eye", eye,
-                     "--vfov-deg", PLANES_VFOV_DEG, "-o", self.folder / "coma.exr")
-        self.assertTrue((self.folder / "coma.exr").is_file())
 
 
 if __name__ == "__main__":
