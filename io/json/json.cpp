@@ -44,7 +44,7 @@ std::optional<std::string> foreign_character(std::string_view text) {
   if (text.empty() || static_cast<unsigned char>(text[0]) < 0x80) return std::nullopt;
   for (std::size_t size = 2; size <= std::min<std::size_t>(4, text.size()); ++size)
     if (is_utf8(text.substr(0, size))) return "\"" + std::string(text.substr(0, size)) + "\"";
-  return "a byte that is not UTF-8";
+  return "an invalid byte (the text is not UTF-8)";
 }
 
 /// The character of `text` that the byte at `at` belongs to.
