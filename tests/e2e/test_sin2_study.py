@@ -130,7 +130,7 @@ class Sin2Study(StudyTest):
                  (section + "/grid/spheres_D", [99], section + "/grid/spheres_D/0"),
                  (section + "/gallery/0/prescription/axis_deg", 200, section + "/gallery/0/prescription/axis_deg")]
         self.expect_rejections(cases)
-        for table, named in [(TABLE.replace("-3.25", "minus"), "cyl_D"), (TABLE.replace("sph_D", "sphere"), "sph_D"),
+        for table, named in [(TABLE.replace("-3.25", "minus"), "cyl_D"), (TABLE.replace("sph_D", "ball_D"), "sph_D"),
                              (TABLE.replace("-2.5,", ","), "line 3"), ("eye,id,sph_D,cyl_D,axis_deg\n", "at least one")]:
             with self.subTest(table=table):
                 self.write("eyes.csv", table)
