@@ -7,7 +7,7 @@ namespace sturm {
 
 namespace {
 
-// Measured on one core (docs/performance.md); only their ratio matters.
+// Of one core; only their ratio matters.
 constexpr double seconds_per_tap = 0.1e-9;              // of one cell
 constexpr double seconds_per_cell_and_octave = 0.6e-9;  // of one transform: 0.3 ms for 256 x 256
 constexpr int smallest_side = 256;
