@@ -25,8 +25,8 @@ SpreadKernel kernel_of(const PsfCells& cells, double scale) {
 
 SpreadKernel ray_kernel(const RayFan& fan, double vergence_D, double pixel_rad) {
   double farthest = 0.0;
-  for (std::size_t i = 0; i < fan.size(); ++i)
-    farthest = std::max(farthest, fan.landing(i, vergence_D).cwiseAbs().maxCoeff());
+  fan.for_each(vergence_D,
+               [&](const Eigen::Vector2d& x, double) { farthest = std::max(farthest, x.cwiseAbs().maxCoeff()); });
   const int radius = static_cast<int>(std::floor(farthest / pixel_rad + 0.5));
   return kernel_of(cells_of(fan, vergence_D, pixel_rad, 2 * radius + 1), 1.0);
 }

@@ -13,68 +13,68 @@ namespace sturm {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-/// Steps of the radius, the angle and the wavelength.
-struct Steps {
-  double radius, angle, wavelength;
-};
-/// 1/φ, 1/φ² of the root φ of φ³ = φ + 1, which fill two dimensions most evenly; 1/φ, 1/φ², 1/φ³ of φ⁴ = φ + 1 for
-/// three.
-constexpr Steps steps_of_one_wavelength{0.7548776662466927, 0.5698402909980532, 0.0},
-    steps_of_many{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+/// 1/φ and 1/φ² of the root φ of φ³ = φ + 1, which fill two dimensions most evenly.
+constexpr double step_of_radius = 0.7548776662466927, step_of_angle = 0.5698402909980532;
 
 double fraction(double start, double step, std::size_t i) {
   const double value = start + step * static_cast<double>(i);
   return value - std::floor(value);
 }
 
-/// The line of the light on which u in [0, 1) falls.
-const SpectralLine& line_at(const Light& light, double u) {
-  double sum = 0.0;
-  for (const SpectralLine& line : light) {
-    sum += line.weight;
-    if (u < sum) return line;
-  }
-  return light.back();
+std::size_t points_for(const Light& light, std::size_t count) {
+  constexpr std::size_t rays_per_count = 8;
+  return std::min(count, std::max(std::size_t{1}, rays_per_count * count / light.size()));
 }
 
 }  // namespace
 
-RayFan::RayFan(const PupilWave& pupil, const Light& light, std::size_t count) : points_(count), gradients_(count) {
+RayFan::RayFan(const PupilWave& pupil, const Light& light, std::size_t count)
+    : points_(points_for(light, count)), gradients_(points_.size()) {
+  for (const SpectralLine& line : light)
+    if (line.weight > 0.0) lines_.push_back({line.weight, pupil.vergence_at(line.wavelength_nm, 0.0)});
   const double q = std::numbers::ln10 * pupil.stiles_crawford_per_m2 * pupil.radius_m * pupil.radius_m;
-  const Steps& steps = light.size() == 1 ? steps_of_one_wavelength : steps_of_many;
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    const double u = fraction(0.5, steps.radius, i), angle = two_pi * fraction(0.5, steps.angle, i);
+  tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+    const double u = fraction(0.5, step_of_radius, i), angle = two_pi * fraction(0.5, step_of_angle, i);
     const double t = q == 0.0 ? u : -std::log1p(u * std::expm1(-q)) / q;  // (r/a)²
     points_[i] = pupil.radius_m * std::sqrt(t) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    const SpectralLine& line = line_at(light, fraction(0.5, steps.wavelength, i));
-    gradients_[i] = pupil.gradient(points_[i], pupil.vergence_at(line.wavelength_nm, 0.0));
+    gradients_[i] = pupil.gradient(points_[i], 0.0);
   });
 }
 
 double ray_radius(const RayFan& fan, double vergence_D, const Eigen::Vector2d& centre, double share) {
-  std::vector<double> squares(fan.size());
-  for (std::size_t i = 0; i < fan.size(); ++i) squares[i] = (fan.landing(i, vergence_D) - centre).squaredNorm();
-  const auto rank = std::min(fan.size() - 1, static_cast<std::size_t>(share * static_cast<double>(fan.size())));
-  std::nth_element(squares.begin(), squares.begin() + static_cast<std::ptrdiff_t>(rank), squares.end());
-  return std::sqrt(squares[rank]);
+  constexpr std::size_t bins = 1 << 18;
+  double largest = 0.0;
+  fan.for_each(vergence_D,
+               [&](const Eigen::Vector2d& x, double) { largest = std::max(largest, (x - centre).squaredNorm()); });
+  largest = std::sqrt(largest);
+  if (largest == 0.0) return 0.0;
+  std::vector<double> energy(bins + 1, 0.0);
+  fan.for_each(vergence_D, [&](const Eigen::Vector2d& x, double weight) {
+    energy[static_cast<std::size_t>((x - centre).norm() / largest * bins)] += weight;
+  });
+  double sum = 0.0;
+  std::size_t bin = 0;
+  while (bin < bins && sum + energy[bin] < share) sum += energy[bin++];
+  const double within = energy[bin] > 0.0 ? std::min(1.0, (share - sum) / energy[bin]) : 0.0;
+  return largest * (static_cast<double>(bin) + within) / bins;
 }
 
 PsfCells cells_of(const RayFan& fan, double vergence_D, double cell_rad, int side) {
   PsfCells cells{cell_rad, Eigen::MatrixXd::Zero(side, side)};
-  const double share = 1.0 / static_cast<double>(fan.size());
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    const Eigen::Vector2d place = fan.landing(i, vergence_D) / cell_rad + Eigen::Vector2d::Constant(0.5 * side);
-    if (!(place.minCoeff() >= 0.0 && place.maxCoeff() < side)) continue;
-    cells.energy(static_cast<int>(place.y()), static_cast<int>(place.x())) += share;
-  }
+  fan.for_each(vergence_D, [&](const Eigen::Vector2d& x, double share) {
+    const double column = x.x() / cell_rad + 0.5 * side, row = x.y() / cell_rad + 0.5 * side;
+    if (row >= 0.0 && row < side && column >= 0.0 && column < side)
+      cells.energy(static_cast<int>(row), static_cast<int>(column)) += share;
+  });
   return cells;
 }
 
 std::complex<double> ray_transfer(const RayFan& fan, double vergence_D, const Eigen::Vector2d& frequency) {
-  const std::size_t count = std::min(fan.size(), std::size_t{1} << 17);
+  constexpr std::size_t most = std::size_t{1} << 18;
   std::complex<double> sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) sum += std::polar(1.0, -two_pi * frequency.dot(fan.landing(i, vergence_D)));
-  return sum / static_cast<double>(count);
+  fan.for_each(vergence_D, most / fan.wavelengths(),
+               [&](const Eigen::Vector2d& x, double share) { sum += std::polar(share, -two_pi * frequency.dot(x)); });
+  return sum;
 }
 
 RayMoments ray_moments(const PupilWave& pupil, const Light& light, double vergence_D) {

@@ -77,8 +77,8 @@ TEST(RayMoments, OfStilesCrawfordPupilsFollowTheGamma) {
   EXPECT_NEAR(moments.covariance(0, 0), 0.49 * 9e-6 / 2 * mean, 1e-12 * 0.49 * 9e-6);
   const RayFan fan(pupil, monochromatic_light(555), 1 << 18);
   double sum = 0.0;
-  for (std::size_t i = 0; i < fan.size(); ++i) sum += fan.landing(i, 0.7).squaredNorm();
-  EXPECT_NEAR(sum / static_cast<double>(fan.size()), 0.49 * 9e-6 * mean, 1e-5 * 0.49 * 9e-6);
+  fan.for_each(0.7, [&](const Eigen::Vector2d& x, double share) { sum += share * x.squaredNorm(); });
+  EXPECT_NEAR(sum, 0.49 * 9e-6 * mean, 1e-5 * 0.49 * 9e-6);
 }
 
 TEST(RayFan, ADefocusedEyeSeesADisc) {
@@ -103,8 +103,8 @@ TEST(RayFan, ChromaticRaysSpreadInFocus) {
   EXPECT_NEAR(ray_moments(pupil, light, 0.0).covariance(0, 0), square * 1e-6, 1e-12);
   const RayFan fan(pupil, light, usual_ray_count);
   double sum = 0.0;
-  for (std::size_t i = 0; i < fan.size(); ++i) sum += fan.landing(i, 0.0).squaredNorm();
-  EXPECT_NEAR(sum / static_cast<double>(fan.size()) / (2e-6 * square), 1.0, 1e-3);  // N^-½ at the worst
+  fan.for_each(0.0, [&](const Eigen::Vector2d& x, double share) { sum += share * x.squaredNorm(); });
+  EXPECT_NEAR(sum / (2e-6 * square), 1.0, 1e-4);
 }
 
 TEST(RayKernel, StandsUprightInAPicture) {
@@ -145,8 +145,9 @@ void expect_variation(const nlohmann::json& c) {
                 0.01 * out[key].get<double>() + 1e-9)
         << c["id"];
   for (const auto& [key, share] : {std::pair("wave_ee50_arcmin", 0.5), std::pair("wave_ee80_arcmin", 0.8)})
+    // The reference's transform has pixels of 0.117'.
     EXPECT_NEAR(WaveEnergy(wave555, {0, 0}).radius(share).value() / arcmin, out[key].get<double>(),
-                0.01 * out[key].get<double>())
+                0.01 * out[key].get<double>() + 0.1 * 0.117)
         << c["id"];
 }
 
