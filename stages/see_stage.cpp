@@ -10,6 +10,7 @@
 #include "stages/stopwatch.h"
 #include "wavefront/layers/guessed_background.h"
 #include "wavefront/layers/kernel_bank.h"
+#include "wavefront/layers/part_count.h"
 #include "wavefront/layers/ray_kernels.h"
 #include "wavefront/layers/unmixed_edges.h"
 #include "wavefront/layers/wave_kernels.h"
@@ -68,19 +69,6 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
                      "a blur that can be computed: a smaller picture, pupil or distance to focus");
   }
   return seen;
-}
-
-int parts_for_error(double error) {
-  struct Measured {
-    int parts;
-    double error;
-  };
-  // Root-mean-square errors within 16 px of an edge, the largest of seven pictures
-  // (docs/theory.md#143-pictures-with-depth).
-  constexpr Measured table[] = {{1, 0.012}, {4, 0.0045}, {8, 0.0035}, {16, 0.003}};
-  for (const Measured& row : table)
-    if (row.error <= error) return row.parts;
-  return std::end(table)[-1].parts;
 }
 
 Json counters_of(const SeenPicture& seen) {

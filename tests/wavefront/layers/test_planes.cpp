@@ -4,6 +4,7 @@
 
 #include "compare/metrics/ssim.h"
 #include "io/images/tone_map.h"
+#include "wavefront/layers/part_count.h"
 #include "wavefront/layers/plane_cases.h"
 #include "wavefront/layers/unmixed_edges.h"
 
@@ -59,6 +60,20 @@ double rmse(const Image& a, const Image& b) {
   return std::sqrt(sum / static_cast<double>(a.pixels.size()));
 }
 
+/// Which of the 256 × 256 pixels are within `reach` px of a step of the depth map.
+std::vector<char> around_steps(const std::string& scene, int reach) {
+  const Image depth = middle(plane_image(scene + "_depth"), 256);
+  std::vector<char> marked(256 * 256, 0);
+  for (int y = 1; y < 256; ++y)
+    for (int x = 1; x < 256; ++x) {
+      if (*depth.at(x, y) == *depth.at(x - 1, y) && *depth.at(x, y) == *depth.at(x, y - 1)) continue;
+      for (int v = std::max(0, y - reach); v <= std::min(255, y + reach); ++v)
+        for (int u = std::max(0, x - reach); u <= std::min(255, x + reach); ++u)
+          if (std::hypot(u - x, v - y) <= reach) marked[static_cast<std::size_t>(v) * 256 + u] = 1;
+    }
+  return marked;
+}
+
 /// Similarity in display space, whole and by the distance from steps of the depth map.
 struct Similarity {
   double whole, near_edges, away;
@@ -66,19 +81,7 @@ struct Similarity {
 
 Similarity similarity(const std::string& scene, const Image& test, const Image& truth) {
   const Image map = ssim(to_display(test, 1.0), to_display(truth, 1.0)).map;
-  const Image depth = middle(plane_image(scene + "_depth"), 256);
-  const auto around_steps = [&](int reach) {
-    std::vector<char> marked(256 * 256, 0);
-    for (int y = 1; y < 256; ++y)
-      for (int x = 1; x < 256; ++x) {
-        if (*depth.at(x, y) == *depth.at(x - 1, y) && *depth.at(x, y) == *depth.at(x, y - 1)) continue;
-        for (int v = std::max(0, y - reach); v <= std::min(255, y + reach); ++v)
-          for (int u = std::max(0, x - reach); u <= std::min(255, x + reach); ++u)
-            if (std::hypot(u - x, v - y) <= reach) marked[static_cast<std::size_t>(v) * 256 + u] = 1;
-      }
-    return marked;
-  };
-  const std::vector<char> within_16 = around_steps(16), within_24 = around_steps(24);
+  const std::vector<char> within_16 = around_steps(scene, 16), within_24 = around_steps(scene, 24);
   double sums[3] = {}, counts[3] = {};
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
@@ -124,6 +127,29 @@ INSTANTIATE_TEST_SUITE_P(Planes, LayeredTruth,
                          ::testing::Values(Case{"two", "myope"}, Case{"two", "astigmat"}, Case{"two", "coma"},
                                            Case{"three", "coma"}),
                          [](const auto& test) { return std::string(test.param.scene) + "_" + test.param.eye; });
+
+double rmse_near_edges(const std::string& scene, const Image& test, const Image& truth) {
+  const std::vector<char> near = around_steps(scene, 16);
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < test.pixels.size(); ++i)
+    if (near[i / 3]) sum += std::pow(test.pixels[i] - truth.pixels[i], 2.0), ++count;
+  return std::sqrt(sum / count);
+}
+
+TEST(PartsOfThePupil, HaveTheErrorsThatChooseThem) {
+  for (const ErrorOfParts& row : errors_of_parts()) {
+    double worst = 0.0;
+    for (const Case& c : {Case{"two", "myope"}, Case{"two", "astigmat"}, Case{"two", "coma"}, Case{"three", "coma"}}) {
+      const Image truth = plane_image(std::string(c.scene) + "_" + c.eye + "_truth");
+      worst = std::max(worst, rmse_near_edges(c.scene, seen(scene_of(c.scene, true), c.eye, {row.parts}), truth));
+    }
+    RecordProperty("rms_of_" + std::to_string(row.parts), std::to_string(worst));
+    EXPECT_LE(worst, row.error) << row.parts;
+    EXPECT_GT(worst, 0.7 * row.error) << row.parts;  // the table is no looser than its rounding
+    EXPECT_EQ(parts_for_error(row.error), row.parts);
+  }
+  EXPECT_EQ(parts_for_error(1e-9), errors_of_parts().back().parts);
+}
 
 class FlatTruth : public ::testing::TestWithParam<const char*> {};
 
