@@ -124,7 +124,7 @@ class See(FolderTest):
             ("calibration", ["--depth", good, "--disparity"]),
             ("no pixel with a depth", ["--depth", self.write("empty.pfm", pfm(two_distances(0.0, 0.0)))]),
             ("no such file", ["--depth", self.folder / "none.pfm"]),
-            ("19 bytes", ["--depth", self.write("broken.pfm", b"Pf\n48 40\n-1.0\nshort")]),
+            ("break off", ["--depth", self.write("broken.pfm", b"Pf\n48 40\n-1.0\nshort")]),
             ("distance", ["--distance-m", "-3"]),
         ]:
             with self.subTest(expected=expected):
