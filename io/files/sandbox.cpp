@@ -23,6 +23,10 @@ void enter_sandbox() {
   in_sandbox = true;
 }
 
+bool sandbox_is_on() {
+  return in_sandbox;
+}
+
 bool within_sandbox(const fs::path& path, const std::string& naming_file) {
   if (!in_sandbox) return true;
   const fs::path folder =

@@ -8,6 +8,9 @@ namespace sturm {
 /// and models from someone who is not trusted.
 void enter_sandbox();
 
+/// Whether enter_sandbox was called.
+bool sandbox_is_on();
+
 /// Whether `path`, which `naming_file` names, may be opened: always outside of a sandbox. Both are paths of the file
 /// system; `naming_file` may be "<stdin>", which stands in the working directory.
 bool within_sandbox(const std::filesystem::path& path, const std::string& naming_file);

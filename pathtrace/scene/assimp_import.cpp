@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "io/files/error.h"
+#include "io/files/sandbox.h"
 #include "io/images/image_formats.h"
 #include "io/images/tone_map.h"
 #include "pathtrace/scene/assimp_positions.h"
@@ -333,7 +334,11 @@ SceneDescription import_model(const ModelSpec& spec) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension == ".gltf" || extension == ".glb" || extension == ".vrm") return import_gltf(spec);
-  return extension == ".obj" ? import_obj(spec) : ModelImport(spec).run(extension);
+  if (extension == ".obj") return import_obj(spec);
+  // Of other formats Assimp opens whatever files they name.
+  if (sandbox_is_on() && extension != ".ply" && extension != ".stl" && extension != ".dae" && extension != ".fbx")
+    throw InputError(spec.file.string(), "", extension, "with --sandbox .gltf, .glb, .obj, .dae, .fbx, .ply or .stl");
+  return ModelImport(spec).run(extension);
 }
 
 }  // namespace sturm

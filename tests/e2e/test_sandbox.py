@@ -3,7 +3,8 @@ import os
 import unittest
 
 import documents
-from sturm_process import WRONG_INPUT, FolderTest, sturm
+import gltf_models
+from sturm_process import SOURCE, WRONG_INPUT, FolderTest, sturm
 
 EYE = {"format": "sturm.eye/1", "prescription": {"sphere_D": -2, "cylinder_D": -1, "axis_deg": 30}, "pupil_diameter_mm": 4}
 
@@ -41,6 +42,34 @@ class Sandbox(FolderTest):
     def test_the_option_stands_before_or_behind_the_command(self):
         self.ellipse("../outside/eye.json")
         self.assertEqual(sturm("--sandbox", "ellipse", self.folder / "inside/query.json").returncode, WRONG_INPUT)
+
+    def render(self, model, *options):
+        scene = {"models": [{"file": model}]}
+        view = self.write("inside/view.json", {**documents.view(), "scene": scene})
+        return sturm("render", view, "-o", self.folder / "seen.exr", "--set", "/camera/resolution=[4,4]", "--quiet", *options)
+
+    def test_models_name_files_below_alone(self):
+        faces = "v -1 -1 -2\nv 1 -1 -2\nv 0 1 -2\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n"
+        texture = (SOURCE / "tests/reference/images/reference.exr").read_bytes()
+        for folder in ("inside", "outside", "inside/below"):
+            self.write(f"{folder}/t.exr", texture)
+            self.write(f"{folder}/a.mtl", "newmtl a\nKd 1 1 1\nmap_Kd t.exr\n")
+        self.write("inside/way_out.mtl", "newmtl a\nKd 1 1 1\nmap_Kd ../outside/t.exr\n")
+        os.symlink(self.folder / "outside/t.exr", self.folder / "inside/linked.exr")
+        self.write("inside/linked.mtl", "newmtl a\nKd 1 1 1\nmap_Kd linked.exr\n")
+        for library, refused in (("a.mtl", False), ("below/a.mtl", False), ("../outside/a.mtl", True), ("way_out.mtl", True), ("linked.mtl", True),
+                                 (f"{self.folder}/outside/a.mtl", True)):
+            self.write("inside/m.obj", f"mtllib {library}\n{faces}")
+            process = self.render("m.obj", "--sandbox")
+            self.assertEqual(process.returncode, WRONG_INPUT if refused else 0, f"{library}: {process.stderr}")
+            self.assertEqual(self.render("m.obj").returncode, 0, library)
+        for uri, refused in (("t.exr", False), ("below/t.exr", False), ("../outside/t.exr", True), ("linked.exr", True), ("%2e%2e/outside/t.exr", True)):
+            model = gltf_models.Model()
+            model.square(model.material(texture={"index": model.add("textures", source=model.add("images", uri=uri))}))
+            model.write(self.folder / "inside/m.gltf")
+            process = self.render("m.gltf", "--sandbox")
+            self.assertEqual(process.returncode, WRONG_INPUT if refused else 0, f"{uri}: {process.stderr}")
+            self.assertEqual(self.render("m.gltf").returncode, 0, uri)
 
 
 if __name__ == "__main__":
