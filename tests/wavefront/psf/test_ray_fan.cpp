@@ -156,9 +156,9 @@ TEST(RayFan, DistancesFromWavesAreTheReferences) {
   for (std::size_t i = 2; i < file["cases"].size(); i += 13) expect_variation(file["cases"][i]);
 }
 
-TEST(RayFan, SlowDistancesFromWavesAreTheReferencesAll) {
+TEST(RayFan, SlowDistancesFromWavesAreTheReferencesByTwo) {
   const auto file = testing::reference_file("wavefronts/rays_vs_waves.json");
-  for (const auto& c : file["cases"]) expect_variation(c);
+  for (std::size_t i = 0; i < file["cases"].size(); i += 2) expect_variation(file["cases"][i]);
 }
 
 }  // namespace
