@@ -77,7 +77,7 @@ class ModelImport {
   Eigen::Vector3f checked_colour(const aiColor3D& colour, float largest, const std::string& where,
                                  const std::string& expected) const {
     for (const float value : {colour.r, colour.g, colour.b})
-      if (!(value >= 0.0f && value <= largest && std::isfinite(value))) fail(where, shortest(value), expected);
+      if (!(value >= 0.0f && value <= largest && std::isfinite(value))) fail(where, exact_number(value), expected);
     return {colour.r, colour.g, colour.b};
   }
 
@@ -329,7 +329,7 @@ SceneDescription import_model(const ModelSpec& spec) {
   if (!std::filesystem::is_regular_file(spec.file))
     throw InputError(spec.file.string(), "", "", "a model file that exists");
   if (!(spec.scale > 0.0 && std::isfinite(spec.scale)))
-    throw InputError(spec.file.string(), "scale", shortest(spec.scale), "a positive number");
+    throw InputError(spec.file.string(), "scale", exact_number(spec.scale), "a positive number");
   std::string extension = spec.file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

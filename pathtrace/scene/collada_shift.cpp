@@ -69,7 +69,8 @@ class Shift {
     if (!numbers || numbers->size() < 3) return;
     result_.offsets[geometry] = Eigen::Vector3d(numbers->data());
     result_.text += std::string_view(text_).substr(copied_, source.begin - copied_);
-    for (std::size_t i = 0; i < numbers->size(); ++i) result_.text += shortest((*numbers)[i] - (*numbers)[i % 3]) + " ";
+    for (std::size_t i = 0; i < numbers->size(); ++i)
+      result_.text += exact_number((*numbers)[i] - (*numbers)[i % 3]) + " ";
     copied_ = source.end;
   }
 

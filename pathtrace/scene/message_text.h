@@ -2,15 +2,15 @@
 #include <string>
 #include <string_view>
 
+#include "io/files/formatted_text.h"
+#include "io/files/readable_text.h"
+
 namespace sturm {
 
-// Numbers and texts of model files as messages show them.
-
-/// The shortest text that is read back as the same number.
-std::string shortest(float value);
-std::string shortest(double value);
-
-/// A text of a file in quotes, cut to at most 60 characters; bytes that are no UTF-8 and control characters become "?".
-std::string in_quotes(std::string_view text);
+/// A text of a model file in quotes, as messages show it: readable, and cut to at most 60 characters.
+inline std::string in_quotes(std::string_view text) {
+  constexpr std::size_t most_characters = 60;
+  return "\"" + readable(text, most_characters) + "\"";
+}
 
 }  // namespace sturm

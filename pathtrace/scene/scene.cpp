@@ -23,7 +23,8 @@ constexpr float largest_coordinate = 1e6f;  // [m]; beyond it single precision c
 
 void require_usable(const Eigen::Vector3f& p, const std::string& where) {
   if (!(p.array().abs() <= largest_coordinate).all())
-    throw InputError("", where, "(" + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ")",
+    throw InputError("", where,
+                     "(" + exact_number(p.x()) + ", " + exact_number(p.y()) + ", " + exact_number(p.z()) + ")",
                      "finite coordinates within ±1e6 m");
 }
 
@@ -88,14 +89,14 @@ void validate(const Mesh& mesh, std::size_t material_count) {
                      "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
   for (const Eigen::Vector3f& n : mesh.normals)
     if (!(std::abs(n.squaredNorm() - 1.0f) < 1e-3f))
-      throw InputError("", where, "a normal of length " + shortest(n.norm()), "unit normals");
+      throw InputError("", where, "a normal of length " + exact_number(n.norm()), "unit normals");
 }
 
 void validate(const Sphere& sphere, std::size_t material_count) {
   require_material(sphere.material, material_count, "sphere");
   require_usable(sphere.center, "sphere");
   if (!(sphere.radius > 0.0f && sphere.radius <= largest_coordinate))
-    throw InputError("", "sphere", "radius " + shortest(sphere.radius) + " m", "a radius above 0");
+    throw InputError("", "sphere", "radius " + exact_number(sphere.radius) + " m", "a radius above 0");
 }
 
 }  // namespace

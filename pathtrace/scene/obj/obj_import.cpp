@@ -89,7 +89,7 @@ class ObjImport {
     const float white = largest > 1.0f ? 255.0f : 1.0f;
     for (Vector3f& colour : model_.colours) {
       if (!(colour.minCoeff() >= 0.0f && colour.maxCoeff() <= white))
-        fail("vertex colours", shortest(colour.minCoeff() < 0.0f ? colour.minCoeff() : colour.maxCoeff()),
+        fail("vertex colours", exact_number(colour.minCoeff() < 0.0f ? colour.minCoeff() : colour.maxCoeff()),
              "numbers from 0 to 1, or from 0 to 255");
       colour /= white;
     }
@@ -170,7 +170,7 @@ class ObjImport {
       const Eigen::Vector3d world = placement_.point(model_.positions[corner.position]);
       if (!(world.array().abs() <= largest_coordinate).all())
         fail("mesh " + in_quotes(mesh.name),
-             "(" + shortest(world.x()) + ", " + shortest(world.y()) + ", " + shortest(world.z()) + ")",
+             "(" + exact_number(world.x()) + ", " + exact_number(world.y()) + ", " + exact_number(world.z()) + ")",
              "coordinates within ±1e6 m; \"position_m\" of the model can bring it there");
       mesh.positions.push_back(world.cast<float>());
     }

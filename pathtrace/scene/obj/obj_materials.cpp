@@ -110,7 +110,7 @@ void ObjMaterials::take_colours(const MtlMaterial& source, Material& material) {
   material.albedo = stated ? Eigen::Vector3f(stated->cast<float>()) : Eigen::Vector3f::Constant(map ? 1.0f : grey);
   for (int k = 0; k < 3; ++k)
     if (!(material.albedo[k] >= 0.0f && material.albedo[k] <= 1.0f))
-      fail(source, source.find("kd")->place + ", Kd", shortest((*stated)[k]), "reflectances from 0 to 1");
+      fail(source, source.find("kd")->place + ", Kd", exact_number((*stated)[k]), "reflectances from 0 to 1");
   if (!map) return;
   material.albedo_texture = files_.colours(map->found->file, spec_.texture_encoding);
   material.albedo_mapping = mapping(source, *map);
@@ -124,7 +124,7 @@ void ObjMaterials::take_emission(const MtlMaterial& source, Material& material) 
   material.emission = stated ? Eigen::Vector3f(stated->cast<float>()) : Eigen::Vector3f(Eigen::Vector3f::Ones());
   for (int k = 0; k < 3; ++k)
     if (!(material.emission[k] >= 0.0f && std::isfinite(material.emission[k])))
-      fail(source, source.find("ke")->place + ", Ke", shortest((*stated)[k]), "a finite radiance of at least 0");
+      fail(source, source.find("ke")->place + ", Ke", exact_number((*stated)[k]), "a finite radiance of at least 0");
   const std::optional<MtlTexture> map = has_map ? texture(source, "map_ke", "map_Ke") : std::nullopt;
   if (!map) return;
   material.emission_texture = files_.colours(map->found->file, spec_.texture_encoding);
@@ -156,7 +156,7 @@ void ObjMaterials::take_opacity(const MtlMaterial& source, Material& material) {
   const std::optional<MtlTexture> map = texture(source, "map_d", "map_d");
   if (factor < 1.0)
     note(source,
-         ": its transparency (opacity " + shortest(factor) + ") lets rays pass straight on, without refraction");
+         ": its transparency (opacity " + exact_number(factor) + ") lets rays pass straight on, without refraction");
   if (factor >= 1.0 && !map) return;
   material.opacity.mode = Opacity::Mode::blend;
   material.opacity.factor = static_cast<float>(factor);

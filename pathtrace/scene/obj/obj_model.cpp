@@ -104,7 +104,7 @@ class ObjReader {
   void require_finite(std::string_view statement, const Numbers& found, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i)
       if (!std::isfinite(found.value[i]))
-        fail(statement, shortest(found.value[i]) + ", which is not finite", "finite numbers");
+        fail(statement, exact_number(found.value[i]) + ", which is not finite", "finite numbers");
   }
 
   void read_position(std::string_view line) {
@@ -208,7 +208,7 @@ class ObjReader {
 
   void require_weight_one(std::uint32_t position) const {
     if (const auto at = weights_.find(position); at != weights_.end())
-      throw InputError(lines_.place(at->second.line), "v", "a weight of " + shortest(at->second.value),
+      throw InputError(lines_.place(at->second.line), "v", "a weight of " + exact_number(at->second.value),
                        "a weight of 1 at the corners of faces");
   }
 
