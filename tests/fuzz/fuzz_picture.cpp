@@ -1,11 +1,9 @@
-#include <span>
-
-#include "io/images/image_formats.h"
+#include "io/images/picture_file.h"
 #include "tests/fuzz/reader_under_test.h"
 
-/// PNG, JPEG, Radiance HDR, PFM and whatever else the module reads, as their content says.
+/// PNG, JPEG, Radiance HDR, PFM, EXR and whatever else is read: the content decides.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sturm::fuzz;
-  try_reader([&] { sturm::read_embedded_image(std::span<const unsigned char>(data, size), "fuzzed"); });
+  try_reader([&] { sturm::read_picture_file(written("fuzzed", text_of(data, size))); });
   return 0;
 }
