@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "io/images/exr_attributes.h"
 #include "io/images/exr_header.h"
 
 namespace sturm {
@@ -67,6 +68,7 @@ Image in_display_window(Image stored, const Imf::Header& header) {
 ExrReader::ExrReader(const std::filesystem::path& path)
     : file_bytes_(static_cast<double>(std::filesystem::file_size(path))) {
   if (!Imf::isOpenExrFile(path.c_str())) throw std::runtime_error("another kind of file");
+  require_honest_attributes(path);
   file_ = std::make_unique<Imf::MultiPartInputFile>(path.c_str());
 }
 

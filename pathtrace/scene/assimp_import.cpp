@@ -31,6 +31,7 @@
 #include "pathtrace/scene/model_placement.h"
 #include "pathtrace/scene/named_files.h"
 #include "pathtrace/scene/obj/obj_import.h"
+#include "pathtrace/scene/ply_check.h"
 #include "pathtrace/scene/texture_file.h"
 #include "pathtrace/scene/vertex_colours.h"
 #include "pathtrace/scene/vertex_normals.h"
@@ -44,6 +45,7 @@ class ModelImport {
 
   SceneDescription run(const std::string& extension) {
     if (extension == ".dae") check_collada(file_);
+    if (extension == ".ply") check_ply(file_);
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // No JoinIdenticalVertices: positions stay exactly those of the file, and flat shading needs no shared vertices.

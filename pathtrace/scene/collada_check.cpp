@@ -1,6 +1,7 @@
 #include "pathtrace/scene/collada_check.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "io/files/error.h"
+#include "io/files/readable_text.h"
 #include "io/files/text_file.h"
 #include "pathtrace/scene/xml_tags.h"
 
@@ -73,9 +75,29 @@ class NodeGraph {
   int without_id_ = 0;
 };
 
+/// Assimp goes on for ever where a list of indices holds anything but whole numbers, and reserves what `count` claims.
+void check_lists(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::string_view whole_numbers = "0123456789+- \t\r\n";
+  for (XmlTags tags(text); tags.next();) {
+    const std::string_view name = tags.name(), content = tags.content();
+    const std::string place = "<" + std::string(name) + ">";
+    const bool indices = name == "p" || name == "v" || name == "h" || name == "vcount";
+    if (const std::size_t odd = content.find_first_not_of(whole_numbers); indices && odd != std::string_view::npos)
+      throw InputError(file.string(), place, readable(content.substr(odd, 1)),
+                       "whole numbers with blanks between them");
+    if (name.starts_with('/') || !name.ends_with("_array")) continue;
+    const std::string count = tags.attribute("count");
+    std::size_t claimed = 0;
+    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), claimed);
+    if (error != std::errc() || end != count.data() + count.size() || claimed > text.size())
+      throw InputError(file.string(), place + ", count", readable(count, 40), "the number of values that it holds");
+  }
+}
+
 }  // namespace
 
 void check_collada(const std::filesystem::path& file) {
+  check_lists(file, file_contents(file).value_or(""));
   NodeGraph(file).check();
 }
 

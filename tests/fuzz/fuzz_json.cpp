@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "io/json/json.h"
 #include "tests/fuzz/reader_under_test.h"
 

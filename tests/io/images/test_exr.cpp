@@ -101,6 +101,14 @@ TEST(Exr, ClaimsBeyondTheLimitAreRefusedBeforeAnythingIsAllocated) {
   EXPECT_THAT(input_error([&] { read_exr(folder / "a.exr", 1000); }), HasSubstr("MiB"));
   EXPECT_NO_THROW(read_exr(folder / "a.exr", 37 * 19 * 11 * sizeof(float)));
   EXPECT_THROW(read_exr(folder / "a.exr", 37 * 19 * 11 * sizeof(float) - 1), InputError);
+  // An attribute of 2 GB in a file of a few kB: its size stands behind its name and type.
+  std::string bytes = read_text(folder / "a.exr");
+  const std::string name_and_type("sturm.spec\0string\0", 18);
+  const std::size_t size = bytes.find(name_and_type) + name_and_type.size();
+  ASSERT_LT(size, bytes.size());
+  bytes.replace(size, 4, "\xFF\xFF\xFF\x7F");
+  write_text(folder / "claim.exr", bytes);
+  EXPECT_THAT(input_error([&] { read_exr(folder / "claim.exr"); }), HasSubstr("an attribute of 2147483647 bytes"));
 }
 
 /// Little-endian bytes of numbers and zero-terminated text, for an EXR file by hand (openexr.com, "OpenEXR File
