@@ -22,6 +22,7 @@
 #include "io/files/sandbox.h"
 #include "io/images/image_formats.h"
 #include "io/images/tone_map.h"
+#include "pathtrace/scene/assimp_assertions.h"
 #include "pathtrace/scene/assimp_positions.h"
 #include "pathtrace/scene/collada_check.h"
 #include "pathtrace/scene/collada_specular.h"
@@ -46,12 +47,13 @@ class ModelImport {
   SceneDescription run(const std::string& extension) {
     if (extension == ".dae") check_collada(file_);
     if (extension == ".ply") check_ply(file_);
+    let_assimp_assert_by_exception();
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // No JoinIdenticalVertices: positions stay exactly those of the file, and flat shading needs no shared vertices.
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
-    const aiScene* scene = importer.ReadFile(file_.string(), steps);
-    if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
+    const aiScene* scene = checked(importer, importer.ReadFile(file_.string(), 0));
+    scene = checked(importer, importer.ApplyPostProcessing(steps));
     if (AssimpPositions::are_far_from_the_origin(*scene)) scene = positions_.read(importer, *scene, file_, steps);
     if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
     if (extension == ".dae") specular_ = collada_materials_with_specular(file_);
@@ -74,6 +76,20 @@ class ModelImport {
  private:
   [[noreturn]] void fail(const std::string& where, const std::string& value, const std::string& expected) const {
     throw InputError(file_.string(), where, value, expected);
+  }
+
+  /// Assimp's further steps believe what faces say about vertices.
+  const aiScene* checked(const Assimp::Importer& importer, const aiScene* scene) const {
+    if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
+    for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+      const aiMesh& mesh = *scene->mMeshes[m];
+      for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+        for (unsigned i = 0; i < mesh.mFaces[f].mNumIndices; ++i)
+          if (mesh.mFaces[f].mIndices[i] >= mesh.mNumVertices)
+            fail("mesh " + in_quotes(mesh.mName.C_Str()),
+                 "face " + std::to_string(f) + " names a vertex that does not exist", "valid vertex numbers");
+    }
+    return scene;
   }
 
   Eigen::Vector3f checked_colour(const aiColor3D& colour, float largest, const std::string& where,

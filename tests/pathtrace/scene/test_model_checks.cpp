@@ -8,6 +8,7 @@
 #include "io/files/error.h"
 #include "pathtrace/scene/collada_check.h"
 #include "pathtrace/scene/ply_check.h"
+#include "pathtrace/scene/scene_import.h"
 
 namespace sturm {
 namespace {
@@ -52,6 +53,38 @@ TEST_F(ModelChecks, ColladaListsAreWholeNumbers) {
   EXPECT_THAT(refusal(check_collada, "<vcount>3 x</vcount>"), HasSubstr("whole numbers"));
   EXPECT_THAT(refusal(check_collada, "<float_array count=\"4000000000\">1</float_array>"), HasSubstr("4000000000"));
   EXPECT_THAT(refusal(check_collada, "<float_array count=\"-1\">1</float_array>"), HasSubstr("count"));
+}
+
+TEST_F(ModelChecks, AssertionsOfAssimpAreErrorsOfTheFile) {
+  const auto read = [](const std::filesystem::path& file) {
+    SceneSpec scene;
+    scene.models.push_back({.file = file});
+    build_scene(scene);
+  };
+  file_ += ".ply";
+  // Found by made-up bytes: an assertion within Assimp ended the program.
+  std::string text =
+      "ply\n"
+      "format ascii 1.0\n"
+      "element vertex 3\n"
+      "property double x\n"
+      "property double y\n"
+      "property double z\n"
+      "property uchar red\n"
+      "property uchar green\n"
+      "property uchar blue\n"
+      "element face 1\n"
+      "property list uchar int vertex_indices\n"
+      "end_header\n"
+      "1 0 -2 255 0 0\n"
+      "1 0 -2 0 m?5 0\n"
+      "0 1 -2 055 20 \n"
+      "3 0 1 2\n";
+  text[text.find('?')] = '\0';
+  EXPECT_THAT(refusal(read, text), HasSubstr("does not hold"));
+  // A face that names vertices which are not there: Assimp would read them.
+  const std::string start = text.substr(0, text.find("1 0 -2"));
+  EXPECT_THAT(refusal(read, start + "1 0 -2 0 0 0\n2 0 -2 0 0 0\n2 1 -2 0 0 0\n4 0 1 2 900000\n"), HasSubstr("vertex"));
 }
 
 }  // namespace
