@@ -83,11 +83,15 @@ class ModelImport {
     if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
     for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
       const aiMesh& mesh = *scene->mMeshes[m];
-      for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+      for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        if (mesh.mFaces[f].mNumIndices == 0)
+          fail("mesh " + in_quotes(mesh.mName.C_Str()), "face " + std::to_string(f) + " has no vertices",
+               "faces of one vertex or more");
         for (unsigned i = 0; i < mesh.mFaces[f].mNumIndices; ++i)
           if (mesh.mFaces[f].mIndices[i] >= mesh.mNumVertices)
             fail("mesh " + in_quotes(mesh.mName.C_Str()),
                  "face " + std::to_string(f) + " names a vertex that does not exist", "valid vertex numbers");
+      }
     }
     return scene;
   }

@@ -1,6 +1,7 @@
 #include "pathtrace/scene/ply_check.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -19,6 +20,13 @@ bool is_type(const std::string& word) {
                                                "float", "double", "int8",    "uint8",  "int16", "uint16",
                                                "int32", "uint32", "float32", "float64"};
   return std::find(std::begin(types), std::end(types), word) != std::end(types);
+}
+
+bool is_name(const std::string& word) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; };
+  return is_letter(word.front()) && std::all_of(word.begin(), word.end(), [&](char c) {
+           return is_letter(c) || std::isdigit(static_cast<unsigned char>(c));
+         });
 }
 
 /// Whether the words behind "property" are a type and a name, or a list with its two types.
@@ -46,7 +54,9 @@ void check_ply(const std::filesystem::path& file) {
     if (number == 1 && statement != "ply") fail(number, statement, "ply");
     if (statement == "end_header") return;
     if (statement == "element") {
-      if (!(words >> name >> count)) fail(number, line, "an element with its name and number");
+      std::string more;
+      if (!(words >> name >> count) || !is_name(name) || words >> more)
+        fail(number, line, "an element with its name and number");
       if (!(count >= 0.0 && count <= static_cast<double>(bytes.size())))
         fail(number, line, "no more elements than the file has bytes");
     } else if (statement == "property") {
