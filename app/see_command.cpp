@@ -10,6 +10,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
 #include "io/images/exr.h"
+#include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "io/json/schema.h"
 #include "io/specs/eye_spec.h"
@@ -73,7 +74,7 @@ double accommodation_of(const Eye& eye, const SeeOptions& options, const SeeInpu
 
 void write_seen(const fs::path& file, const Image& radiance, double exposure, const Json& spec) {
   if (file.extension() == ".exr")
-    write_exr(file, LayeredImage{{{"", radiance}}, {{"sturm.see", spec.dump()}}});
+    write_exr(file, LayeredImage{{{"", radiance}}, {{"sturm.see", json_text(spec)}}});
   else
     write_png(file, radiance, exposure);
 }
@@ -134,7 +135,7 @@ class SeeRun {
     facts_.seconds["total"] = total_.seconds();
     fs::path beside(options_.output);
     write_file_atomically(beside.replace_extension(".manifest.json"),
-                          manifest(facts_, spec, counters, inputs_.notes).dump(1) + "\n");
+                          json_text(manifest(facts_, spec, counters, inputs_.notes), 1) + "\n");
   }
 
  private:

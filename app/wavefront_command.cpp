@@ -7,6 +7,7 @@
 #include "io/files/csv.h"
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
+#include "io/json/json_text.h"
 #include "io/json/schema.h"
 #include "io/specs/eye_spec.h"
 #include "io/specs/wavefront_spec.h"
@@ -237,7 +238,7 @@ int wavefront_command(const WavefrontOptions& o) {
   validate(eye, "eye", o.output);
   for (const std::string& file : {o.output, o.report, o.residuals})
     if (!file.empty()) require_writable(file);
-  if (!o.output.empty()) write_file_atomically(o.output, eye.dump(1) + "\n");
+  if (!o.output.empty()) write_file_atomically(o.output, json_text(eye, 1) + "\n");
   if (!o.residuals.empty()) write_file_atomically(o.residuals, outcome.residuals);
   write_result(outcome.report, o.report);
   return 0;

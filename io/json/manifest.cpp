@@ -7,6 +7,7 @@
 #include "io/files/build_info.h"
 #include "io/files/machine.h"
 #include "io/files/sha256.h"
+#include "io/json/json_text.h"
 
 namespace sturm {
 
@@ -45,7 +46,7 @@ std::string utc_now() {
 }
 
 std::string spec_hash(const Json& resolved_spec) {
-  return sha256(resolved_spec.dump());
+  return sha256(json_text(resolved_spec));
 }
 
 Json provenance(const RunFacts& run, const Json& resolved_spec) {

@@ -2,7 +2,8 @@
 import base64
 import json
 import struct
-import zlib
+
+from picture_files import png
 
 BYTE, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
 _LETTERS = {BYTE: "b", UNSIGNED_BYTE: "B", SHORT: "h", UNSIGNED_SHORT: "H", UNSIGNED_INT: "I", FLOAT: "f"}
@@ -15,16 +16,6 @@ NEAREST = 9728
 CORNERS = [(-1, -1, -2), (1, -1, -2), (1, 1, -2), (-1, 1, -2)]
 COORDINATES = [(0, 1), (1, 1), (1, 0), (0, 0)]
 TRIANGLES = [0, 1, 2, 0, 2, 3]
-
-
-def png(rows):
-    """An 8-bit PNG of rows of (r, g, b) or (r, g, b, a)."""
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, {3: 2, 4: 6}[len(rows[0][0])], 0, 0, 0)
-    body = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(body)) + chunk(b"IEND", b"")
 
 
 def mixed(first, second, share):

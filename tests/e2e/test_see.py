@@ -1,32 +1,15 @@
 """`sturm see`: pictures with a depth map in all the forms that it may come in, and what is wrong with them."""
 import json
 import math
-import struct
+import os
 import unittest
-import zlib
 
 import png_pixels
-from sturm_process import SOURCE, WRONG_INPUT, FolderTest, snapshot, sturm
+from picture_files import pfm, png
+from sturm_process import SOURCE, WRONG_INPUT, FolderTest, snapshot, strict_json, sturm
 
 WIDTH, HEIGHT = 48, 40
 MYOPE = {"format": "sturm.eye/1", "prescription": {"sphere_D": -2, "vertex_distance_mm": 0}, "pupil_diameter_mm": 5}
-
-
-def grey_png(rows, bits):
-    """A PNG of rows of whole numbers."""
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
-    code = ">H" if bits == 16 else ">B"
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), bits, 0, 0, 0, 0)
-    body = b"".join(b"\0" + b"".join(struct.pack(code, value) for value in row) for row in rows)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(body)) + chunk(b"IEND", b"")
-
-
-def pfm(rows):
-    """A Portable FloatMap in little endian; the file has its last row first."""
-    lines = b"".join(struct.pack(f"<{len(row)}f", *row) for row in reversed(rows))
-    return f"Pf\n{len(rows[0])} {len(rows)}\n-1.0\n".encode() + lines
 
 
 def to_linear(encoded):
@@ -62,14 +45,14 @@ class See(FolderTest):
     def test_depth_means_the_same_in_every_form(self):
         metres = two_distances(0.5, 4.0)
         forms = {
-            "mm.png": (grey_png([[round(1000 * d) for d in row] for row in metres], 16), []),
-            "scaled.png": (grey_png([[round(5000 * d) for d in row] for row in metres], 16), ["--depth-scale", "0.0002"]),
+            "mm.png": (png([[round(1000 * d) for d in row] for row in metres], 16), []),
+            "scaled.png": (png([[round(5000 * d) for d in row] for row in metres], 16), ["--depth-scale", "0.0002"]),
             "m.pfm": (pfm(metres), []),
             "dioptres.pfm": (pfm([[1 / d for d in row] for row in metres]), ["--depth-unit", "D"]),
             # f b = 100 px m, so that 0.5 m are 200 px and 4 m are 25 px; 5 px are added to the stored ones.
             "disparity.pfm": (pfm([[100 / d - 5 for d in row] for row in metres]),
                               ["--disparity", "--focal-px", "1000", "--baseline-m", "0.1", "--doffs-px", "5"]),
-            "disparity8.png": (grey_png([[round(100 / d) for d in row] for row in metres], 8),
+            "disparity8.png": (png([[round(100 / d) for d in row] for row in metres], 8),
                                ["--disparity", "--focal-px", "1000", "--baseline-m", "0.1"]),
         }
         expected = None
@@ -111,6 +94,17 @@ class See(FolderTest):
         self.assertIn("2 planes", text)
         self.assertEqual(snapshot(self.folder), before)
 
+    def test_names_need_not_be_utf8(self):
+        """A file's name in Latin-1 stands in the manifest, with a replacement character."""
+        picture = os.fsencode(self.folder) + b"/gr\xfcn.png"
+        with open(picture, "wb") as file:
+            file.write(png(board()))
+        process = sturm("see", os.fsdecode(picture), "--distance-m", 1, "--eye", self.folder / "eye.json", "--vfov-deg", 2,
+                        "-o", self.folder / "named.png")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        manifest = strict_json((self.folder / "named.manifest.json").read_text())
+        self.assertTrue(manifest["spec"]["picture"].endswith("gr\ufffdn.png"))
+
     def test_wrong_input_is_refused_and_nothing_is_written(self):
         usual = [self.photo, "--eye", self.eye, "--vfov-deg", "2"]
         good = self.write("good.pfm", pfm(two_distances(0.5, 10.0)))
@@ -118,7 +112,7 @@ class See(FolderTest):
             ("40 x 20 pixels", ["--depth", self.write("small.pfm", pfm([[1.0] * 40] * 20))]),
             ("-1", ["--depth", self.write("negative.pfm", pfm(two_distances(-1.0, 1.0)))]),
             ("nan", ["--depth", self.write("nan.pfm", pfm(two_distances(math.nan, 1.0)))]),
-            ("8 bits", ["--depth", self.write("eight.png", grey_png([[9] * WIDTH] * HEIGHT, 8))]),
+            ("8 bits", ["--depth", self.write("eight.png", png([[9] * WIDTH] * HEIGHT, 8))]),
             ("in colour", ["--depth", self.write("colour.png", png_pixels.encode([[(1, 2, 3)] * WIDTH] * HEIGHT))]),
             ("no depth", []),
             ("calibration", ["--depth", good, "--disparity"]),
