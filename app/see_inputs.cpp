@@ -1,13 +1,13 @@
 #include "app/see_inputs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "io/images/exr.h"
 #include "io/images/image_formats.h"
 #include "io/images/tone_map.h"
@@ -25,12 +25,6 @@ struct ColorFile {
   std::optional<Image> depth;
   std::optional<double> pixel_slope;
 };
-
-bool is_exr(const std::string& path) {
-  std::string suffix = std::filesystem::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
-  return suffix == ".exr";
-}
 
 /// The layer that holds a picture: the main one, one that a renderer calls Combined, or the only one in colour; last, a
 /// main layer of luminance.
@@ -92,7 +86,7 @@ void require_light(Image& radiance, const std::string& path, std::vector<std::st
 
 ColorFile read_color_file(const std::string& path, std::vector<std::string>& notes) {
   ColorFile file;
-  if (is_exr(path)) {
+  if (has_suffix(path, ".exr")) {
     const LayeredImage layers = read_exr(path);
     split_channels(color_layer(layers, path), true, file);
     if (const Image* depth = depth_layer(layers)) file.depth = *depth;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 
@@ -13,10 +14,8 @@ namespace {
 
 std::string letters_and_digits(std::string_view name) {
   std::string result;
-  for (const char c : name) {
-    if (c >= 'A' && c <= 'Z') result += static_cast<char>(c - 'A' + 'a');
+  for (const char c : lower_case(name))
     if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) result += c;
-  }
   return result;
 }
 

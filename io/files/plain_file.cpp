@@ -1,8 +1,7 @@
 #include "io/files/plain_file.h"
 
-#include <algorithm>
-
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 
 namespace sturm {
 
@@ -17,10 +16,7 @@ void require_plain_file(const std::filesystem::path& path, const std::string& ex
 }
 
 bool has_suffix(const std::filesystem::path& path, const std::string& suffix) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  const std::string own = path.extension().string();
-  return std::equal(own.begin(), own.end(), suffix.begin(), suffix.end(),
-                    [&](char a, char b) { return lower(a) == lower(b); });
+  return lower_case(path.extension().string()) == lower_case(suffix);
 }
 
 }  // namespace sturm

@@ -1,12 +1,12 @@
 #include "io/images/depth_map.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/files/text_file.h"
 #include "io/images/exr.h"
 #include "io/images/image_formats.h"
@@ -18,11 +18,6 @@ namespace sturm {
 namespace {
 
 constexpr double hole = -1.0;  // vergence of a pixel without depth
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// What a number says about its pixel, at column x and row y.
 double vergence_of_number(double number, DepthUnit unit, const StereoCalibration& stereo, const std::string& name,
@@ -115,7 +110,7 @@ const Image* depth_layer(const LayeredImage& image) {
   const Image* found = nullptr;
   for (const auto& [name, layer] : image.layers) {
     if (layer.channels != 1) continue;
-    const std::string word = lower(name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1));
+    const std::string word = lower_case(name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1));
     if (word == "z" || word == "depth") {
       if (name == "depth" || name == "Z") return &layer;
       if (!found) found = &layer;
@@ -140,7 +135,7 @@ DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::s
 }
 
 DepthMap read_depth_map(const std::filesystem::path& path, const DepthReading& reading) {
-  const std::string suffix = lower(path.extension().string());
+  const std::string suffix = lower_case(path.extension().string());
   if (suffix == ".exr") return depth_of(read_exr_numbers(path), reading, path.string());
   if (suffix == ".pfm") return depth_of(one_channel(read_float_map(path), path.string()), reading, path.string());
   if (suffix != ".png") throw InputError(path.string(), "", "\"" + suffix + "\"", "a depth map as EXR, PFM or PNG");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/files/lower_case.h"
+
 namespace sturm {
 
 namespace {
@@ -70,10 +72,7 @@ std::string channel_role(const std::string& channel) {
                                                            {"x", "X"},     {"y", "Y"},    {"z", "Z"},    {"red", "R"},
                                                            {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
   const std::string part = last_part(channel);
-  std::string lower = part;
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const auto role = roles.find(lower);
+  const auto role = roles.find(lower_case(part));
   return role == roles.end() ? part : role->second;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/files/readable_text.h"
 #include "io/images/exr_channels.h"
 
@@ -15,15 +16,9 @@ namespace {
 
 constexpr std::size_t most_listed = 60;
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 /// The name of a layer of a part.
 std::string name_of(const std::string& part, const std::string& layer, bool several_parts) {
-  const std::string plain = lower(part);
+  const std::string plain = lower_case(part);
   if (!several_parts || part.empty() || plain == "rgba" || plain == "rgb") return layer;
   if (layer.empty() || layer == part) return part;
   return layer.starts_with(part + ".") ? layer : part + "." + layer;
@@ -71,13 +66,13 @@ const ExrLayer* only_one(const std::vector<ExrLayer>& layers, const Condition& h
 
 const ExrLayer* named_layer(const std::vector<ExrLayer>& layers, const std::string& wanted) {
   if (const auto* exact = only_one(layers, [&](const ExrLayer& l) { return l.name == wanted; })) return exact;
-  const std::string word = lower(wanted);
-  if (const auto* like = only_one(layers, [&](const ExrLayer& l) { return lower(l.name) == word; })) return like;
+  const std::string word = lower_case(wanted);
+  if (const auto* like = only_one(layers, [&](const ExrLayer& l) { return lower_case(l.name) == word; })) return like;
   const bool means_main = word == "main" || word == "rgba" || word == "rgb";
   return only_one(layers, [&](const ExrLayer& l) {
-    const std::string name = lower(l.name);
+    const std::string name = lower_case(l.name);
     return (means_main && name.empty()) ||
-           (is_picture(l) && (lower(channel_layer(l.channels.front())) == word || name.starts_with(word + ".") ||
+           (is_picture(l) && (lower_case(channel_layer(l.channels.front())) == word || name.starts_with(word + ".") ||
                               name.ends_with("." + word)));
   });
 }

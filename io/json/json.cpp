@@ -15,6 +15,7 @@
 #include "io/files/readable_text.h"
 #include "io/files/sandbox.h"
 #include "io/files/text_encoding.h"
+#include "io/json/json_text.h"
 
 namespace sturm {
 
@@ -197,7 +198,7 @@ std::string compact(const Json& value, std::size_t limit) {
   if (value.is_array() && value.size() > limit)
     text = Json(Json::array_t(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(limit))).dump();
   else
-    text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text = json_text(value);
   if (text.size() <= limit) return text;
   std::size_t end = limit - 1;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 sequence

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "io/files/lower_case.h"
 #include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 #include "io/json/suggest.h"
@@ -136,9 +137,7 @@ std::string in_ascii(std::string_view text) {
   for (const auto& [typed, spelt] : spellings)
     for (std::size_t at = 0; (at = plain.find(typed, at)) != std::string::npos; at += spelt.size())
       plain.replace(at, typed.size(), spelt);
-  for (char& c : plain)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return plain;
+  return lower_case(plain);
 }
 
 class Scanner {

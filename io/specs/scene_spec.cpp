@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/json/named_file.h"
 #include "io/json/suggest.h"
 #include "io/json/values.h"
@@ -57,9 +58,7 @@ std::vector<MaterialOverride> read_overrides(const Json& list, const Source& whe
 
 /// Throws for a USD scene, which nothing that Sturm is built with reads.
 void refuse_usd(const std::filesystem::path& file, const Json& value, const Source& where) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string extension = lower_case(file.extension().string());
   for (const char* usd : {".usd", ".usda", ".usdc", ".usdz"})
     if (extension == usd)
       where.fail(value,

@@ -1,13 +1,14 @@
 #include "io/specs/sensor_table.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "io/files/csv.h"
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
+#include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
 #include "lensmodel/units.h"
 
@@ -44,8 +45,7 @@ struct Column {
 class Heading {
  public:
   explicit Heading(std::vector<std::string> names) : names_(std::move(names)) {
-    for (std::string& name : names_)
-      std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    for (std::string& name : names_) name = lower_case(name);
   }
 
   int index(const std::string& name) const {
@@ -74,19 +74,6 @@ class Heading {
   std::vector<std::string> names_;
 };
 
-/// Commas, semicolons or tabs: whichever the first row has most of.
-CsvDialect dialect_of(std::string_view text) {
-  std::size_t start = 0;
-  while (start < text.size() && (text[start] == '#' || text[start] == '\n' || text[start] == '\r'))
-    start = std::min(text.find('\n', start), text.size() - 1) + 1;
-  const std::string_view row = text.substr(start, text.find('\n', start) - start);
-  CsvDialect dialect;
-  for (const char separator : {';', '\t'})
-    if (std::count(row.begin(), row.end(), separator) > std::count(row.begin(), row.end(), dialect.separator))
-      dialect.separator = separator;
-  return dialect;
-}
-
 /// What the columns of a table are.
 struct Layout {
   Column place, slope, measured, height;
@@ -98,7 +85,7 @@ class Reader {
   Reader(std::string file, const SensorTableOptions& options) : file_(std::move(file)), options_(options) {}
 
   SensorTable read(std::string_view text) {
-    CsvReader rows(text, file_, dialect_of(text));
+    CsvReader rows(text, file_, csv_dialect_of(text));
     std::optional<CsvRow> first = rows.next();
     if (!first) throw InputError(file_, "", "an empty table", "a table of slopes, pairs of spots or heights");
     if (csv_number(first->fields[0]) || first->fields[0].empty())
@@ -238,7 +225,7 @@ class Reader {
 SensorTable read_sensor_table(const std::filesystem::path& file, const SensorTableOptions& options) {
   const auto contents = file_contents(file);
   if (!contents) throw InputError(file.string(), "", "", "a file that can be read");
-  return Reader(file.string(), options).read(*contents);
+  return Reader(file.string(), options).read(utf8_text(*contents));
 }
 
 }  // namespace sturm

@@ -7,22 +7,20 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/files/sandbox.h"
-#include "io/images/image_formats.h"
-#include "io/images/tone_map.h"
-#include "pathtrace/scene/assimp_assertions.h"
 #include "pathtrace/scene/assimp_positions.h"
 #include "pathtrace/scene/collada_check.h"
 #include "pathtrace/scene/collada_specular.h"
@@ -37,6 +35,16 @@
 #include "pathtrace/scene/vertex_colours.h"
 #include "pathtrace/scene/vertex_normals.h"
 
+namespace Assimp {
+
+/// Debian's Assimp checks some files by assertions, which would end the program. This takes the place of its function;
+/// Assimp catches the exception and says that it cannot read the file.
+[[noreturn]] void aiAssertViolation(const char* condition, const char*, int) {
+  throw std::runtime_error(std::string("Assimp's condition \"") + condition + "\" does not hold");
+}
+
+}  // namespace Assimp
+
 namespace sturm {
 namespace {
 
@@ -47,7 +55,6 @@ class ModelImport {
   SceneDescription run(const std::string& extension) {
     if (extension == ".dae") check_collada(file_);
     if (extension == ".ply") check_ply(file_);
-    let_assimp_assert_by_exception();
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // No JoinIdenticalVertices: positions stay exactly those of the file, and flat shading needs no shared vertices.
@@ -135,10 +142,8 @@ class ModelImport {
                        TextureEncoding encoding) {
     if (const aiTexture* embedded = scene.GetEmbeddedTexture(name.c_str())) {
       if (embedded->mHeight != 0) fail(where, "an embedded texture of plain texels", "an embedded PNG or JPEG file");
-      const Image stored =
-          read_embedded_image({reinterpret_cast<const unsigned char*>(embedded->pcData), embedded->mWidth},
-                              file_.string() + ", " + where + ", texture " + name);
-      return encoding == TextureEncoding::Srgb ? srgb_to_linear(stored) : stored;
+      return read_embedded_texture({reinterpret_cast<const unsigned char*>(embedded->pcData), embedded->mWidth},
+                                   encoding, file_.string() + ", " + where + ", texture " + name);
     }
     const NamedFiles files({file_.parent_path()});
     const auto found = files.find(name);
@@ -152,14 +157,8 @@ class ModelImport {
   std::shared_ptr<const Image> texture(const aiScene& scene, const std::string& name, const std::string& where,
                                        TextureEncoding encoding) {
     std::shared_ptr<const Image>& known = textures_[{name, encoding}];
-    if (known) return known;
-    const Image stored = linear_texture(scene, name, where, encoding);
-    Image rgb(stored.width, stored.height, 3);
-    const bool grey = stored.channels <= 2;
-    for (int y = 0; y < rgb.height; ++y)
-      for (int x = 0; x < rgb.width; ++x)
-        for (int c = 0; c < 3; ++c) rgb.at(x, y)[c] = stored.at(x, y)[grey ? 0 : c];
-    return known = std::make_shared<const Image>(std::move(rgb));
+    if (!known) known = colours_of(linear_texture(scene, name, where, encoding));
+    return known;
   }
 
   void note(const std::string& text) { result_.notes.push_back(file_.filename().string() + ": " + text); }
@@ -352,9 +351,7 @@ SceneDescription import_model(const ModelSpec& spec) {
     throw InputError(spec.file.string(), "", "", "a model file that exists");
   if (!(spec.scale > 0.0 && std::isfinite(spec.scale)))
     throw InputError(spec.file.string(), "scale", exact_number(spec.scale), "a positive number");
-  std::string extension = spec.file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(spec.file.extension().string());
   if (extension == ".gltf" || extension == ".glb" || extension == ".vrm") return import_gltf(spec);
   if (extension == ".obj") return import_obj(spec);
   // Of other formats Assimp opens whatever files they name.

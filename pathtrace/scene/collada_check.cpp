@@ -22,8 +22,7 @@ constexpr std::uint64_t most_nodes = 1000000;
 /// What each node holds: nodes within it and nodes that it instances, by id ("#n" for the n-th without one).
 class NodeGraph {
  public:
-  explicit NodeGraph(const std::filesystem::path& file) : file_(file) {
-    const std::string text = file_contents(file).value_or("");
+  NodeGraph(const std::filesystem::path& file, std::string_view text) : file_(file) {
     std::vector<std::string> open;
     for (XmlTags tags(text); tags.next();) {
       const std::string_view name = tags.name();
@@ -97,8 +96,9 @@ void check_lists(const std::filesystem::path& file, std::string_view text) {
 }  // namespace
 
 void check_collada(const std::filesystem::path& file) {
-  check_lists(file, file_contents(file).value_or(""));
-  NodeGraph(file).check();
+  const std::string text = file_contents(file).value_or("");
+  check_lists(file, text);
+  NodeGraph(file, text).check();
 }
 
 }  // namespace sturm

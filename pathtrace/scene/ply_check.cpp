@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <string_view>
 
 #include "io/files/error.h"
 #include "io/files/readable_text.h"
-#include "io/files/text_file.h"
 
 namespace sturm {
 
@@ -40,8 +39,8 @@ bool is_property(std::istringstream& words) {
 }  // namespace
 
 void check_ply(const std::filesystem::path& file) {
-  const std::string bytes = file_contents(file).value_or("");
-  std::istringstream lines(bytes);
+  const auto file_bytes = static_cast<double>(std::filesystem::file_size(file));
+  std::ifstream lines(file, std::ios::binary);
   const auto fail = [&](int number, const std::string& value, const char* expected) {
     throw InputError(file.string() + ", line " + std::to_string(number), "", readable(value, 60), expected);
   };
@@ -57,8 +56,7 @@ void check_ply(const std::filesystem::path& file) {
       std::string more;
       if (!(words >> name >> count) || !is_name(name) || words >> more)
         fail(number, line, "an element with its name and number");
-      if (!(count >= 0.0 && count <= static_cast<double>(bytes.size())))
-        fail(number, line, "no more elements than the file has bytes");
+      if (!(count >= 0.0 && count <= file_bytes)) fail(number, line, "no more elements than the file has bytes");
     } else if (statement == "property") {
       if (!is_property(words)) fail(number, line, "a property with its type and name");
     } else if (number > 1 && statement != "format" && statement != "comment" && statement != "obj_info" &&

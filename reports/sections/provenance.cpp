@@ -1,4 +1,5 @@
 #include "compare/findings/stored_run.h"
+#include "io/json/json_text.h"
 #include "io/json/stored.h"
 #include "reports/markup/html_table.h"
 #include "reports/markup/numbers.h"
@@ -45,7 +46,7 @@ Html provenance_section(const Json& report) {
   if (provenance.is_object()) html += facts(provenance) + input_table(read_stored_run(report).inputs);
   if (!spec.is_null()) {
     html += folded("The experiment with every default spelt out"_html,
-                   element("pre", {{"tabindex", "0"}}, text(spec.dump(2, ' ', false, Json::error_handler_t::replace))));
+                   element("pre", {{"tabindex", "0"}}, text(json_text(spec, 2))));
   }
   return html.empty() ? Html() : element("section", {{"id", "provenance"}}, element("h2", "Provenance"_html) + html);
 }

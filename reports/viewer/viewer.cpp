@@ -7,6 +7,7 @@
 
 #include "io/images/half_pixels.h"
 #include "io/json/json.h"
+#include "io/json/json_text.h"
 #include "reports/markup/false_colour.h"
 #include "reports/markup/pictures.h"
 
@@ -61,11 +62,6 @@ double scale_end(const ImageMetric& metric) {
   const auto nth = errors.begin() + static_cast<std::ptrdiff_t>(shown_share * static_cast<double>(errors.size() - 1));
   std::nth_element(errors.begin(), nth, errors.end());
   return *nth > 0.0f ? round_length_above(*nth) : 1.0;
-}
-
-/// JSON text; bytes that are not UTF-8 are replaced.
-std::string text_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// JSON inside HTML that is also XML: no character that either of them would take for markup.
@@ -127,7 +123,7 @@ std::vector<ViewerSet::Map> maps_of_images(const Image& difference, double diffe
 void ViewerPayload::add_picture(const std::string& file, const Image& linear, int factor) {
   if (pictures_.contains(file)) return;
   const Image shown = shrunk(linear, factor);
-  pictures_[file] = text_of(shown.channels == 1 ? scaled_pixels_json(shown) : pixels_json(shown));
+  pictures_[file] = json_text(shown.channels == 1 ? scaled_pixels_json(shown) : pixels_json(shown));
 }
 
 std::size_t ViewerPayload::add_set(const ViewerSet& shown) {
@@ -146,19 +142,19 @@ std::size_t ViewerPayload::add_set(const ViewerSet& shown) {
                {"factor", shown.factor}, {"pictures", std::move(pictures)},          {"maps", std::move(maps)}};
   if (density) item["peak"] = shown.peak;
   if (shown.pixel_arcmin) item["pixelArcmin"] = *shown.pixel_arcmin;
-  sets_.push_back(text_of(item));
+  sets_.push_back(json_text(item));
   return sets_.size() - 1;
 }
 
 Html ViewerPayload::html() const {
   if (sets_.empty()) return {};
   std::string pictures, cases;
-  for (const auto& [file, text] : pictures_) pictures += (pictures.empty() ? "" : ",") + text_of(file) + ":" + text;
+  for (const auto& [file, text] : pictures_) pictures += (pictures.empty() ? "" : ",") + json_text(file) + ":" + text;
   for (const std::string& text : sets_) cases += (cases.empty() ? "" : ",") + text;
   const Json colours = {{"sequential", colour_table([](double t) { return sequential_colour(t); })},
                         {"diverging", colour_table([](double t) { return diverging_colour(2.0 * t - 1.0); })}};
   const std::string document =
-      "{\"pictures\":{" + pictures + "},\"cases\":[" + cases + "],\"colours\":" + text_of(colours) + "}";
+      "{\"pictures\":{" + pictures + "},\"cases\":[" + cases + "],\"colours\":" + json_text(colours) + "}";
   return element("script", {{"type", "application/json"}, {"id", "viewer-payload"}},
                  Html::trusted(markup_free(document)));
 }

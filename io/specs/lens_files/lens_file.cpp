@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
 #include "io/specs/lens_files/vca_file.h"
@@ -17,17 +18,10 @@ constexpr std::size_t largest_bytes = std::size_t{64} << 20;
 constexpr std::string_view zemax_suffix = ".zmx";
 constexpr std::array<std::string_view, 6> vca_suffixes{".oma", ".vca", ".dcs", ".lds", ".lms", ".sdf"};
 
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
-}
-
 }  // namespace
 
 bool is_lens_file(std::string_view name) {
-  const std::string lower = in_lower_case(name);
+  const std::string lower = lower_case(name);
   const auto ends = [&](std::string_view suffix) { return lower.ends_with(suffix); };
   return ends(zemax_suffix) || std::ranges::any_of(vca_suffixes, ends);
 }
@@ -37,7 +31,7 @@ LensFile read_lens_file(const LensFileRequest& request) {
   if (!contents) throw InputError(request.file, "", "", "a lens file that can be read");
   if (contents->size() > largest_bytes) throw InputError(request.file, "", "more than 64 MiB", "a smaller lens file");
   const std::string text = utf8_text(std::move(*contents));
-  return in_lower_case(request.file).ends_with(zemax_suffix) ? zemax_lens(text, request) : vca_lens(text, request);
+  return lower_case(request.file).ends_with(zemax_suffix) ? zemax_lens(text, request) : vca_lens(text, request);
 }
 
 }  // namespace sturm

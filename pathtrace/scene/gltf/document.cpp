@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "pathtrace/scene/gltf/document_check.h"
 #include "pathtrace/scene/gltf/extensions.h"
 #include "pathtrace/scene/gltf/members.h"
@@ -32,11 +33,8 @@ std::string first_letters(const std::filesystem::path& file) {
 }
 
 bool is_glb(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::string letters = first_letters(file);
-  return letters.starts_with("glTF") || (suffix == ".glb" && !letters.starts_with("{"));
+  return letters.starts_with("glTF") || (has_suffix(file, ".glb") && !letters.starts_with("{"));
 }
 
 std::string bytes_of(const std::filesystem::path& file, std::uint64_t count, const Source& where) {

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "io/files/error.h"
-#include "io/images/image_formats.h"
-#include "io/images/tone_map.h"
 #include "pathtrace/scene/gltf/members.h"
 #include "pathtrace/scene/gltf/uri.h"
 #include "pathtrace/scene/texture_file.h"
@@ -42,15 +40,6 @@ Eigen::Matrix<float, 2, 3> transform_of(const Json& extension, const Source& whe
   const Eigen::Matrix<float, 2, 3> upwards = (flip * transform * flip).topRows<2>().cast<float>();
   if (!upwards.allFinite()) where.fail(extension, "a finite transform");
   return upwards;
-}
-
-std::shared_ptr<const Image> colours_of(const Image& stored) {
-  auto rgb = std::make_shared<Image>(stored.width, stored.height, 3);
-  const bool grey = stored.channels <= 2;
-  for (int y = 0; y < rgb->height; ++y)
-    for (int x = 0; x < rgb->width; ++x)
-      for (int c = 0; c < 3; ++c) rgb->at(x, y)[c] = stored.at(x, y)[grey ? 0 : c];
-  return rgb;
 }
 
 std::shared_ptr<const Image> alpha_of(const Image& stored) {
@@ -139,8 +128,7 @@ Image Textures::linear_picture(std::size_t image, TextureEncoding encoding, cons
   const Json& picture = document_.json()["images"][image];
   const std::string name = document_.file().string() + ", " + material + ", image " + std::to_string(image);
   const auto embedded = [&](const void* bytes, std::size_t count) {
-    const Image stored = read_embedded_image({static_cast<const unsigned char*>(bytes), count}, name);
-    return encoding == TextureEncoding::Srgb ? srgb_to_linear(stored) : stored;
+    return read_embedded_texture({static_cast<const unsigned char*>(bytes), count}, encoding, name);
   };
   if (!picture.contains("uri")) {
     const auto bytes = document_.view(number(picture, "bufferView", where));

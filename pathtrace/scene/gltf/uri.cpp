@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/files/sandbox.h"
 
 namespace sturm::gltf {
@@ -44,10 +45,8 @@ std::string base64_decoded(std::string_view text, const Source& where) {
   return bytes;
 }
 
-bool starts_with_word(std::string_view text, std::string_view lower_case) {
-  return text.size() >= lower_case.size() &&
-         std::equal(lower_case.begin(), lower_case.end(), text.begin(),
-                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+bool starts_with_word(std::string_view text, std::string_view word) {
+  return lower_case(text.substr(0, word.size())) == word;
 }
 
 }  // namespace
@@ -69,9 +68,7 @@ std::optional<std::string> data_of_uri(std::string_view uri, const Source& where
   if (!starts_with_word(uri, "data:")) return std::nullopt;
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) where.fail(std::string(uri.substr(0, 40)), "a data URI with a comma");
-  std::string head(uri.substr(0, comma));
-  std::transform(head.begin(), head.end(), head.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string head = lower_case(uri.substr(0, comma));
   const std::string_view body = uri.substr(comma + 1);
   if (!head.ends_with(";base64")) return percent_decoded(body);
   return body.find('%') == std::string_view::npos ? base64_decoded(body, where)

@@ -16,7 +16,7 @@ struct MtlStatement {
 struct MtlMaterial {
   std::string name;        ///< all that stands behind `newmtl`
   std::string short_name;  ///< the same without a comment at its end
-  std::filesystem::path library;
+  std::filesystem::path defined_in;
   std::string place;                               ///< "FILE:LINE" of its `newmtl`
   std::map<std::string, MtlStatement> statements;  ///< by their words in lower case; of several the last
 

@@ -75,7 +75,7 @@ std::optional<Eigen::Vector3d> ObjMaterials::colour(const MtlMaterial& source, c
 std::optional<MtlTexture> ObjMaterials::texture(const MtlMaterial& source, const char* word, const std::string& shown) {
   const MtlStatement* statement = source.find(word);
   if (!statement || without_comment(statement->text).empty()) return std::nullopt;
-  const NamedFiles files({source.library.parent_path(), spec_.file.parent_path()});
+  const NamedFiles files({source.defined_in.parent_path(), spec_.file.parent_path()});
   MtlTexture texture = read_mtl_texture(statement->text, files);
   if (!texture.found)
     fail(source, statement->place + ", " + shown, in_quotes(files.expected(texture.name).string()),

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/files/lower_case.h"
+
 namespace sturm {
 
 // The words of OBJ and MTL files.
@@ -30,14 +32,6 @@ inline std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(start, end - start);
   text.remove_prefix(end);
   return word;
-}
-
-/// Letters of ASCII in lower case.
-inline std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
 }
 
 /// The number that the whole word is, as C writes it, also with a plus sign; may be infinite or no number (nan).

@@ -1,13 +1,12 @@
 #include "pathtrace/scene/obj/texture_files.h"
 
-#include "io/images/picture_file.h"
 #include "pathtrace/scene/texture_file.h"
 
 namespace sturm {
 
 std::shared_ptr<const Image> TextureFiles::colours(const std::filesystem::path& file, TextureEncoding encoding) {
   std::shared_ptr<const Image>& known = colours_[{file, encoding}];
-  if (!known) known = std::make_shared<const Image>(without_alpha(read_texture(file, encoding, notes_)));
+  if (!known) known = colours_of(read_texture(file, encoding, notes_));
   return known;
 }
 
