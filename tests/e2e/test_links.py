@@ -3,13 +3,16 @@ import ast
 import io
 import pathlib
 import re
+import sys
 import tempfile
 import tokenize
-import unicodedata
 import unittest
 import urllib.parse
 
 from sturm_process import SOURCE
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from github_anchor import anchor as github_anchor  # noqa: E402
 
 OUTPUT = re.compile(r"(^|/)(build|\.git|\.cache|__pycache__|reports/runs/[^/]+)/")  # folders that hold no source
 C_SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
@@ -30,19 +33,12 @@ CMAKE_TOKEN = re.compile(r'\[(?P<raw>=*)\[.*?\](?P=raw)\]|"(?:\\.|[^"\\])*"|(?P<
 DOCUMENT = re.compile(r"(?<![\w/.-])([\w./-]+\.md)\b(?:#([\w-]+))?")
 
 
-def slug(heading):
-    """The anchor that GitHub gives a heading: words and hyphens in lower case, without markup and punctuation."""
-    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"<[^>]+>", "", heading)).replace("`", "")
-    kept = [c for c in text.lower() if c in "- _" or unicodedata.category(c)[0] in "LM" or unicodedata.category(c) in ("Nd", "Pc")]
-    return "".join(kept).strip().replace(" ", "-")
-
-
 def anchors(markdown):
     """Every anchor of a document; headings of one text are told apart by -1, -2, …"""
     text = FENCE.sub("", markdown)
     found, times = set(HTML_ANCHOR.findall(text)), {}
     for heading in HEADING.findall(text):
-        name = slug(heading)
+        name = github_anchor(heading)
         count = times.get(name, 0)
         times[name] = count + 1
         found.add(f"{name}-{count}" if count else name)
@@ -185,7 +181,7 @@ class Links(unittest.TestCase):
             ("report.html", "reporthtml"),
         ]:
             with self.subTest(heading=heading):
-                self.assertEqual(slug(heading), anchor)
+                self.assertEqual(github_anchor(heading), anchor)
         self.assertEqual(anchors("# One\n```\n# not a heading\n```\n## One ##\n"), {"one", "one-1"})
 
     def test_dead_mentions_are_seen(self):

@@ -1,0 +1,78 @@
+"""The documents as a site: every document is on it, no link of it is dead, and its search works from files, without a server."""
+import html.parser
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+import urllib.parse
+
+from sturm_process import SOURCE
+from webdriver import Browser
+
+
+class Page(html.parser.HTMLParser):
+    """Anchors of a page, and where its links and pictures point."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.anchors, self.targets = set(), []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        named = dict(attributes)
+        self.anchors |= {named[key] for key in ("id", "name") if key in named}
+        self.targets += [named[key] for key in ("href", "src") if named.get(key)]
+
+
+def dead_targets(pages):
+    """"PAGE: TARGET" for every target that is neither a file of the site nor an anchor of one of its pages."""
+    for path, page in pages.items():
+        for target in page.targets:
+            parts = urllib.parse.urlsplit(target)
+            if parts.scheme:
+                continue
+            place = (path.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else path
+            fragment = urllib.parse.unquote(parts.fragment)
+            if not place.exists() or (fragment and place in pages and fragment not in pages[place].anchors):
+                yield f"{path.name}: {target}"
+
+
+@unittest.skipUnless(shutil.which("mkdocs"), "MkDocs is not installed (scripts/site installs it)")
+class Site(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        holder = tempfile.TemporaryDirectory(prefix="sturm_site_", ignore_cleanup_errors=True)
+        cls.addClassCleanup(holder.cleanup)
+        cls.folder = pathlib.Path(holder.name).resolve() / "site"
+        command = ["mkdocs", "build", "--quiet", "--strict", "-f", SOURCE / "site/mkdocs.yml", "-d", cls.folder]
+        cls.process = subprocess.run(command, capture_output=True, text=True)
+
+    def test_every_document_is_on_it(self):
+        self.assertEqual((self.process.returncode, self.process.stderr), (0, ""))
+        wanted = {path.relative_to(SOURCE / "docs").with_suffix(".html").as_posix() for path in (SOURCE / "docs").rglob("*.md")}
+        listed = {line.strip().rsplit(" ", 1)[-1] for line in (SOURCE / "site/mkdocs.yml").read_text().splitlines() if line.endswith(".md")}
+        for page in sorted(wanted):
+            with self.subTest(page=page):
+                self.assertTrue((self.folder / page).is_file())
+                self.assertIn(page.removesuffix(".html") + ".md", listed)
+
+    def test_no_link_is_dead(self):
+        pages = {path: Page(path) for path in self.folder.rglob("*.html") if path.name != "404.html"}
+        self.assertEqual(list(dead_targets(pages)), [])
+
+    def test_search_works_from_files(self):
+        with tempfile.TemporaryDirectory(prefix="sturm_site_profile_", ignore_cleanup_errors=True) as profile:
+            browser = Browser(profile)
+            self.addCleanup(browser.close)
+            browser.open(self.folder / "search.html")
+            browser.type("#mkdocs-search-query", "circle of least confusion")
+            found = browser.run("return [...document.querySelectorAll('#mkdocs-search-results a')].map((link) => link.href);")
+            self.assertTrue(any("theory.html" in address for address in found), found)
+            browser.click("#mkdocs-search-results a")
+            self.assertNotEqual(browser.text("h1"), "Search Results")
+            self.assertEqual(browser.console(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
