@@ -207,12 +207,12 @@ TEST(WavePsf, SlowRealEyesThroughFocusInOneWavelengthAll) {
   for (const auto& c : file["cases"]) expect_focus_case(c, false);
 }
 
-TEST(WavePsf, RealEyesThroughFocusInWhiteLight) {
+TEST(WavePsf, SlowRealEyesThroughFocusInWhiteLight) {
   const auto file = testing::reference_file("wavefronts/focus.json");
   for (std::size_t i = 3; i < file["cases"].size(); i += 15) expect_focus_case(file["cases"][i], true);
 }
 
-TEST(WavePsf, SlowRealEyesThroughFocusInWhiteLightByThree) {
+TEST(WavePsf, SlowSlowRealEyesThroughFocusInWhiteLightByThree) {
   const auto file = testing::reference_file("wavefronts/focus.json");
   // A third of the cases, of every eye and pupil; all of them take four minutes.
   for (std::size_t i = 0; i < file["cases"].size(); i += 3) expect_focus_case(file["cases"][i], true);
