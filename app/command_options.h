@@ -15,6 +15,7 @@ struct CommandLine {
   BlurFieldOptions blurfield;
   PreviewOptions preview;
   SeeOptions see;
+  ServeOptions serve;
   StressOptions stress;
   CompareOptions compare;
   CompareRunsOptions compare_runs;
@@ -39,6 +40,7 @@ struct CommandLine {
   void add_plan_samples();
   // command_options_of_pictures.cpp
   void add_render();
+  void add_serve();
   void add_see();
   void add_see_depth(CLI::App& s);
   void add_see_view(CLI::App& s);

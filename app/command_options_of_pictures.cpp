@@ -19,6 +19,14 @@ void CommandLine::add_render() {
   });
 }
 
+void CommandLine::add_serve() {
+  auto* s = app.add_subcommand("serve", "show a view in a browser, and render what its page shows");
+  add_common_options(*s, common, "view (sturm.render/1)");
+  s->add_option("--page", serve.page, "HTML file that is served")->required();
+  s->add_option("--port", serve.port, "on 127.0.0.1; 0 = any that is free")->check(CLI::Range(0, 65535));
+  s->callback([this] { action = [this] { return serve_command(common, serve); }; });
+}
+
 void CommandLine::add_see() {
   auto* s = app.add_subcommand("see", "any picture with a depth map, as an eye sees it");
   s->add_option("picture", see.picture, "sharp picture: EXR (linear), PNG, JPEG … (sRGB)")->required();

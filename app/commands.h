@@ -82,6 +82,12 @@ struct SeeOptions {
   int frames = 25;
 };
 
+/// What `sturm serve` is asked for.
+struct ServeOptions {
+  std::string page;  ///< HTML file
+  int port = 0;      ///< 0: any that is free
+};
+
 /// What `sturm render` writes beside its picture.
 struct PreviewOptions {
   std::string file;  ///< PNG that is replaced while the picture grows; "" = none
@@ -132,6 +138,7 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
 int explain_command(const CommonOptions& options);  ///< sturm render --explain
+int serve_command(const CommonOptions& options, const ServeOptions& serve);
 int see_command(const CommonOptions& common, const SeeOptions& options);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
 int bench_command(const CommonOptions& options, const std::string& folder, bool resume);

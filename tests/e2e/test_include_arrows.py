@@ -17,7 +17,8 @@ ARROWS = {
     "reports": {"lensmodel", "io", "compare"},
     "stages": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare"},
     "experiments": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages"},
-    "app": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments"},
+    "server": {"lensmodel", "io", "compare", "reports", "stages"},
+    "app": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments", "server"},
 }
 
 # The subfolders of a room from the ground up: each may include itself and those before it; those on one line do not see each other.
@@ -32,6 +33,7 @@ FLOORS = {
     "reports": [["markup"], ["plots", "viewer"], ["text", "sections"], ["page"]],
     "stages": [["plan"], [""]],
     "experiments": [["run"], ["figures"], ["standard", "lens_study", "sin2_study", "samplings", "bench", "stress"], [""]],
+    "server": [[""]],
     "app": [[""]],
 }
 # Libraries that one room alone may include.
@@ -44,6 +46,7 @@ OWN_LIBRARIES = {
     "openssl": {"io"},
     "valijson": {"io"},
     "CLI": {"app"},
+    "httplib.h": {"server"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}

@@ -8,6 +8,7 @@
 
 #include "io/files/error.h"
 #include "io/files/plain_file.h"
+#include "io/json/data_uri.h"
 #include "pathtrace/scene/gltf/document_check.h"
 #include "pathtrace/scene/gltf/extensions.h"
 #include "pathtrace/scene/gltf/members.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
+#include "io/json/data_uri.h"
 #include "pathtrace/scene/gltf/members.h"
 #include "pathtrace/scene/gltf/uri.h"
 #include "pathtrace/scene/texture_file.h"
