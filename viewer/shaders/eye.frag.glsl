@@ -22,6 +22,10 @@ void main() {
   result = vec4(0.0, 0.0, 0.0, 1.0);
   vec2 place = vec2(pixel) + film;
   Sight sight = sight_at(place);
+  if (u_gathers) {  // All passes of a pixel bend as in its middle, as `sturm render` has it.
+    Sight middle = sight_at(vec2(pixel) + 0.5);
+    sight = Sight(sight.origin, sight.direction, middle.offset_p, middle.offset_s, middle.slope_p, middle.slope_s, middle.reaches);
+  }
   if (!sight.reaches) return;
   float accommodation = u_accommodation;
   if (u_seeks_focus) accommodation = accommodation_at(place, 1.0 / first_hit(sight.origin, sight.direction, never, false).t);

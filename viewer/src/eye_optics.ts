@@ -2,7 +2,7 @@
 import type { Core, EyeNumbers, LensNumbers, Optics, PrescriptionNumbers } from './core_module';
 import type { Pose } from './camera';
 import type { Uniform } from './gpu';
-import { rayModels, type EyeState, type GlassesState, type State } from './state';
+import { rayModels, type EyeState, type GlassesState, type Side, type State } from './state';
 import type { ViewData } from './view_data';
 
 const waveTerms = 66, focusVergences = 64, lastVergence_D = 10, sightStep = 0.02;
@@ -21,7 +21,7 @@ export function eyeNumbers(eye: EyeState, ofView: EyeNumbers): EyeNumbers {
   };
 }
 
-export function lensNumbers(glasses: GlassesState, eye: EyeState, ofView: LensNumbers | null): LensNumbers | null {
+export function lensNumbers(side: Side, glasses: GlassesState, eye: EyeState, ofView: LensNumbers | null): LensNumbers | null {
   if (glasses.kind === 'none') return null;
   if (glasses.kind === 'view') return ofView;
   const worn = glasses.fitted ? eye : glasses;
@@ -33,7 +33,7 @@ export function lensNumbers(glasses: GlassesState, eye: EyeState, ofView: LensNu
   };
   if (glasses.kind === 'single') return { kind: 'single_vision', ...place };
   return {
-    kind: 'progressive', ...place, addition_D: glasses.addition_D, corridor_start_m: 0, corridor_length_m: 0.018, near_shift_m: 0.0025, zone_width_m: 0.01, knot_spacing_m: 0.0005,
+    kind: 'progressive', ...place, addition_D: glasses.addition_D, corridor_start_m: 0, corridor_length_m: 0.018, near_shift_m: side === 'right' ? -0.0025 : 0.0025, zone_width_m: 0.01, knot_spacing_m: 0.0005,
   };
 }
 
@@ -52,7 +52,7 @@ export class EyeOptics {
   /** Throws the core's own message where eye or lens cannot be. */
   wear(state: State, view: ViewData): void {
     const { side } = state, eye = state.eyes[side];
-    const eyeNow = eyeNumbers(eye, view.worn[side].eye), lensNow = lensNumbers(state.glasses[side], eye, view.worn[side].lens);
+    const eyeNow = eyeNumbers(eye, view.worn[side].eye), lensNow = lensNumbers(side, state.glasses[side], eye, view.worn[side].lens);
     const eyeKey = JSON.stringify([side, eyeNow]), lensKey = JSON.stringify([side, lensNow, lensNow && 'prescription' in lensNow && !lensNow.prescription ? [eye.sphere_D, eye.cylinder_D, eye.axis_deg, eye.vertex_mm] : null]);
     if (eyeKey !== this.eyeKey) this.optics.setEye(eyeNow);
     if (lensKey !== this.lensKey) this.optics.setLens(lensNow);

@@ -50,4 +50,28 @@ export class Measured {
     gpu.release(panel.sum);
     return pixels;
   }
+
+  /** Slopes of the ray model in use at `count` points along a spiral over the pupil: x, y [m], slopes of the shader, slopes of the core. */
+  slopes(count: number): string {
+    this.ready();
+    const { gpu, pictures, eye, state, view } = this.app, radius = state.eyes[state.side].pupil_mm / 2e3, uniforms = eye.uniforms(state, view);
+    const points = Float32Array.from({ length: 2 * count }, (_, k) => {
+      const i = k >> 1, r = radius * Math.sqrt((i + 0.5) / count), angle = 2.4 * i;
+      return r * (k % 2 === 0 ? Math.cos(angle) : Math.sin(angle));
+    });
+    const texels = new Float32Array(4 * count);
+    for (let i = 0; i < count; ++i) texels.set(points.subarray(2 * i, 2 * i + 2), 4 * i);
+    const table = gpu.floats(texels, count, 1), target = gpu.target(count, 1);
+    pictures.programs.use('slopes').set(uniforms).texture('u_points', table);
+    gpu.into(target);
+    gpu.fill(false);
+    const drawn = gpu.read(target), focus = uniforms.u_focus_distance as number;
+    const core = eye.optics.rayModel(state.rayModel, uniforms.u_accommodation as number, focus > 0 ? focus : Infinity, points);
+    gpu.gl.deleteTexture(table);
+    gpu.release(target);
+    const rows = new Float32Array(6 * count);
+    for (let i = 0; i < count; ++i)
+      rows.set([...points.subarray(2 * i, 2 * i + 2), drawn[4 * i] ?? NaN, drawn[4 * i + 1] ?? NaN, ...core.slopes.subarray(2 * i, 2 * i + 2)], 6 * i);
+    return base64(rows);
+  }
 }

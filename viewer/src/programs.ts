@@ -13,6 +13,7 @@ import rayModels from '../shaders/ray_models.glsl';
 import scatter from '../shaders/scatter.glsl';
 import show from '../shaders/show.frag.glsl';
 import sight from '../shaders/sight.glsl';
+import slopes from '../shaders/slopes.frag.glsl';
 import surfaces from '../shaders/surfaces.glsl';
 import surroundings from '../shaders/surroundings.frag.glsl';
 import trace from '../shaders/trace.glsl';
@@ -28,6 +29,7 @@ const sources = {
   surroundings: [[fill], [...seeing, intersect, surfaces, surroundings]],
   add: [[fill], [add]],
   show: [[fill], [show]],
+  slopes: [[fill], [...seeing, slopes]],
 } as const;
 export type ProgramName = keyof typeof sources;
 

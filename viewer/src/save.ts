@@ -34,7 +34,7 @@ function lensDocument(lens: LensNumbers | null, given: unknown): unknown {
   if (lens.kind === 'single_vision') return { single_vision: shared };
   return {
     progressive: {
-      ...shared, addition_D: lens.addition_D, corridor_start_mm: mm(lens.corridor_start_m), corridor_length_mm: mm(lens.corridor_length_m), inset_mm: mm(lens.near_shift_m),
+      ...shared, addition_D: lens.addition_D, corridor_start_mm: mm(lens.corridor_start_m), corridor_length_mm: mm(lens.corridor_length_m), inset_mm: mm(Math.abs(lens.near_shift_m)), eye: lens.near_shift_m < 0 ? 'right' : 'left',
       zone_width_mm: lens.zone_width_m === null ? null : mm(lens.zone_width_m), knot_spacing_mm: mm(lens.knot_spacing_m),
     },
   };
@@ -48,7 +48,7 @@ export function viewDocument(state: State, view: ViewData, width: number, height
     const kind = state.glasses[side].kind;
     return {
       eye: eyeDocument(state, view, side, of.eye ?? {}),
-      spectacles: kind === 'view' ? of.spectacles ?? null : lensDocument(lensNumbers(state.glasses[side], state.eyes[side], view.worn[side].lens), of.spectacles),
+      spectacles: kind === 'view' ? of.spectacles ?? null : lensDocument(lensNumbers(side, state.glasses[side], state.eyes[side], view.worn[side].lens), of.spectacles),
     };
   };
   const { stereo: _, ...givenCamera } = given.camera ?? {};

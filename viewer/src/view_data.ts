@@ -41,7 +41,7 @@ function eyeState(eye: EyeNumbers): EyeState {
   const rx = eye.prescription, a = eye.accommodation;
   const state: EyeState = { ...startEye, pupil_mm: within('pupil_mm', 1e3 * eye.pupil_diameter_m), accommodation: a.mode };
   if (rx) Object.assign(state, { sphere_D: rx.sphere_D, cylinder_D: rx.cylinder_D, axis_deg: rx.axis_deg, vertex_mm: 1e3 * rx.vertex_distance_m });
-  if (a.mode === 'fixed') state.focus_D = within('focus_D', 'power_D' in a ? a.power_D : 1 / a.focus_distance_m);
+  if (a.mode === 'fixed') state.focus_D = within('focus_D', 'power_D' in a ? a.power_D : a.focus_distance_m === 'inf' ? 0 : 1 / a.focus_distance_m);
   if (a.mode === 'best') state.amplitude_D = within('amplitude_D', a.amplitude_D);
   return state;
 }
