@@ -11,7 +11,7 @@ import urllib.parse
 
 from sturm_process import SOURCE
 
-OUTPUT = re.compile(r"(^|/)(build|\.git|\.cache|__pycache__|reports/runs/[^/]+)/")  # folders that hold no source
+OUTPUT = re.compile(r"(^|/)(build|node_modules|\.git|\.cache|__pycache__|reports/runs/[^/]+)/")  # folders that hold no source
 C_SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
 
 FENCE = re.compile(r"^ {0,3}(```|~~~).*?(?:^ {0,3}\1[`~]*[ \t]*$|\Z)", re.MULTILINE | re.DOTALL)
