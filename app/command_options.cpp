@@ -51,6 +51,7 @@ CommandLine::CommandLine() {
   add_psf();
   add_wavefront();
   add_render();
+  add_view();
   add_see();
   add_bench();
   add_stress();

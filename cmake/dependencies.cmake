@@ -8,6 +8,7 @@ find_package(valijson REQUIRED)
 find_package(CLI11 2 REQUIRED)
 find_package(assimp 5.2 REQUIRED)
 find_package(OpenSSL 3 REQUIRED)
+find_package(ZLIB REQUIRED)
 include(cmake/opencv.cmake)
 
 # Debian's OpenImageIO package file insists on the command-line tools; the library itself is all that is needed.
