@@ -52,6 +52,7 @@ CommandLine::CommandLine() {
   add_wavefront();
   add_render();
   add_serve();
+  add_view();
   add_see();
   add_bench();
   add_stress();

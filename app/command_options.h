@@ -23,7 +23,7 @@ struct CommandLine {
   GateOptions gate;
   PsfOptions psf;
   WavefrontOptions wavefront;
-  std::string output, folder, file, schema;
+  std::string output, folder, file, schema, page_template;
   bool resume = false, explain = false;
   std::function<int()> action;
 
@@ -41,6 +41,7 @@ struct CommandLine {
   // command_options_of_pictures.cpp
   void add_render();
   void add_serve();
+  void add_view();
   void add_see();
   void add_see_depth(CLI::App& s);
   void add_see_view(CLI::App& s);

@@ -27,6 +27,15 @@ void CommandLine::add_serve() {
   s->callback([this] { action = [this] { return serve_command(common, serve); }; });
 }
 
+void CommandLine::add_view() {
+  auto* view = app.add_subcommand("view", "a view as a page that a browser shows, with its own optics");
+  add_common_options(*view, common, "view (sturm.render/1)");
+  add_prescription(*view, common, "the eye");
+  view->add_option("-o,--output", output, "HTML file")->required();
+  view->add_option("--template", page_template, "the page without data (default: the one that was built)");
+  view->callback([this] { action = [this] { return view_command(common, page_template, output); }; });
+}
+
 void CommandLine::add_see() {
   auto* s = app.add_subcommand("see", "any picture with a depth map, as an eye sees it");
   s->add_option("picture", see.picture, "sharp picture: EXR (linear), PNG, JPEG … (sRGB)")->required();

@@ -137,6 +137,7 @@ int ellipse_command(const CommonOptions& options, const std::string& output);
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
+int view_command(const CommonOptions& options, const std::string& template_file, const std::string& output);
 int explain_command(const CommonOptions& options);  ///< sturm render --explain
 int serve_command(const CommonOptions& options, const ServeOptions& serve);
 int see_command(const CommonOptions& common, const SeeOptions& options);

@@ -24,7 +24,8 @@ std::span<const LensMaterial> lens_materials() {
 }
 
 std::optional<LensMaterial> lens_material(std::string_view name) {
-  const auto found = std::ranges::find(materials, name, &LensMaterial::name);
+  const auto found = std::find_if(materials.begin(), materials.end(),
+                                  [&](const LensMaterial& material) { return material.name == name; });
   return found == materials.end() ? std::nullopt : std::optional(*found);
 }
 

@@ -1,17 +1,22 @@
 #include "lensmodel/prescription.h"
 
-#include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
 namespace sturm {
 
 namespace {
-/// As few digits as tell the number from its neighbours, and so from a bound that it passes.
+/// As few digits, from six on, as tell the number from its neighbours, and so from a bound that it passes.
 std::string shortest(double value) {
   char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+  for (int digits = 6; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return text;
 }
 
 void require_range(const char* what, double value, double low, double high) {

@@ -5,13 +5,14 @@ fail() {
   exit 1
 }
 
+# install_dependencies [LIST...]: the packages of scripts/dependencies.txt and of further lists.
 install_dependencies() {
   command -v dpkg-query >/dev/null || fail "this script installs Debian packages, but dpkg is not here; install the packages of scripts/dependencies.txt by hand"
   local missing=() package
   while read -r package _; do
     case "$package" in '' | '#'*) continue ;; esac
     dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' || missing+=("$package")
-  done <scripts/dependencies.txt
+  done < <(cat scripts/dependencies.txt "$@")
   [ ${#missing[@]} -eq 0 ] && return
   install_packages "${missing[@]}"
 }
@@ -46,5 +47,22 @@ build_preset() {
   cmake --build "build/$preset" ${1:+--target "$@"} >"$log" 2>&1 || {
     tail -n 40 "$log" >&2
     fail "the build failed; the whole log is in $log"
+  }
+}
+
+# The viewer's core as WebAssembly and its page without data, build/viewer/viewer.html.
+build_viewer() {
+  install_dependencies scripts/dependencies_of_viewer.txt
+  command -v npm >/dev/null || install_packages npm
+  build_preset wasm
+  echo "== building the viewer's page"
+  local log=build/viewer/setup.log
+  mkdir -p build/viewer
+  {
+    [ viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ] || (cd viewer && npm ci --no-audit --no-fund)
+    node viewer/build.mjs
+  } >"$log" 2>&1 || {
+    tail -n 40 "$log" >&2
+    fail "the viewer's page could not be built; the whole log is in $log"
   }
 }

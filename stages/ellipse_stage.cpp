@@ -3,10 +3,9 @@
 #include <cmath>
 #include <optional>
 
-#include "conoid/tracing/footprint.h"
 #include "conoid/tracing/previous.h"
 #include "conoid/tracing/published.h"
-#include "conoid/tracing/spectacle_conoid.h"
+#include "conoid/tracing/turned_eye.h"
 #include "io/json/values.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
@@ -20,37 +19,26 @@ namespace {
 /// One target as the turned eye sees it, through its spectacles if it has some.
 struct View {
   double distance_m, vergence_D;
-  LensStatus status = LensStatus::ok;  ///< of the chief ray; unless ok there is neither footprint nor chief ray
-  std::optional<double> accommodation_D;
-  Eigen::Vector3d gaze;  ///< line of sight
-  LightRay chief;        ///< from the pupil's centre or the exit point
-  Eigen::Vector3d pupil_center;
+  TurnedEye eye;
+  std::optional<double> accommodation_D;  ///< none where the chief ray is lost
   Eigen::Matrix3d turn;                   ///< takes primary axes to the turned pupil frame; Listing
-  std::optional<SpectacleConoid> conoid;  ///< only with spectacles
   std::optional<LensView> lens;           ///< only with spectacles that the chief ray comes through
+
+  const Eigen::Vector3d& gaze() const { return eye.line_of_sight().direction; }
 };
 
 View view_of(const Target& target, const EllipseQuery& query) {
-  View v;
-  v.distance_m = target.distance_m;
-  v.vergence_D = vergence_of(target.distance_m);
-  const Eye& eye = query.eye;
   const Eigen::Vector3d gaze = gaze_direction(target.azimuth, target.elevation);
-  v.pupil_center = turned_pupil_center(gaze, eye.rotation_center_m);
-  v.turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
-  v.gaze = gaze;
-  v.chief = {v.pupil_center, gaze};
-  if (!query.spectacles) {
-    v.accommodation_D = eye.accommodation_for(v.vergence_D);
-    return v;
-  }
-  v.conoid = trace_conoid(*query.spectacles, gaze, eye.rotation_center_m);
-  v.status = v.conoid->status;
-  if (v.status == LensStatus::ok) {
-    v.accommodation_D = accommodation_through(*v.conoid, eye, v.vergence_D);
-    v.chief = v.conoid->chief_ray;
-    v.lens = LensView::along(*query.spectacles, gaze, eye.rotation_center_m);
-  }
+  const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
+  View v{target.distance_m,
+         vergence_of(target.distance_m),
+         {query.eye, lens, gaze},
+         std::nullopt,
+         smallest_rotation({0.0, 0.0, -1.0}, gaze),
+         std::nullopt};
+  if (v.eye.status() != LensStatus::ok) return v;
+  v.accommodation_D = v.eye.accommodation(v.vergence_D);
+  if (lens) v.lens = LensView::along(*lens, gaze, query.eye.rotation_center_m);
   return v;
 }
 
@@ -92,8 +80,7 @@ void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, con
 
 void write_conoid(Json& result, const View& view, const Eye& eye) {
   const AtTarget at{view};
-  const Footprint f = view.conoid ? spectacle_footprint(*view.conoid, eye, view.distance_m, *view.accommodation_D)
-                                  : naked_eye_footprint(eye, view.distance_m, *view.accommodation_D);
+  const Footprint f = view.eye.footprint(view.distance_m, *view.accommodation_D);
   result["status"] = "ok";
   result["footprint"] = rows_json(at.finite() ? f.transverse() : f.angular);
   write_ellipse(result, at, Ellipse::image_of_disc(f.angular, eye.pupil_radius_m),
@@ -115,9 +102,9 @@ void write_map(Json& result, const View& view, const std::optional<Eigen::Matrix
 /// Conoid tracing as printed; `best` accommodation by its own eq. 12.
 void write_published(Json& result, const View& view, const EllipseQuery& query) {
   const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
-  const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, view.chief.direction);
+  const Eigen::Matrix3d across = smallest_rotation({0.0, 0.0, -1.0}, view.eye.chief_ray().direction);
   const auto map = [&](double accommodation_D) -> std::optional<Eigen::Matrix2d> {
-    const auto conoid = trace_published(query.eye, accommodation_D, lens, view.gaze);
+    const auto conoid = trace_published(query.eye, accommodation_D, lens, view.gaze());
     if (!conoid) return std::nullopt;
     return angular_map(*conoid, across.col(0), across.col(1), view.vergence_D);
   };
@@ -134,7 +121,7 @@ void write_published(Json& result, const View& view, const EllipseQuery& query) 
 void write_previous(Json& result, const View& view, const EllipseQuery& query) {
   const Spectacles* lens = query.spectacles ? &*query.spectacles : nullptr;
   write_map(result, view,
-            previous_angular_footprint(query.eye, *view.accommodation_D, lens, view.gaze, view.distance_m),
+            previous_angular_footprint(query.eye, *view.accommodation_D, lens, view.gaze(), view.distance_m),
             query.eye.pupil_radius_m);
 }
 
@@ -163,7 +150,7 @@ std::optional<LightRay> exit_ray(const View& view, const PupilRay<double>& ray) 
     const LensPath path = view.lens->worn.path_of(ray);
     return path.status == LensStatus::ok ? std::optional(path.exit) : std::nullopt;
   }
-  return LightRay{view.pupil_center + view.turn * Eigen::Vector3d(ray.px, ray.py, 0.0),
+  return LightRay{view.eye.line_of_sight().origin + view.turn * Eigen::Vector3d(ray.px, ray.py, 0.0),
                   (view.turn * Eigen::Vector3d(ray.sx, ray.sy, -1.0)).normalized()};
 }
 
@@ -212,13 +199,14 @@ void write_rays(Json& result, const View& view, const EllipseQuery& query, RayMo
 /// One method's answer for one target.
 Json result_of(const View& view, const EllipseMethod& method, const EllipseQuery& query) {
   Json result = {{"method", name_of(method)}, {"accommodation_D", number_or_null(view.accommodation_D)}};
-  if (view.status != LensStatus::ok) {
-    write_failure(result, name_of(view.status));
+  if (view.eye.status() != LensStatus::ok) {
+    write_failure(result, name_of(view.eye.status()));
     result["chief_ray"] = nullptr;
     if (method == EllipseMethod(ConoidMethod::conoid)) result["footprint"] = result["wavefront_curvature_D"] = nullptr;
     return result;
   }
-  result["chief_ray"] = {{"origin_m", json_of(view.chief.origin)}, {"direction", json_of(view.chief.direction)}};
+  result["chief_ray"] = {{"origin_m", json_of(view.eye.chief_ray().origin)},
+                         {"direction", json_of(view.eye.chief_ray().direction)}};
   if (const auto* ray_model = std::get_if<RayModel>(&method)) {
     write_rays(result, view, query, *ray_model);
     return result;

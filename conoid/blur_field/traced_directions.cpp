@@ -1,7 +1,6 @@
 #include "conoid/blur_field/traced_directions.h"
 
-#include <tbb/parallel_for.h>
-
+#include "conoid/threads/parallel_for.h"
 #include "lensmodel/gaze.h"
 
 namespace sturm {
@@ -98,7 +97,7 @@ TracedDirections trace_directions(const Spectacles* lens, double rotation_center
   const Tracer trace{lens, rotation_center_m, grid, shortcuts.rim};
   const bool mirrors = lens && shortcuts.symmetry && has_two_mirrors(*lens);
   const int rows = mirrors ? (grid.ny + 1) / 2 : grid.ny, columns = mirrors ? (grid.nx + 1) / 2 : grid.nx;
-  tbb::parallel_for(0, rows, [&](int j) {
+  parallel_for(0, rows, [&](int j) {
     for (int i = 0; i < columns; ++i) {
       const std::size_t at = grid.index(i, j);
       ways[at] = trace(i, j, result.conoids[at]);

@@ -5,9 +5,7 @@
 namespace sturm {
 
 VoxelField::VoxelField(const FieldGrid& grid)
-    : grid_(grid),
-      stored_voxels_(grid.voxels()),
-      data_(std::make_unique_for_overwrite<float[]>(stored_voxels_ * floats_per_voxel)) {}
+    : grid_(grid), stored_voxels_(grid.voxels()), data_(new float[stored_voxels_ * floats_per_voxel]) {}
 
 VoxelField::VoxelField(const VoxelMask& stored) : grid_(stored.grid()), stored_(stored), stored_voxels_(0) {
   first_.reserve(grid_.directions());
@@ -15,7 +13,7 @@ VoxelField::VoxelField(const VoxelMask& stored) : grid_(stored.grid()), stored_(
     first_.push_back(stored_voxels_);
     stored_voxels_ += stored.column_count(d);
   }
-  data_ = std::make_unique_for_overwrite<float[]>(stored_voxels_ * floats_per_voxel);
+  data_.reset(new float[stored_voxels_ * floats_per_voxel]);
 }
 
 std::size_t VoxelField::memory_bytes() const {

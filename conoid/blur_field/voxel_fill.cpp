@@ -1,10 +1,9 @@
 #include "conoid/blur_field/voxel_fill.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 
 #include "conoid/blur_field/rows.h"
+#include "conoid/threads/parallel_for.h"
 #include "conoid/tracing/previous.h"
 #include "conoid/tracing/published.h"
 #include "lensmodel/best_accommodation.h"
@@ -166,7 +165,7 @@ VoxelField fill_voxels(const Spectacles* lens, const Eye& eye, const FieldGrid& 
   for (int k = 0; k < grid.nz; ++k)
     job.repeated_vergences.insert(job.repeated_vergences.end(), 4, static_cast<float>(grid.vergence(k)));
   if (method != FieldMethod::ray_transfer || directions.counters.usable < grid.directions()) field.prepare_undefined();
-  tbb::parallel_for(0, grid.ny, [&](int j) {
+  parallel_for(0, grid.ny, [&](int j) {
     for (int i = 0; i < grid.nx; ++i) ColumnFill(job, field, i, j)(directions.conoids[grid.index(i, j)]);
   });
   return field;

@@ -1,9 +1,9 @@
 #include "conoid/pictures/fragment_filter.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "conoid/threads/parallel_for.h"
 
 namespace sturm {
 namespace {
@@ -110,7 +110,7 @@ class Wavelet {
 
   template <class Work>
   void for_all(const Work& work) const {
-    tbb::parallel_for(0, view_.height, [&](int y) {
+    parallel_for(0, view_.height, [&](int y) {
       for (int x = 0; x < view_.width; ++x) {
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);

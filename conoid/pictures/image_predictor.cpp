@@ -1,7 +1,5 @@
 #include "conoid/pictures/image_predictor.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +11,7 @@
 
 #include "conoid/pictures/ellipse_kernel.h"
 #include "conoid/pictures/layer_compositor.h"
+#include "conoid/threads/parallel_for.h"
 #include "io/images/disocclusion.h"
 #include "lensmodel/symmetric2.h"
 
@@ -193,7 +192,7 @@ class Predictor {
       s.kernel = index[key];
     }
     kernels_.assign(used.size(), EllipseKernel(Eigen::Matrix2d::Zero(), {0.5, 0.5}));
-    tbb::parallel_for(std::size_t{0}, used.size(), [&](std::size_t k) {
+    parallel_for(std::size_t{0}, used.size(), [&](std::size_t k) {
       const int phase = static_cast<int>(used[k] % phases);
       const Eigen::Vector2d source((phase % n_ + 0.5) / n_, (phase / n_ + 0.5) / n_);
       kernels_[k] = EllipseKernel(maps[used[k] / phases], source);

@@ -1,8 +1,8 @@
 #include "conoid/pictures/layer_compositor.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "conoid/threads/parallel_for.h"
 
 namespace sturm {
 
@@ -37,7 +37,7 @@ void LayerCompositor::add_layer(std::span<const Spot> spots, std::span<const Ell
   const int first_row = std::max(0, spots.front().y - reach_up),
             end_row = std::min(height_, spots.back().y + reach_down + 1);
   if (first_row >= end_row) return;
-  tbb::parallel_for(first_row / rows_per_band, (end_row - 1) / rows_per_band + 1, [&](int band) {
+  parallel_for(first_row / rows_per_band, (end_row - 1) / rows_per_band + 1, [&](int band) {
     const int row0 = band * rows_per_band, row1 = std::min(height_, row0 + rows_per_band);
     std::fill(layer_.begin() + static_cast<std::ptrdiff_t>(row0) * width_,
               layer_.begin() + static_cast<std::ptrdiff_t>(row1) * width_, Light{});

@@ -1,7 +1,5 @@
 #include "conoid/pictures/layered_predictor.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +8,7 @@
 
 #include "conoid/pictures/lamp_reach.h"
 #include "conoid/pictures/layer_compositor.h"
+#include "conoid/threads/parallel_for.h"
 #include "lensmodel/symmetric2.h"
 
 namespace sturm {
@@ -51,7 +50,7 @@ class Layers {
 
   Prediction run(const std::vector<UnseenPiece>& unseen) {
     collect(unseen);
-    tbb::parallel_for(std::size_t{0}, sources_.size(), [&](std::size_t i) { blur(sources_[i]); });
+    parallel_for(std::size_t{0}, sources_.size(), [&](std::size_t i) { blur(sources_[i]); });
     spread_lamps_from_all_over();
     for (const Source& s : sources_)
       if (!(singular_values(s.map).large <= largest_radius_px))
@@ -183,7 +182,7 @@ class Layers {
       if (!sharp) spread.push_back(i);
     }
     kernels.assign(spread.size(), EllipseKernel(Eigen::Matrix2d::Zero(), {0.5, 0.5}));
-    tbb::parallel_for(std::size_t{0}, spread.size(), [&](std::size_t k) {
+    parallel_for(std::size_t{0}, spread.size(), [&](std::size_t k) {
       const Source& s = sources_[spread[k]];
       kernels[k] = EllipseKernel(s.map, s.place - Vector2d(output(s.x), output(s.y)));
     });

@@ -1,6 +1,5 @@
 #include "conoid/pictures/multipass.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "conoid/pictures/pixel_rays.h"
 #include "conoid/pictures/pupil_passes.h"
 #include "conoid/pictures/sharp_lookup.h"
+#include "conoid/threads/parallel_for.h"
 
 namespace sturm {
 namespace {
@@ -109,7 +109,7 @@ class Passes {
     sums.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), {});
     std::vector<std::vector<Unseen>> rows(static_cast<std::size_t>(height_));
     std::vector<PassCounters> counted(rows.size());
-    tbb::parallel_for(0, height_, [&](int y) {
+    parallel_for(0, height_, [&](int y) {
       const auto row = static_cast<std::size_t>(y);
       for (int x = 0; x < width_; ++x) trace_pixel(x, y, sums[index(x, y)], rows[row], counted[row]);
     });
@@ -142,7 +142,7 @@ class Passes {
       result.keys.push_back(unseen[begins[k]].cell.key());
     }
     result.rays.resize(chosen.size());
-    tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) { result.rays[i] = ray_of(*chosen[i]); });
+    parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) { result.rays[i] = ray_of(*chosen[i]); });
     return result;
   }
 

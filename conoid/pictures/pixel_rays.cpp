@@ -23,4 +23,10 @@ void PixelRays::bend(double vergence_D) {
   direction_by_pupil_ = (a * sight.directions(slopes)).cast<float>();
 }
 
+void PixelRays::append_to(std::vector<float>& numbers) const {
+  for (const Eigen::Vector3f& v : {origin_, direction_}) numbers.insert(numbers.end(), v.data(), v.data() + 3);
+  for (const auto* map : {&origin_by_place_, &direction_by_place_, &origin_by_pupil_, &direction_by_pupil_})
+    for (int row = 0; row < 3; ++row) numbers.insert(numbers.end(), {(*map)(row, 0), (*map)(row, 1)});
+}
+
 }  // namespace sturm

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "conoid/pictures/pupil_passes.h"
 #include "conoid/pictures/ray_shading.h"
@@ -27,6 +28,10 @@ struct PixelRays {
     const SeenRay c = chief(pass.film);
     return {c.origin + origin_by_pupil_ * pass.pupil, c.direction + direction_by_pupil_ * pass.pupil};
   }
+
+  /// Appends origin, direction, and what they change by the place in the pixel [1/px] and by the point of the unit
+  /// disc: origin and direction by place, origin and direction by pupil (3 × 2, row by row): 30 numbers.
+  void append_to(std::vector<float>& numbers) const;
 
  private:
   const SightField& field_;

@@ -1,10 +1,9 @@
 #include "conoid/pictures/sight_field.h"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/LU>
 #include <cmath>
 
+#include "conoid/threads/parallel_for.h"
 #include "conoid/tracing/spectacle_conoid.h"
 #include "lensmodel/best_accommodation.h"
 #include "lensmodel/gaze.h"
@@ -22,41 +21,23 @@ Eigen::Matrix<double, 2, 3> frame_across(const Eigen::Matrix3d& world_from_head,
 
 }  // namespace
 
-SightField::SightField(const PicturePlane& plane, const Eye& eye, std::optional<Spectacles> spectacles)
-    : plane_(plane), eye_(eye), spectacles_(std::move(spectacles)) {
-  if (spectacles_) fill_grid();
-}
-
-void SightField::fill_grid() {
-  grid_px_ = grid_slope / plane_.pixel_slope;
-  columns_ = static_cast<int>(std::ceil(plane_.width / grid_px_)) + 3;
-  rows_ = static_cast<int>(std::ceil(plane_.height / grid_px_)) + 3;
-  grid_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-  tbb::parallel_for(0, rows_, [&](int j) {
-    for (int i = 0; i < columns_; ++i)
-      grid_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)] =
-          traced({(i - 1) * grid_px_, (j - 1) * grid_px_});
-  });
-}
-
-Sight SightField::traced(const Eigen::Vector2d& place) const {
-  const Eigen::Vector2d q = plane_.slope(place);
+Sight traced_sight(const PicturePlane& plane, const Eye& eye, const Spectacles* spectacles, const Eigen::Vector2d& q) {
   const Eigen::Vector3d toward(q.x(), q.y(), -1.0), gaze = toward.normalized();
-  const Eigen::Matrix3d& world = plane_.world_from_head;
-  const bool foveal = plane_.gaze == Gaze::Foveal;
+  const Eigen::Matrix3d& world = plane.world_from_head;
+  const bool foveal = plane.gaze == Gaze::Foveal;
   const Eigen::Matrix3d turn = smallest_rotation({0.0, 0.0, -1.0}, gaze);
   const Eigen::Vector3d pupil =
-      foveal ? turned_pupil_center(gaze, eye_.rotation_center_m) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+      foveal ? turned_pupil_center(gaze, eye.rotation_center_m) : Eigen::Vector3d(Eigen::Vector3d::Zero());
   Sight sight;
-  if (!spectacles_) {
+  if (!spectacles) {
     sight.reaches = true;
-    sight.origin = plane_.position + world * pupil;
+    sight.origin = plane.position + world * pupil;
     sight.direction = world * (foveal ? gaze : toward);
     sight.offset_p = sight.slope_s = foveal ? Sight::Map(world * turn.leftCols<2>()) : Sight::Map(world.leftCols<2>());
     sight.offset_s = sight.slope_p = Sight::Map::Zero();
     return sight;
   }
-  const SpectacleConoid conoid = trace_conoid_along(*spectacles_, {pupil, gaze}, turn.col(0), turn.col(1));
+  const SpectacleConoid conoid = trace_conoid_along(*spectacles, {pupil, gaze}, turn.col(0), turn.col(1));
   sight.reaches = conoid.status == LensStatus::ok;
   if (!sight.reaches) return sight;
   const RayTransfer& exit = conoid.exit;
@@ -67,13 +48,34 @@ Sight SightField::traced(const Eigen::Vector2d& place) const {
   const Eigen::Matrix2d across = foveal ? Eigen::Matrix2d(Eigen::Matrix2d::Identity())
                                         : Eigen::Matrix2d(turn.leftCols<2>().transpose().leftCols<2>());
   const double slope_scale = foveal ? 1.0 : 1.0 / toward.norm();
-  sight.origin = plane_.position + world * conoid.chief_ray.origin;
+  sight.origin = plane.position + world * conoid.chief_ray.origin;
   sight.direction = world * conoid.chief_ray.direction;
   sight.offset_p = frame * exit.offset_from_offset * across;
   sight.slope_p = frame * exit.slope_from_offset * across;
   sight.offset_s = slope_scale * frame * exit.offset_from_slope * across;
   sight.slope_s = slope_scale * frame * exit.slope_from_slope * across;
   return sight;
+}
+
+SightField::SightField(const PicturePlane& plane, const Eye& eye, std::optional<Spectacles> spectacles)
+    : plane_(plane), eye_(eye), spectacles_(std::move(spectacles)) {
+  if (spectacles_) fill_grid();
+}
+
+void SightField::fill_grid() {
+  grid_px_ = grid_slope / plane_.pixel_slope;
+  columns_ = static_cast<int>(std::ceil(plane_.width / grid_px_)) + 3;
+  rows_ = static_cast<int>(std::ceil(plane_.height / grid_px_)) + 3;
+  grid_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  parallel_for(0, rows_, [&](int j) {
+    for (int i = 0; i < columns_; ++i)
+      grid_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)] =
+          traced({(i - 1) * grid_px_, (j - 1) * grid_px_});
+  });
+}
+
+Sight SightField::traced(const Eigen::Vector2d& place) const {
+  return traced_sight(plane_, eye_, spectacles_ ? &*spectacles_ : nullptr, plane_.slope(place));
 }
 
 std::optional<SightField::Cell> SightField::cell_of(const Eigen::Vector2d& place) const {

@@ -39,6 +39,11 @@ struct Sight {
   Map directions(const Eigen::Matrix2d& slopes) const { return slope_p + slope_s * slopes; }
 };
 
+/// The sight of one place with the chief slope `slope` (tangents to the right and up), traced through the spectacles
+/// (null: naked eye). Of the plane, only its position, axes and gaze count.
+Sight traced_sight(const PicturePlane& plane, const Eye& eye, const Spectacles* spectacles,
+                   const Eigen::Vector2d& slope);
+
 /// Sights over a picture: naked eye or spectacles (conoid tracing, docs/theory.md#81-sights-any-gaze-spectacles), gaze
 /// `camera` or `foveal`. Naked eyes in closed form. Through spectacles, conoids stand on a grid of `grid_slope` (1.1°),
 /// linear in between: chief rays are off by an eighth of its square times the second derivative of the deviation, 2e-5

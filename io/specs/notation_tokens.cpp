@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <iterator>
 #include <utility>
 
 #include "io/files/lower_case.h"
+#include "io/files/number_text.h"
 #include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 #include "io/json/suggest.h"
@@ -191,7 +191,7 @@ class Scanner {
     }
     const std::size_t start = token.text.starts_with('+') ? 1 : 0;
     const char* end = token.text.data() + token.text.size();
-    if (std::from_chars(token.text.data() + start, end, token.value).ptr != end)
+    if (read_number(token.text.data() + start, end, token.value) != end)
       throw NotationError("a number in place of \"" + token.text + "\"");
     tokens_.push_back(std::move(token));
   }
@@ -213,10 +213,11 @@ class Scanner {
   void add_word(const std::string& letters) {
     NotationToken token;
     token.text = letters;
-    if (std::ranges::find(planos, letters) != planos.end()) {
+    if (std::find(planos.begin(), planos.end(), letters) != planos.end()) {
       token.is_number = token.has_sign = token.has_point = true;
     } else {
-      const auto* known = std::ranges::find(words, letters, &Word::text);
+      const auto* known =
+          std::find_if(std::begin(words), std::end(words), [&](const Word& word) { return word.text == letters; });
       if (known == std::end(words)) fail_at_word(letters);
       token.term = known->term;
     }

@@ -7,9 +7,11 @@
 #include "io/files/error.h"
 #include "io/json/named_file.h"
 #include "io/specs/eye_spec.h"
+#include "io/specs/lens_design.h"
 #include "io/specs/lens_files/lens_file.h"
 #include "io/specs/progressive_spec.h"
 #include "io/specs/sag_grid.h"
+#include "lensmodel/needed_power.h"
 #include "lensmodel/prism.h"
 #include "lensmodel/progressive.h"
 #include "lensmodel/single_vision.h"
@@ -143,11 +145,7 @@ Prescription lens_power(const Json& value, const Source& where, const Eye& eye, 
     rx.vertex_distance_m = vertex_distance_m;
     return rx;
   }
-  if (eye.prescription.vertex_distance_m == vertex_distance_m) return eye.prescription;
-  Prescription moved = eye.correction.moved_towards_eye(-vertex_distance_m).as_prescription();
-  moved.prism_cm_per_m = eye.prescription.prism_cm_per_m;
-  moved.prism_base_deg = eye.prescription.prism_base_deg;
-  return moved;
+  return needed_power(eye, vertex_distance_m);
 }
 
 /// What single-vision and progressive lenses have in common.
@@ -160,13 +158,6 @@ SingleVisionDesign read_design(const Json& value, const Source& where, Spectacle
   design.diameter_m = diameter(value);
   design.mounting = read_mounting(value);
   return design;
-}
-
-Spectacles read_progressive(const Json& value, const Source& where, const Prescription& rx,
-                            const SingleVisionDesign& lens, SpectaclesSpec& spec) {
-  const ProgressiveLens made = progressive_lens(rx, read_progressive_design(value, where, lens));
-  spec.fits.push_back({"front", Eigen::Vector2d::Constant(made.knot_spacing_m), std::nullopt, made.power_residual});
-  return made.lens;
 }
 
 /// What a prescription's text states beside the power becomes a member of the lens, unless that is there.
@@ -199,20 +190,29 @@ Json with_numbers(const std::string& maker, const Json& given, const Source& whe
   return value;
 }
 
-/// A lens by its maker, "single_vision" or "progressive".
-Spectacles read_made(const std::string& maker, const Json& given, const Source& where, const Eye& eye,
-                     SpectaclesSpec& spec) {
+/// What the lens of a maker, "single_vision" or "progressive", is made from.
+LensDesign read_maker(const std::string& maker, const Json& given, const Source& where, const Eye& eye,
+                      SpectaclesSpec& spec) {
   const Json value = with_numbers(maker, given, where, spec);
   if (maker == "progressive" && !value.contains("addition_D"))
     missing(
         "addition_D", where,
         "\"addition_D\": a number from -10 to 10 (how much more power the front has in the near zone than in the far "
         "zone [D])");
-  const SingleVisionDesign design = read_design(value, where, spec);
-  const Prescription rx = lens_power(value, where, eye, design.vertex_distance_m);
-  spec.made_for = rx;
+  LensDesign design;
+  design.lens = read_design(value, where, spec);
+  design.power = lens_power(value, where, eye, design.lens.vertex_distance_m);
+  if (maker == "progressive") design.progressive = read_progressive_design(value, where, design.lens);
+  return design;
+}
+
+Spectacles made_lens(const LensDesign& design, const Source& where, SpectaclesSpec& spec) {
+  spec.made_for = design.power;
   try {
-    return maker == "progressive" ? read_progressive(value, where, rx, design, spec) : single_vision(rx, design);
+    if (!design.progressive) return single_vision(design.power, design.lens);
+    const ProgressiveLens made = progressive_lens(design.power, *design.progressive);
+    spec.fits.push_back({"front", Eigen::Vector2d::Constant(made.knot_spacing_m), std::nullopt, made.power_residual});
+    return made.lens;
   } catch (const std::logic_error& error) {  // std::invalid_argument, std::domain_error
     throw InputError(where.file, where.pointer, error.what(), "a lens that can be made");
   }
@@ -277,9 +277,19 @@ SpectaclesSpec read_spectacles(const Json& value, const Source& where, const Eye
   for (const auto& [key, member] : value.items())
     if (key != maker && key != "format" && key != "$schema")
       (where / key).fail(member, "no \"" + key + "\" beside \"" + maker + "\": it belongs inside");
-  spec.lens = maker == "lens_file" ? read_from_file(value[maker], where / maker, spec)
-                                   : read_made(maker, value[maker], where / maker, eye, spec);
+  spec.lens = maker == "lens_file"
+                  ? read_from_file(value[maker], where / maker, spec)
+                  : made_lens(read_maker(maker, value[maker], where / maker, eye, spec), where / maker, spec);
   return spec;
+}
+
+std::optional<LensDesign> read_lens_design(const Json& value, const Source& where, const Eye& eye) {
+  if (value.is_null()) return std::nullopt;
+  const auto [lens, place] = lens_document(value, where);
+  SpectaclesSpec spec;
+  for (const char* maker : {"single_vision", "progressive"})
+    if (lens.contains(maker)) return read_maker(maker, lens[maker], place / maker, eye, spec);
+  return std::nullopt;
 }
 
 SpectaclesSpec read_lens_alone(const Json& value, const Source& where) {

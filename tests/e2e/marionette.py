@@ -10,7 +10,7 @@ import time
 from webdriver import Browser
 
 COMMANDS = {"/url": "WebDriver:Navigate", "/execute/sync": "WebDriver:ExecuteScript", "/element": "WebDriver:FindElement",
-            "/actions": "WebDriver:PerformActions", "/window/rect": "WebDriver:SetWindowRect", "/screenshot": "WebDriver:TakeScreenshot"}
+            "/actions": "WebDriver:PerformActions", "/window/rect": "WebDriver:SetWindowRect", "/timeouts": "WebDriver:SetTimeouts", "/screenshot": "WebDriver:TakeScreenshot"}
 OF_ELEMENTS = {"click": "WebDriver:ElementClick", "text": "WebDriver:GetElementText", "value": "WebDriver:ElementSendKeys"}
 PREFERENCES = {"marionette.port": 0, "ui.prefersReducedMotion": 1, "browser.shell.checkDefaultBrowser": False,
                "datareporting.policy.dataSubmissionEnabled": False, "app.update.disabledForTesting": True}

@@ -20,6 +20,7 @@ ARROWS = {
     "server": {"lensmodel", "io", "compare", "reports", "stages"},
     "app": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments", "server"},
     "python": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "stages"},
+    "viewer": {"lensmodel", "io", "pathtrace", "conoid"},
 }
 
 # The subfolders of a room from the ground up: each may include itself and those before it; those on one line do not see each other.
@@ -28,15 +29,16 @@ FLOORS = {
     "lensmodel": [[""]],
     "io": [["files"], ["json"], ["images"], ["specs"]],
     "pathtrace": [["sampling"], ["materials"], ["lights"], ["scene"], ["cameras"], ["plan"], ["integrator"], ["guide"], ["film"]],
-    "conoid": [["tracing"], ["blur_field"], ["pictures"]],
+    "conoid": [["threads"], ["tracing"], ["blur_field"], ["pictures"]],
     "wavefront": [["fft"], ["fitting", "psf"], ["layers"]],
     "compare": [["statistics"], ["metrics"], ["ellipses", "images", "psf"], ["gates"], ["studies"], ["findings"]],
     "reports": [["markup"], ["plots", "viewer"], ["text", "sections"], ["page"]],
-    "stages": [["plan"], [""]],
+    "stages": [["plan", "page"], [""]],
     "experiments": [["run"], ["figures"], ["standard", "lens_study", "sin2_study", "samplings", "bench", "stress"], [""]],
     "server": [[""]],
     "app": [[""]],
     "python": [[""]],
+    "viewer": [["core"]],
 }
 # Libraries that one room alone may include.
 OWN_LIBRARIES = {

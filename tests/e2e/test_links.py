@@ -14,7 +14,7 @@ from sturm_process import SOURCE
 sys.path.insert(0, str(SOURCE / "scripts"))
 from github_anchor import anchor as github_anchor  # noqa: E402
 
-OUTPUT = re.compile(r"(^|/)(build|\.git|\.cache|__pycache__|reports/runs/[^/]+)/")  # folders that hold no source
+OUTPUT = re.compile(r"(^|/)(build|node_modules|\.git|\.cache|__pycache__|reports/runs/[^/]+)/")  # folders that hold no source
 C_SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
 
 FENCE = re.compile(r"^ {0,3}(```|~~~).*?(?:^ {0,3}\1[`~]*[ \t]*$|\Z)", re.MULTILINE | re.DOTALL)

@@ -7,7 +7,7 @@ import unittest
 
 from sturm_process import SOURCE
 
-ROOMS = ("lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments", "app", "python")
+ROOMS = ("lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments", "server", "app", "python", "viewer")
 SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
 
 # Comments, strings and preprocessor lines are passed over; of the rest words, numbers and signs matter.

@@ -1,4 +1,5 @@
 """A browser by the W3C WebDriver protocol (https://www.w3.org/TR/webdriver2/), through Debian's chromedriver and Chromium."""
+import base64
 import http.client
 import json
 import shutil
@@ -9,9 +10,9 @@ KEYS = {"left": "\ue012", "up": "\ue013", "right": "\ue014", "down": "\ue015", "
 
 
 class Browser:
-    """A headless window of a given size; close() ends it."""
+    """A headless window of a given size; close() ends it. `switches`: further words of Chromium's command line."""
 
-    def __init__(self, profile, width=1280, height=1000):
+    def __init__(self, profile, width=1280, height=1000, switches=()):
         driver = shutil.which("chromedriver")
         if not driver or not shutil.which("chromium"):
             raise RuntimeError("Debian's packages chromium and chromium-driver are not installed (scripts/dependencies.txt)")
@@ -23,7 +24,7 @@ class Browser:
                 break
         self._session = ""
         options = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--force-prefers-reduced-motion", "--no-first-run",
-                            f"--user-data-dir={profile}", f"--window-size={width},{height}"]}
+                            f"--user-data-dir={profile}", f"--window-size={width},{height}", *switches]}
         try:
             capabilities = {"browserName": "chrome", "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}
             session = self._call("POST", "", {"capabilities": {"alwaysMatch": capabilities}})
@@ -49,6 +50,13 @@ class Browser:
         """Runs the body of a JavaScript function in the page; returns its result."""
         return self._call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
 
+    def allow_scripts(self, seconds):
+        """How long a script of run() may take; 30 s before this is called."""
+        self._call("POST", "/timeouts", {"script": round(1000 * seconds)})
+
+    def resize(self, width, height):
+        self._call("POST", "/window/rect", {"width": width, "height": height})
+
     def find(self, selector):
         return self._call("POST", "/element", {"using": "css selector", "value": selector})[ELEMENT]
 
@@ -71,6 +79,10 @@ class Browser:
         self._call("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": actions}]})
         # Moves reach the page with its next frame.
         self.run("return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))));")
+
+    def screenshot(self):
+        """The visible part of the page as bytes of a PNG file."""
+        return base64.b64decode(self._call("GET", "/screenshot"))
 
     def console(self):
         """Messages of the page's console and errors of its scripts since the last call."""

@@ -1,0 +1,107 @@
+// Asks the WebAssembly core and prints JSON: node core_bits.cjs CORE.js fields | ellipses FILE | answers < QUERIES.json
+const crypto = require('crypto');
+const fs = require('fs');
+
+const straight = {decentration_m: [0, 0], pantoscopic_tilt_rad: 0, wrap_rad: 0};
+
+function prescription(sphere_D, cylinder_D, axis_deg) {
+  return {sphere_D, cylinder_D, axis_deg, vertex_distance_m: 12e-3, prism_cm_per_m: 0, prism_base_deg: 0};
+}
+
+function eye(rx, pupil_diameter_m, accommodation) {
+  return {prescription: rx, wavefront: null, pupil_diameter_m, rotation_center_m: 13.5e-3, accommodation};
+}
+
+function singleVision(rx) {
+  return {kind: 'single_vision', prescription: rx, base_curve_D: null, center_thickness_m: 2e-3, refractive_index: 1.5,
+          vertex_distance_m: 12e-3, diameter_m: 70e-3, mounting: straight};
+}
+
+const hash = (array) => crypto.createHash('sha256').update(Buffer.from(array.buffer)).digest('hex');
+
+// The eye and the lenses of native_reference.cpp.
+function fields(core) {
+  const grid = {nx: 32, ny: 32, nz: 256, tan_half_width: 0.7, tan_half_height: 0.5, near_vergence_D: 4, far_vergence_D: 0};
+  const lenses = {
+    naked: null,
+    toric: singleVision(null),
+    progressive: {...singleVision(null), kind: 'progressive', center_thickness_m: 2.2e-3, refractive_index: 1.6, diameter_m: 60e-3,
+                  addition_D: 2, corridor_start_m: 0, corridor_length_m: 18e-3, near_shift_m: -2.5e-3, zone_width_m: 10e-3, knot_spacing_m: 0.125e-3},
+  };
+  const optics = new core.Optics();
+  optics.setEye(eye(prescription(-2, -1.5, 30), 4e-3, {mode: 'fixed', power_D: 0.5}));
+  const result = {};
+  for (const [name, lens] of Object.entries(lenses)) {
+    optics.setLens(lens);
+    result[name] = {analytic: hash(optics.fieldAnalytic(grid).nodes), voxels: hash(optics.fieldVoxels(grid).voxels)};
+  }
+  optics.delete();
+  return result;
+}
+
+// Largest differences from what native_reference.cpp wrote.
+function ellipses(core, file) {
+  const bytes = fs.readFileSync(file);
+  const numbers = new Float64Array(bytes.buffer, bytes.byteOffset, bytes.length / 8);
+  const worst = {count: 0, maps: 0, semi_axes: 0, angles_deg: 0};
+  const optics = new core.Optics();
+  for (let at = 0; at < numbers.length; at += 17) {
+    const [s, c, a, pupil, azimuth, elevation, distance, ls, lc, la, xx, xy, yx, yy, major, minor, angle] = numbers.subarray(at, at + 17);
+    optics.setEye(eye(prescription(s, c, a), pupil, {mode: 'fixed', power_D: 0.25}));
+    optics.setLens(la < 0 ? null : singleVision(prescription(ls, lc, la)));
+    const answer = optics.ellipse(azimuth, elevation, distance);
+    const same = [xx, xy, yx, yy].every((x, k) => Object.is(x, answer.angular_footprint[k]));
+    worst.count += 1;
+    worst.maps += same ? 0 : 1;
+    for (const [mine, native] of [[answer.semi_axes_rad[0], major], [answer.semi_axes_rad[1], minor]])
+      worst.semi_axes = Math.max(worst.semi_axes, Math.abs(mine - native) / native);
+    const turn = Math.abs((answer.orientation_deg === null ? 1000 : answer.orientation_deg) - angle);
+    worst.angles_deg = Math.max(worst.angles_deg, Math.min(turn, Math.abs(180 - turn)));
+  }
+  optics.delete();
+  return worst;
+}
+
+// [{eye, lens, targets: [[azimuth_rad, elevation_rad, distance_m or "inf"]]}] → [[EllipseNumbers]]
+function answers(core) {
+  return JSON.parse(fs.readFileSync(0, 'utf8')).map((query) => {
+    const optics = new core.Optics();
+    optics.setEye(query.eye);
+    optics.setLens(query.lens);
+    const list = query.targets.map(([azimuth, elevation, distance]) => optics.ellipse(azimuth, elevation, distance === 'inf' ? Infinity : distance));
+    optics.delete();
+    return list;
+  });
+}
+
+// The messages of calls that must not succeed, and what rays and passes look like.
+function manners(core) {
+  const message = (call) => {
+    try {
+      call();
+      return null;
+    } catch (error) {
+      return error instanceof Error ? error.message : `not an Error: ${error}`;
+    }
+  };
+  const optics = new core.Optics();
+  const good = eye(prescription(-2, -1.5, 30), 4e-3, {mode: 'relaxed'});
+  const messages = {
+    sphere: message(() => optics.setEye(eye(prescription(-99, 0, 180), 4e-3, {mode: 'relaxed'}))),
+    mode: message(() => optics.setEye({...good, accommodation: {mode: 'lazy'}})),
+    missing: message(() => optics.setEye({...good, pupil_diameter_m: undefined})),
+    lens: message(() => optics.setLens({...singleVision(prescription(-2, 0, 180)), refractive_index: 1})),
+    notation: message(() => core.readNotation('-2.00 -1.50')),
+  };
+  optics.setEye(good);
+  const result = {messages, passes: Array.from(core.pupilPasses(3, 0.25)), noted: core.readNotation('OD -2.00 -1.50 x 30 ADD +2.00, OS -1.75 DS'),
+                  naked_sight: Array.from(optics.sights({gaze: 'foveal', first_x: 0.25, first_y: 0, step_x: 1, step_y: 1, columns: 1, rows: 1})),
+                  clear: optics.clearVision(0, 0, 1e-3), rays: Array.from(optics.rayModel('power_matrix', 0, Infinity, new Float32Array([1e-3, 0, 0, 1e-3])).slopes)};
+  optics.delete();
+  return result;
+}
+
+require(process.argv[2])().then((core) => {
+  const what = {fields, ellipses, answers, manners}[process.argv[3]];
+  process.stdout.write(JSON.stringify(what(core, process.argv[4])));
+});

@@ -1,0 +1,172 @@
+"""The WebAssembly core in node against the same sources compiled for this machine, and against `sturm ellipse`."""
+import concurrent.futures
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import unittest
+
+from sturm_process import SOURCE, FolderTest, strict_json, sturm
+from viewer_page import TEMPLATE, skip, view_of
+
+CORE = pathlib.Path(os.environ["VIEWER_BUILD"]) / "wasm/sturm_core.js"
+REFERENCE = os.environ["VIEWER_REFERENCE"]
+SCRIPT = pathlib.Path(__file__).with_name("core_bits.cjs")
+TWELVE_DIGITS = 1e-12
+
+
+def core(*arguments, stdin=None):
+    """What core_bits.cjs prints."""
+    process = subprocess.run(["node", SCRIPT, CORE, *arguments], input=stdin, capture_output=True, text=True, timeout=120)
+    if process.returncode:
+        raise AssertionError(process.stderr)
+    return strict_json(process.stdout)
+
+
+def real_prescriptions():
+    lines = (SOURCE / "configs/data/papila_prescriptions.csv").read_text().splitlines()[2:]
+    return [[float(x) for x in line.split(",")[4:7]] for line in lines]
+
+
+def ask(query):
+    """The results of `sturm ellipse`."""
+    process = sturm("ellipse", "-", stdin=json.dumps(query))
+    if process.returncode:
+        raise AssertionError(process.stderr)
+    return strict_json(process.stdout)["results"]
+
+
+def ask_all(queries):
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        return list(pool.map(ask, queries))
+
+
+def radians(targets):
+    """Targets of a query as the core takes them."""
+    return [[*(angle * (math.pi / 180.0) for angle in target["gaze_deg"]), target["distance_m"]] for target in targets]
+
+
+class Bits(FolderTest):
+    def test_fields_are_the_same_bits(self):
+        native = strict_json(subprocess.run([REFERENCE, "fields"], capture_output=True, text=True, check=True).stdout)
+        self.assertEqual(sorted(native), ["naked", "progressive", "toric"])
+        self.assertEqual(core("fields"), native)
+        self.assertEqual(len({field["voxels"] for field in native.values()}), 3)
+
+    def test_ellipses_differ_by_the_last_bits_of_the_mathematics_library(self):
+        file = self.folder / "ellipses.bin"
+        subprocess.run([REFERENCE, "ellipses", file], check=True)
+        worst = core("ellipses", str(file))
+        self.assertGreater(worst["count"], 19000)  # some chief rays pass the lens by
+        self.assertEqual(worst["maps"], 0)
+        # hypot and atan2 of another library: at most an ulp or two. Measured 4.4e-16 and 1.4e-14.
+        self.assertLessEqual(worst["semi_axes"], 1e-15)
+        self.assertLessEqual(worst["angles_deg"], 3e-14)
+
+
+class Answers(FolderTest):
+    def close(self, mine, theirs, scale):
+        self.assertEqual(mine is None, theirs is None)
+        if mine is None:
+            return
+        for a, b in zip(mine, theirs, strict=True):
+            self.assertLessEqual(abs(a - b), TWELVE_DIGITS * scale)
+
+    def compare(self, answer, result):
+        self.assertEqual(answer["status"], result["status"])
+        if answer["status"] != "ok":
+            self.assertIsNone(answer["semi_axes_rad"])
+            return
+        self.assertLessEqual(abs(answer["accommodation_D"] - result["accommodation_D"]), TWELVE_DIGITS)
+        for key in ("semi_axes_rad", "semi_axes_m"):
+            self.close(answer[key], result[key], result[key][0] if result[key] else 0.0)
+        rows = result["footprint"]
+        flat = [*rows[0], *rows[1]]
+        self.close(answer["footprint"] or answer["angular_footprint"], flat, max(map(abs, flat)))
+        curvature = result["wavefront_curvature_D"]
+        self.close(answer["wavefront_curvature_D"], curvature, max(map(abs, curvature)) if curvature else 0.0)
+        self.close(answer["chief_ray"]["origin_m"], result["chief_ray"]["origin_m"], 1e-2)
+        self.close(answer["chief_ray"]["direction"], result["chief_ray"]["direction"], 1.0)
+        self.assertEqual(answer["orientation_deg"] is None, result["orientation_deg"] is None)
+        if result["orientation_deg"] is not None:
+            self.assertLessEqual(abs(math.remainder(answer["orientation_deg"] - result["orientation_deg"], 180.0)), 1e-10)
+
+    def test_real_prescriptions(self):
+        targets = [{"gaze_deg": [20, -15], "distance_m": 0.4}, {"gaze_deg": [0, 0], "distance_m": "inf"}]
+        prescriptions = real_prescriptions()
+        self.assertEqual(len(prescriptions), 413)
+        queries, mine = [], []
+        for sphere, cylinder, axis in prescriptions:
+            eye = {"prescription": {"sphere_D": sphere, "cylinder_D": cylinder, "axis_deg": axis, "vertex_distance_mm": 12},
+                   "pupil_diameter_mm": 4, "accommodation": {"mode": "best", "amplitude_D": 1.5}}
+            queries.append({"format": "sturm.ellipse/1", "eye": eye, "targets": targets, "methods": ["conoid"]})
+            mine.append({"eye": {"prescription": {"sphere_D": sphere, "cylinder_D": cylinder, "axis_deg": axis, "vertex_distance_m": 12e-3,
+                                                  "prism_cm_per_m": 0, "prism_base_deg": 0},
+                                 "wavefront": None, "pupil_diameter_m": 4e-3, "rotation_center_m": 13.5e-3,
+                                 "accommodation": {"mode": "best", "amplitude_D": 1.5}},
+                         "lens": None, "targets": radians(targets)})
+        for answers, results in zip(core("answers", stdin=json.dumps(mine)), ask_all(queries), strict=True):
+            for answer, result in zip(answers, results, strict=True):
+                self.compare(answer, result)
+
+    def test_lenses_as_sturm_view_hands_them_over(self):
+        """Ten lenses in five gazes: JSON, numbers of the page, WebAssembly, against the program."""
+        targets = [{"gaze_deg": gaze, "distance_m": d} for gaze, d in
+                   [([0, 0], "inf"), ([25, 10], 2), ([-12, -28], 0.4), ([3, -20], 0.35), ([-35, 30], 1)]]
+        eye = {"prescription": {"sphere_D": -2, "cylinder_D": -1.5, "axis_deg": 30}, "pupil_diameter_mm": 4,
+               "accommodation": {"mode": "best", "amplitude_D": 1}}
+        template = self.write("template.html", TEMPLATE)
+        files = sorted((SOURCE / "configs/lenses").glob("*.json"))
+        self.assertEqual(len(files), 10)
+        queries, mine = [], []
+        for file in files:
+            queries.append({"format": "sturm.ellipse/1", "eye": eye, "spectacles": str(file), "targets": targets, "methods": ["conoid"]})
+            view = self.write("view.json", {
+                "format": "sturm.render/1", "eye": eye, "spectacles": str(file), "scene": {"format": "sturm.scene/1", "materials": {"a": {}},
+                "spheres": [{"center_m": [0, 0, -2], "radius_m": 0.1, "material": "a"}]},
+                "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 40, "resolution": [8, 8], "gaze": "foveal"},
+                "method": {"type": "predict", "prediction": "multipass"}})
+            self.succeed("view", view, "-o", self.folder / "page.html", "--template", template)
+            numbers = view_of((self.folder / "page.html").read_text())["right"]
+            mine.append({**numbers, "targets": radians(targets)})
+        for file, answers, results in zip(files, core("answers", stdin=json.dumps(mine)), ask_all(queries), strict=True):
+            for answer, result in zip(answers, results, strict=True):
+                with self.subTest(lens=file.stem, target=result["target"]):
+                    self.compare(answer, result)
+
+
+class Manners(unittest.TestCase):
+    def test_messages_are_the_programs(self):
+        manners = core("manners")
+        messages = manners["messages"]
+        self.assertEqual(messages["sphere"], "sphere [D] is -99, expected -40 to 40")
+        self.assertIn("expected relaxed, fixed or best", messages["mode"])
+        self.assertIn("pupil_diameter_m", messages["missing"])
+        self.assertIn("refractive index", messages["lens"])
+        self.assertIn("an axis behind the cylinder", messages["notation"])
+        self.assertEqual([noted["eye"] for noted in manners["noted"]], ["right", "left"])
+        self.assertEqual(manners["noted"][0]["addition_D"], 2)
+
+    def test_power_matrix_rays_and_clear_vision(self):
+        manners = core("manners")
+        # F of -2.00 -1.50 x 30 at 12 mm: vergences move by v/(1 - dv), then Long's matrix, in the wearer frame (axis 180 - 30).
+        along, across = (v / (1 - 12e-3 * v) for v in (-2.0, -3.5))
+        s, c = math.sin(math.radians(150)), math.cos(math.radians(150))
+        xx, xy, yy = along * c * c + across * s * s, (along - across) * s * c, along * s * s + across * c * c
+        for mine, expected in zip(manners["rays"], [1e-3 * xx, 1e-3 * xy, 1e-3 * xy, 1e-3 * yy], strict=True):
+            self.assertAlmostEqual(mine, expected, delta=1e-9)  # single precision
+        # The larger semi-axis a·max|V + F| is least where both meridians are equally off.
+        clear = manners["clear"]
+        self.assertEqual(clear["status"], "never_clear")
+        self.assertAlmostEqual(clear["best_vergence_D"], -0.5 * (along + across), delta=1e-8)
+        self.assertAlmostEqual(clear["best_semi_major_rad"], 2e-3 * 0.5 * (along - across), delta=1e-12)
+
+
+if __name__ == "__main__":
+    if not CORE.exists():
+        skip(f"{CORE} was not built (preset wasm)")
+    if not shutil.which("node"):
+        skip("no node")
+    unittest.main()

@@ -1,0 +1,79 @@
+/// The rays that one place of the picture gathers, to first order (conoid/pictures/sight_field.h): a naked eye's in
+/// closed form, through spectacles those of a grid that the core has traced, linear in between.
+uniform mat3 u_head;         // right, up, back of the head in the world
+uniform vec3 u_position;     // pupil centre in primary gaze [m]
+uniform vec2 u_size;         // of the picture [px]
+uniform float u_pixel_slope;
+uniform bool u_foveal;
+uniform float u_rotation_center;  // behind the pupil [m]
+uniform bool u_lens;
+uniform sampler2D u_sights;  // 10 texels a node, head frame: origin and whether it reaches, direction, columns of the four maps
+uniform vec2 u_sight_nodes;
+uniform vec2 u_sight_first, u_sight_step;  // chief slopes
+uniform sampler2D u_focus;   // accommodation by vergence and direction
+uniform bool u_seeks_focus;
+uniform float u_accommodation;
+uniform float u_focus_last_vergence;
+
+struct Sight {
+  vec3 origin, direction;
+  mat2x3 offset_p, offset_s, slope_p, slope_s;
+  bool reaches;
+};
+
+vec2 slope_of(vec2 place) {
+  return vec2(place.x - 0.5 * u_size.x, 0.5 * u_size.y - place.y) * u_pixel_slope;
+}
+
+/// The smallest rotation that takes straight ahead to `gaze`; its first two columns.
+mat2x3 turned_frame(vec3 gaze) {
+  float scale = 1.0 / (1.0 - gaze.z);
+  return mat2x3(vec3(1.0 - scale * gaze.x * gaze.x, -scale * gaze.x * gaze.y, gaze.x),
+                vec3(-scale * gaze.x * gaze.y, 1.0 - scale * gaze.y * gaze.y, gaze.y));
+}
+
+Sight naked_sight(vec2 place) {
+  vec3 toward = vec3(slope_of(place), -1.0);
+  mat2x3 none = mat2x3(0.0), frame = mat2x3(u_head[0], u_head[1]);
+  if (!u_foveal) return Sight(u_position, u_head * toward, frame, none, none, frame, true);
+  vec3 gaze = normalize(toward);
+  frame = u_head * turned_frame(gaze);
+  vec3 pupil = u_rotation_center * (gaze + vec3(0.0, 0.0, 1.0));
+  return Sight(u_position + u_head * pupil, u_head * gaze, frame, none, none, frame, true);
+}
+
+/// Texel k of the grid at a place between nodes; beyond the grid its last cell goes on.
+vec4 grid_texel(vec2 at, int k) {
+  vec2 corner = clamp(floor(at), vec2(0.0), u_sight_nodes - 2.0), f = at - corner;
+  ivec2 node = ivec2(corner);
+  ivec2 first = ivec2(10 * node.x + k, node.y), right = ivec2(10, 0), down = ivec2(0, 1);
+  return mix(mix(texelFetch(u_sights, first, 0), texelFetch(u_sights, first + right, 0), f.x),
+             mix(texelFetch(u_sights, first + down, 0), texelFetch(u_sights, first + right + down, 0), f.x), f.y);
+}
+
+mat2x3 grid_map(vec2 at, int k) {
+  return u_head * mat2x3(grid_texel(at, k).xyz, grid_texel(at, k + 1).xyz);
+}
+
+Sight sight_at(vec2 place) {
+  if (!u_lens) return naked_sight(place);
+  vec2 at = (slope_of(place) - u_sight_first) / u_sight_step;
+  vec4 origin = grid_texel(at, 0);
+  return Sight(u_position + u_head * origin.xyz, u_head * grid_texel(at, 1).xyz, grid_map(at, 2), grid_map(at, 4), grid_map(at, 6), grid_map(at, 8),
+               origin.w > 0.999);
+}
+
+/// Accommodation [D] of an eye that looks at this vergence there.
+float accommodation_at(vec2 place, float vergence) {
+  if (!u_seeks_focus) return u_accommodation;
+  ivec2 size = textureSize(u_focus, 0);
+  vec2 cells = vec2(size.y - 1, size.x - 1);
+  float column = clamp(vergence / u_focus_last_vergence, 0.0, 1.0) * cells.y;
+  int i = min(int(column), size.x - 2), j = int(clamp(place.y / u_size.y, 0.0, 1.0) * cells.x + 0.5);
+  return mix(texelFetch(u_focus, ivec2(i, j), 0).x, texelFetch(u_focus, ivec2(i + 1, j), 0).x, column - float(i));
+}
+
+void bent_ray(Sight sight, vec2 p, vec2 s, out vec3 origin, out vec3 direction) {
+  origin = sight.origin + sight.offset_p * p + sight.offset_s * s;
+  direction = sight.direction + sight.slope_p * p + sight.slope_s * s;
+}

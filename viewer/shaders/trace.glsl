@@ -1,0 +1,57 @@
+/// Light along a ray: paths with one lamp sampled at each Lambertian vertex, ended by Russian roulette.
+uniform int u_max_bounces;
+
+mat3 frame_about(vec3 n) {
+  vec3 side = normalize(abs(n.x) < 0.5 ? cross(n, vec3(1.0, 0.0, 0.0)) : cross(n, vec3(0.0, 1.0, 0.0)));
+  return mat3(side, cross(n, side), n);
+}
+
+/// Light that leaves `at` against `direction` by scattering. `lit`: what lamps bring to `at` itself is known already.
+vec3 path_from(Surface at, vec3 direction, bool lit) {
+  vec3 sum = vec3(0.0), throughput = vec3(1.0);
+  for (int bounce = 0; bounce < u_max_bounces; ++bounce) {
+    bool inside = dot(at.normal, direction) > 0.0;
+    float side = inside ? -1.0 : 1.0;
+    vec3 normal = side * at.normal;
+    int type = int(material_texel(at.material, 0).w);
+    mat3 frame = frame_about(type == dielectric ? normal : side * at.shading_normal);
+    vec3 outgoing = -normalize(direction) * frame;
+    if (outgoing.z <= 0.0) {
+      frame = frame_about(normal);
+      outgoing = -normalize(direction) * frame;
+    }
+    Scattered next = scatter(at.material, outgoing, at.albedo, inside);
+    throughput *= next.throughput;
+    if (max(throughput.x, max(throughput.y, throughput.z)) <= 0.0) break;
+    vec3 origin = off_surface(at.position, normal);
+    if (next.lambertian) {
+      if (bounce > 0 || !lit) sum += throughput * light_through_coat(origin, frame[2], at.material);
+      throughput *= through_coat(at.material, next.direction.z);
+    }
+    if (bounce >= 3) {
+      float survival = min(0.95, max(throughput.x, max(throughput.y, throughput.z)));
+      if (random2().x >= survival) break;
+      throughput /= survival;
+    }
+    direction = frame * next.direction;
+    if (next.direction.z < 0.0) origin = off_surface(at.position, -normal);
+    else if (dot(direction, normal) <= 0.0) break;
+    Hit hit = first_hit(origin, direction, never, false);
+    if (hit.triangle < 0 && hit.sphere < 0) {
+      sum += throughput * environment_along(direction);
+      break;
+    }
+    at = surface_at(hit, origin, direction);
+    if (shines_towards(at, direction) && !(next.lambertian && at.light >= 0)) sum += throughput * at.emission;
+  }
+  return sum;
+}
+
+/// What comes along a ray whose first hit is known.
+vec3 radiance_along(Hit hit, vec3 origin, vec3 direction) {
+  if (hit.triangle < 0 && hit.sphere < 0) return environment_along(direction);
+  Surface at = surface_at(hit, origin, direction);
+  vec3 sum = shines_towards(at, direction) ? at.emission : vec3(0.0);
+  bool scatters = max(at.albedo.x, max(at.albedo.y, at.albedo.z)) > 0.0 || int(material_texel(at.material, 0).w) != diffuse;
+  return scatters ? sum + path_from(at, direction, false) : sum;
+}

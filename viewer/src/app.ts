@@ -1,0 +1,237 @@
+/** The page: state in, pictures and numbers out. */
+import { numbersOf, poseOf } from './camera';
+import type { Core } from './core_module';
+import type { Bound } from './controls';
+import { byId } from './elements';
+import { EyeOptics } from './eye_optics';
+import { fillForm } from './form';
+import { Gpu } from './gpu';
+import { GpuScene } from './gpu_scene';
+import { hashOf, stateOfHash } from './hash_state';
+import { lessons } from './lessons';
+import { Overlay, type PlacedEllipse } from './overlay';
+import { Pace } from './pace';
+import { Pictures, type Panel } from './pictures';
+import { pointOn, type Pointing } from './pointing';
+import { Readout } from './readout';
+import { download, viewDocument } from './save';
+import type { SceneData, Vec3 } from './scene_file';
+import { SceneTree } from './scene_tree';
+import type { Mode, State } from './state';
+import { startState, type ViewData } from './view_data';
+
+const modeWords: Record<Mode, string> = { sharp: 'sharp', raster: 'passes', gather: 'traced passes', path: 'samples' };
+
+export class App {
+  state: State;
+  readonly canvas = byId<HTMLCanvasElement>('picture');
+  readonly eye: EyeOptics;
+  readonly tree: SceneTree;
+  readonly width: number;
+  readonly height: number;
+  gpu!: Gpu;
+  scene!: GpuScene;
+  pictures!: Pictures;
+  panels: Panel[] = [];
+  private readonly bound: Bound[];
+  private readonly pointing: Pointing;
+  private readonly readout = new Readout();
+  private readonly overlay = new Overlay();
+  private readonly pace = new Pace();
+  private changed = true;
+  private pointed = true;
+  private busy = false;
+  private lost = false;
+  /** Nothing is drawn on its own while a script measures. */
+  held = false;
+  private hashTimer = 0;
+
+  constructor(readonly core: Core, readonly view: ViewData, private readonly data: SceneData) {
+    this.state = startState(view);
+    this.width = view.camera.width;
+    this.height = view.camera.height;
+    this.tree = new SceneTree(data);
+    this.eye = new EyeOptics(core);
+    this.readHash();
+    this.setUpGpu();
+    this.bound = fillForm(byId<HTMLFormElement>('controls'), (edit) => this.change(edit), core, view, {
+      lesson: (k) => this.lesson(k), reset: () => this.adopt(startState(view), ''), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(),
+    });
+    this.pointing = pointOn(this.canvas, (edit) => this.change(edit), () => this.panels.length, () => { this.pointed = true; });
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.lost = true;
+      this.say('The graphics context was lost; the picture returns when the browser gives it back.');
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      this.lost = false;
+      this.setUpGpu();
+      this.changed = true;
+      this.say('');
+    });
+    addEventListener('hashchange', () => { if (location.hash !== hashOf(this.state)) this.readHash(); });
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  say(text: string): void {
+    const message = byId('message');
+    message.textContent = text;
+    message.hidden = text === '';
+  }
+
+  change(edit: (state: State) => void): void {
+    const next = structuredClone(this.state);
+    edit(next);
+    this.adopt(next, '');
+  }
+
+  private adopt(next: State, message: string): void {
+    this.state = next;
+    this.changed = true;
+    this.say(message);
+    clearTimeout(this.hashTimer);
+    this.hashTimer = window.setTimeout(() => history.replaceState(null, '', hashOf(this.state)), 300);
+  }
+
+  private readHash(): void {
+    try {
+      const state = stateOfHash(location.hash);
+      if (state) this.adopt(state, '');
+    } catch (problem) {
+      this.say((problem as Error).message);
+    }
+  }
+
+  private lesson(k: number): void {
+    const lesson = lessons[k];
+    if (!lesson) return;
+    const next = structuredClone(this.state);
+    lesson.set(next);
+    this.adopt(next, lesson.text);
+  }
+
+  private setUpGpu(): void {
+    this.gpu = new Gpu(this.canvas);
+    this.scene = new GpuScene(this.gpu, this.data, this.tree, this.view.camera.position_m as Vec3);
+    this.pictures = new Pictures(this.gpu, this.core, this.scene);
+    this.panels = [];
+  }
+
+  /** Optics and panels as the state says; false, with a message, where the core refuses them. */
+  prepare(): boolean {
+    const { state } = this;
+    try {
+      this.eye.wear(state, this.view);
+      const pose = poseOf(state.camera, this.width, this.height);
+      const uniforms = this.eye.uniforms(state, this.view);
+      this.pictures.setPasses(state.passes);
+      this.pictures.setEye(uniforms, this.eye.sights(state, pose), state.eyes[state.side].accommodation === 'best' ? this.eye.focusTable(pose) : null);
+      this.pictures.setPose(pose);
+    } catch (problem) {
+      this.say((problem as Error).message);
+      return false;
+    }
+    if (this.panels.map((p) => p.mode).join() !== state.modes.join()) {
+      this.panels.forEach((p) => this.gpu.release(p.sum));
+      this.panels = state.modes.map((mode) => this.pictures.panel(mode, this.width, this.height));
+      this.canvas.width = this.width * this.panels.length;
+      this.canvas.height = this.height;
+    }
+    this.panels.forEach((p) => this.pictures.restart(p));
+    return true;
+  }
+
+  private frame(now: number): void {
+    requestAnimationFrame((later) => this.frame(later));
+    if (this.lost || this.held || document.hidden) return;
+    const allowed = this.pace.next(now, this.busy);
+    if (this.changed) {
+      this.changed = false;
+      this.pointed = true;
+      this.bound.forEach((b) => b.show(this.state));
+      if (!this.prepare()) return;
+    }
+    this.busy = this.draw(allowed);
+    if (this.pointed) {
+      this.pointed = false;
+      this.showNumbers();
+    }
+  }
+
+  /** Some passes of every panel that has not enough; true if there were any. */
+  private draw(allowed: number): boolean {
+    const open = this.panels.filter((p) => p.passes < this.pictures.goal(p.mode));
+    const drawnModes = this.panels.some((p) => p.mode === 'sharp' || p.mode === 'raster');
+    if (drawnModes && !this.scene.lightIsSettled) this.settleLight(allowed);
+    else if (open.length === 0) return false;
+    for (const p of open) {
+      // A unit of work is a pass of the rasteriser or four rows of rays.
+      if (p.mode === 'gather' || p.mode === 'path') this.pictures.step(p, 4 * allowed);
+      else for (let k = 0; k < allowed && p.passes < this.pictures.goal(p.mode); ++k) this.pictures.step(p, 0);
+    }
+    this.pictures.show(this.panels, this.canvas, this.state.exposure);
+    this.showStatus();
+    return true;
+  }
+
+  /** Light at the vertices of the drawn mesh; pictures begin anew when it has doubled its samples. */
+  private settleLight(allowed: number): void {
+    if (!this.scene.gatherLight(this.pictures.programs, allowed)) return;
+    const n = this.scene.bakedSamples;
+    if ((n & (n - 1)) === 0) this.panels.filter((p) => p.mode === 'sharp' || p.mode === 'raster').forEach((p) => this.pictures.restart(p));
+  }
+
+  private showStatus(): void {
+    const counts = this.panels.map((p) => `${modeWords[p.mode]} ${p.passes}${p.mode === 'path' ? '' : ` of ${this.pictures.goal(p.mode)}`}`);
+    const light = this.scene.lightIsSettled ? '' : ` · light ${this.scene.bakedSamples} of 64`;
+    byId('status').textContent = `${counts.join(' | ')} · ${this.pace.frame_ms.toFixed(0)} ms a frame${light}`;
+  }
+
+  private distanceTo(x: number, y: number): { gaze: { azimuth_rad: number; elevation_rad: number }; distance: number } {
+    const camera = numbersOf(this.state.camera, this.width, this.height), pose = poseOf(this.state.camera, this.width, this.height);
+    const gaze = this.eye.optics.gazeAt(camera, x, y), chief = this.eye.optics.ellipse(gaze.azimuth_rad, gaze.elevation_rad, 1).chief_ray;
+    const world = (v: readonly number[]) => [0, 1, 2].map((k) => (pose.head[k] ?? 0) * (v[0] ?? 0) + (pose.head[3 + k] ?? 0) * (v[1] ?? 0) + (pose.head[6 + k] ?? 0) * (v[2] ?? 0)) as Vec3;
+    if (!chief) return { gaze, distance: Infinity };
+    const origin = world(chief.origin_m).map((q, k) => q + (pose.position[k] ?? 0)) as Vec3;
+    return { gaze, distance: this.tree.distance(origin, world(chief.direction)) };
+  }
+
+  private placed(x: number, y: number): PlacedEllipse | null {
+    const camera = numbersOf(this.state.camera, this.width, this.height), { distance } = this.distanceTo(x, y);
+    const ellipse = this.eye.optics.pictureEllipse(camera, x, y, 1 / distance);
+    return ellipse && { x, y, ellipse };
+  }
+
+  private showNumbers(): void {
+    const x = this.pointing.at.x * this.width, y = this.pointing.at.y * this.height, { gaze, distance } = this.distanceTo(x, y);
+    this.readout.show(this.eye.optics, this.state, gaze, distance);
+    const field: PlacedEllipse[] = [];
+    if (this.state.fieldOverlay)
+      for (let j = 0; j < 5; ++j) for (let i = 0; i < 7; ++i) {
+        const e = this.placed(((i + 0.5) * this.width) / 7, ((j + 0.5) * this.height) / 5);
+        if (e) field.push(e);
+      }
+    this.overlay.show(this.width, this.height, this.panels.length, this.placed(x, y), field);
+  }
+
+  private saveView(): void {
+    const text = `${JSON.stringify(viewDocument(this.state, this.view, this.width, this.height), null, 2)}\n`;
+    download('view.json', new Blob([text], { type: 'application/json' }));
+  }
+
+  private savePicture(): void {
+    this.pictures.show(this.panels, this.canvas, this.state.exposure);
+    this.canvas.toBlob((blob) => { if (blob) download('picture.png', blob); });
+  }
+
+  private async copyLink(): Promise<void> {
+    const link = location.href.replace(/#.*$/, '') + hashOf(this.state);
+    history.replaceState(null, '', hashOf(this.state));
+    try {
+      await navigator.clipboard.writeText(link);
+      this.say('The link is in the clipboard.');
+    } catch {
+      this.say('The browser does not give the clipboard; the link stands in its address bar.');
+    }
+  }
+}

@@ -1,0 +1,91 @@
+/** Which controls there are. */
+import { FormPart, type Bound, type Change } from './controls';
+import type { Core } from './core_module';
+import { lessons } from './lessons';
+import { ranges, type EyeState, type GlassesState, type Mode, type RayModel, type Side, type State } from './state';
+import type { ViewData } from './view_data';
+
+export interface FormActions {
+  lesson(number: number): void;
+  reset(): void;
+  saveView(): void;
+  savePicture(): void;
+  copyLink(): void;
+}
+
+const modeNames: readonly (readonly [Mode, string])[] = [
+  ['sharp', 'Sharp'], ['raster', 'Passes, rasterised'], ['gather', 'Passes, traced'], ['path', 'Path traced'],
+];
+const modelNames: readonly (readonly [RayModel, string])[] = [
+  ['power_matrix', 'Power matrix'], ['sin2_radial', 'sin² (radial)'], ['metalstigmatism', 'Metalstigmatism'], ['thin_lens', 'Thin lens'], ['zernike', 'Zernike wavefront'], ['pinhole', 'Pinhole'],
+];
+
+const eyeOf = (s: State): EyeState => s.eyes[s.side];
+const glassesOf = (s: State): GlassesState => s.glasses[s.side];
+
+function eyePart(change: Change, core: Core): FormPart {
+  const part = new FormPart('Eye', change);
+  part.select<Side>('Looks', [['right', 'Right eye'], ['left', 'Left eye']], (s) => s.side, (s, side) => { s.side = side; });
+  part.text('Prescription', '-2.00 -1.50 x 30', (text) => {
+    const noted = core.readNotation(text);
+    if (noted.length === 0) throw new Error('Expected a prescription, for example -2.00 -1.50 x 30.');
+    change((s) => {
+      for (const { eye, prescription: p, addition_D } of noted) {
+        const side = eye ?? s.side;
+        for (const [key, value] of [['sphere_D', p.sphere_D], ['cylinder_D', p.cylinder_D]] as const)
+          if (!(value >= ranges[key][0] && value <= ranges[key][1])) throw new Error(`This page shows ${key === 'sphere_D' ? 'spheres' : 'cylinders'} from ${ranges[key][0]} to ${ranges[key][1]} D.`);
+        Object.assign(s.eyes[side], { sphere_D: p.sphere_D, cylinder_D: p.cylinder_D, axis_deg: p.axis_deg });
+        if (addition_D !== null) s.glasses[side].addition_D = Math.min(ranges.addition_D[1], Math.max(0, addition_D));
+      }
+    });
+  });
+  part.slider('SPH', 'sphere_D', ' D', 2, (s) => eyeOf(s).sphere_D, (s, x) => { eyeOf(s).sphere_D = x; });
+  part.slider('CYL', 'cylinder_D', ' D', 2, (s) => eyeOf(s).cylinder_D, (s, x) => { eyeOf(s).cylinder_D = x; });
+  part.slider('AXIS', 'axis_deg', '°', 0, (s) => eyeOf(s).axis_deg, (s, x) => { eyeOf(s).axis_deg = x; });
+  part.dial((s) => eyeOf(s).axis_deg, (s, x) => { eyeOf(s).axis_deg = x; });
+  part.slider('Stated at', 'vertex_mm', ' mm', 1, (s) => eyeOf(s).vertex_mm, (s, x) => { eyeOf(s).vertex_mm = x; });
+  part.slider('Pupil', 'pupil_mm', ' mm', 1, (s) => eyeOf(s).pupil_mm, (s, x) => { eyeOf(s).pupil_mm = x; });
+  part.select('Accommodation', [['relaxed', 'Relaxed'], ['fixed', 'Fixed'], ['best', 'Best, everywhere']], (s) => eyeOf(s).accommodation, (s, word) => { eyeOf(s).accommodation = word; });
+  part.slider('Focus', 'focus_D', ' D', 2, (s) => eyeOf(s).focus_D, (s, x) => { eyeOf(s).focus_D = x; }, (s) => eyeOf(s).accommodation === 'fixed');
+  part.slider('Amplitude', 'amplitude_D', ' D', 2, (s) => eyeOf(s).amplitude_D, (s, x) => { eyeOf(s).amplitude_D = x; }, (s) => eyeOf(s).accommodation === 'best');
+  return part;
+}
+
+function glassesPart(change: Change, view: ViewData): FormPart {
+  const part = new FormPart('Spectacles', change), single = (s: State) => glassesOf(s).kind === 'single' || glassesOf(s).kind === 'progressive';
+  const ofView = view.worn.right.lens || view.worn.left.lens ? ([['view', 'Those of the view']] as const) : [];
+  part.select('Worn', [['none', 'None'], ...ofView, ['single', 'Single vision'], ['progressive', 'Progressive']], (s) => glassesOf(s).kind, (s, word) => { glassesOf(s).kind = word; });
+  part.check('Made for this eye', (s) => glassesOf(s).fitted, (s, on) => { glassesOf(s).fitted = on; }, single);
+  const own = (s: State) => single(s) && !glassesOf(s).fitted;
+  part.slider('Lens SPH', 'sphere_D', ' D', 2, (s) => glassesOf(s).sphere_D, (s, x) => { glassesOf(s).sphere_D = x; }, own);
+  part.slider('Lens CYL', 'cylinder_D', ' D', 2, (s) => glassesOf(s).cylinder_D, (s, x) => { glassesOf(s).cylinder_D = x; }, own);
+  part.slider('Lens AXIS', 'axis_deg', '°', 0, (s) => glassesOf(s).axis_deg, (s, x) => { glassesOf(s).axis_deg = x; }, own);
+  part.slider('Add', 'addition_D', ' D', 2, (s) => glassesOf(s).addition_D, (s, x) => { glassesOf(s).addition_D = x; }, (s) => glassesOf(s).kind === 'progressive');
+  part.slider('Vertex dist.', 'vertex_mm', ' mm', 1, (s) => glassesOf(s).vertex_mm, (s, x) => { glassesOf(s).vertex_mm = x; }, single);
+  part.select('Gaze', [['camera', 'Eye looks ahead'], ['foveal', 'Eye turns to each point']], (s) => s.camera.gaze, (s, word) => { s.camera.gaze = word; });
+  return part;
+}
+
+function picturePart(change: Change): FormPart {
+  const part = new FormPart('Picture', change), traced = (s: State) => s.modes.includes('path');
+  part.select('Mode', modeNames, (s) => s.modes[0], (s, mode) => { s.modes[0] = mode; });
+  part.select('Beside it', [['nothing', 'Nothing'], ...modeNames], (s) => s.modes[1] ?? 'nothing', (s, mode) => { s.modes = mode === 'nothing' ? [s.modes[0]] : [s.modes[0], mode]; });
+  part.select('Ray model', modelNames, (s) => s.rayModel, (s, model) => { s.rayModel = model; }, traced);
+  part.select('Passes', [['16', '16'], ['64', '64'], ['256', '256']], (s) => String(s.passes), (s, n) => { s.passes = Number(n); }, (s) => s.modes.some((m) => m === 'raster' || m === 'gather'));
+  part.slider('Brightness', 'exposure', '', 2, (s) => s.exposure, (s, x) => { s.exposure = x; });
+  part.slider('Field', 'field_deg', '°', 1, (s) => s.camera.field_deg, (s, x) => { s.camera.field_deg = x; });
+  part.check('Ellipses over the field', (s) => s.fieldOverlay, (s, on) => { s.fieldOverlay = on; });
+  return part;
+}
+
+/** Fills the form; what it returns follows the state. */
+export function fillForm(form: HTMLFormElement, change: Change, core: Core, view: ViewData, actions: FormActions): Bound[] {
+  const lessonPart = new FormPart('Lessons', change);
+  lessonPart.buttons(...lessons.map((lesson, k): [string, () => void] => [lesson.title, () => actions.lesson(k)]), ['As it came', actions.reset]);
+  const keep = new FormPart('Keep', change);
+  keep.buttons(['Save view.json', actions.saveView], ['Save picture', actions.savePicture], ['Copy link', actions.copyLink]);
+  const parts = [eyePart(change, core), glassesPart(change, view), picturePart(change), lessonPart, keep];
+  form.append(...parts.map((part) => part.element));
+  form.addEventListener('submit', (event) => event.preventDefault());
+  return parts.flatMap((part) => part.bound);
+}

@@ -1,0 +1,105 @@
+/** A scene on the graphics card: tables for rays, a mesh for the rasteriser, and the light at its vertices. */
+import { drawnMesh } from './drawn_mesh';
+import type { Gpu, Program, Target, Uniform } from './gpu';
+import type { Programs } from './programs';
+import type { SceneData, Vec3 } from './scene_file';
+import { luminance, sceneTables } from './scene_tables';
+import type { SceneTree } from './scene_tree';
+
+/** Largest edge of the drawn mesh, as seen from the eye: chief rays through strong spectacles bend by 2e-4 rad within it. */
+const edge_rad = 0.06;
+const bakeWidth = 1024;
+export const bakeGoal = 64;
+
+export class GpuScene {
+  private readonly textures: Record<string, WebGLTexture>;
+  private readonly uniforms: Record<string, Uniform>;
+  private readonly vertexArray: WebGLVertexArrayObject;
+  private readonly places: WebGLTexture;
+  private readonly indexCount: number;
+  private readonly vertexCount: number;
+  readonly baked: Target;
+  readonly nearest: number;
+  readonly farthest: number;
+  readonly hasSurroundings: boolean;
+  readonly triangleCount: number;
+  /** Complete samples at every vertex, and rows of the next one. */
+  bakedSamples = 0;
+  private bakedRows = 0;
+
+  constructor(private readonly gpu: Gpu, scene: SceneData, tree: SceneTree, eye: Vec3) {
+    const tables = sceneTables(scene, tree), environment = scene.environment;
+    this.textures = {
+      u_bounds: gpu.floatLine(tables.bounds), u_nodes: gpu.uintLine(tables.nodes), u_corners: gpu.floatLine(tables.corners),
+      u_attributes: gpu.floatLine(tables.attributes ?? new Float32Array(4)), u_materials: gpu.floatLine(tables.materials), u_texels: gpu.floatLine(tables.texels),
+      u_textures: gpu.floatLine(tables.textures), u_spheres: gpu.floatLine(tables.spheres), u_lights: gpu.floatLine(tables.lights),
+    };
+    this.hasSurroundings = environment !== null;
+    this.uniforms = {
+      u_sphere_count: tables.sphereCount, u_has_triangles: scene.triangles.length > 0, u_has_attributes: tables.attributes !== null,
+      u_environment: environment ? environment.radiance : [0, 0, 0], u_environment_texture: environment?.texture ?? -1, u_environment_turn: environment?.rotation_rad ?? 0,
+      u_light_count: tables.lightCount, u_matt_material: tables.mattMaterial,
+    };
+    const mesh = drawnMesh(scene, eye, edge_rad);
+    this.triangleCount = mesh.index.length / 3;
+    this.indexCount = mesh.index.length;
+    this.vertexCount = mesh.vertexCount;
+    this.places = gpu.floatLine(mesh.places);
+    this.vertexArray = this.vertexArrayOf(mesh.vertices, mesh.index);
+    this.baked = gpu.target(bakeWidth, Math.max(1, Math.ceil(mesh.vertexCount / bakeWidth)));
+    const scatters = scene.materials.some((m) => m.type !== 'diffuse' || m.albedo_map !== null || luminance(m.albedo) > 0);
+    if (!scatters) this.bakedSamples = bakeGoal;
+    const reach = Math.hypot(...scene.upper.map((x, k) => Math.max(Math.abs(x - (eye[k] ?? 0)), Math.abs((scene.lower[k] ?? 0) - (eye[k] ?? 0)))));
+    this.nearest = 0.02;
+    this.farthest = 1.01 * reach + 1;
+  }
+
+  private vertexArrayOf(vertices: Float32Array, index: Uint32Array): WebGLVertexArrayObject {
+    const { gl } = this.gpu, array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
+    [4, 2, 3].forEach((size, k) => {
+      gl.enableVertexAttribArray(k);
+      gl.vertexAttribPointer(k, size, gl.FLOAT, false, 36, [0, 16, 24][k] ?? 0);
+    });
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+    return array;
+  }
+
+  bind(program: Program): Program {
+    program.set(this.uniforms);
+    for (const [name, texture] of Object.entries(this.textures)) program.texture(name, texture);
+    return program;
+  }
+
+  draw(): void {
+    const { gl } = this.gpu;
+    gl.bindVertexArray(this.vertexArray);
+    gl.drawElements(gl.TRIANGLES, this.indexCount, gl.UNSIGNED_INT, 0);
+    gl.bindVertexArray(null);
+  }
+
+  get lightIsSettled(): boolean {
+    return this.bakedSamples >= bakeGoal;
+  }
+
+  /** One path from some rows of 1024 vertices; true where all have got one more. */
+  gatherLight(programs: Programs, rowsAtOnce: number): boolean {
+    const { gl } = this.gpu, rows = Math.min(rowsAtOnce, this.baked.height - this.bakedRows);
+    this.bind(programs.use('bake')).texture('u_vertices', this.places)
+      .set({ u_vertex_count: this.vertexCount, u_sample: this.bakedSamples, u_max_bounces: 4 });
+    this.gpu.into(this.baked);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, this.bakedRows, bakeWidth, rows);
+    this.gpu.fill(true);
+    gl.disable(gl.SCISSOR_TEST);
+    this.bakedRows += rows;
+    if (this.bakedRows < this.baked.height) return false;
+    this.bakedRows = 0;
+    ++this.bakedSamples;
+    return true;
+  }
+}

@@ -1,0 +1,159 @@
+/** Pictures in the making: each mode adds passes to a sum until it has enough. */
+import type { Core } from './core_module';
+import type { Pose } from './camera';
+import type { SightTable } from './eye_optics';
+import type { Gpu, Target, Uniform } from './gpu';
+import type { GpuScene } from './gpu_scene';
+import { Programs } from './programs';
+import type { Mode } from './state';
+
+export interface Panel {
+  mode: Mode;
+  sum: Target;
+  /** Complete ones, and rows of the next. */
+  passes: number;
+  rows: number;
+}
+
+/** Passes of a sharp picture: places within the pixel. */
+const sharpPasses = 16;
+
+/** Steps through 0 … count − 1 so that the first few are spread over all. */
+export function spreadOrder(count: number): number[] {
+  let step = Math.max(1, Math.round(0.618034 * count));
+  const divisor = (a: number, b: number): number => (b === 0 ? a : divisor(b, a % b));
+  while (divisor(step, count) !== 1) ++step;
+  return Array.from({ length: count }, (_, k) => (k * step) % count);
+}
+
+export class Pictures {
+  readonly programs: Programs;
+  private eye: Record<string, Uniform> = {};
+  private pose: Pose | null = null;
+  private sights: WebGLTexture;
+  private focus: WebGLTexture;
+  private pass: Target | null = null;
+  private passTable: WebGLTexture;
+  private passPoints: Float32Array = new Float32Array(4);
+  private order: number[] = [0];
+
+  constructor(readonly gpu: Gpu, private readonly core: Core, private readonly scene: GpuScene) {
+    this.programs = new Programs(gpu);
+    this.sights = gpu.floats(new Float32Array(4), 1, 1);
+    this.focus = gpu.floats(new Float32Array(4), 1, 1);
+    this.passTable = gpu.floats(new Float32Array(4), 1, 1);
+  }
+
+  setPasses(count: number): void {
+    if (this.order.length === count && this.passPoints.length === 64 * count) return;
+    this.passPoints = this.core.interleavedPasses(count);
+    this.gpu.gl.deleteTexture(this.passTable);
+    this.passTable = this.gpu.floats(this.passPoints, count, 16);
+    this.order = spreadOrder(count);
+  }
+
+  setEye(uniforms: Record<string, Uniform>, sights: SightTable | null, focus: { data: Float32Array; width: number; height: number } | null): void {
+    const { gl } = this.gpu;
+    this.eye = uniforms;
+    if (sights) {
+      gl.deleteTexture(this.sights);
+      this.sights = this.gpu.floats(sights.data, 10 * sights.columns, sights.rows);
+      Object.assign(this.eye, { u_sight_nodes: [sights.columns, sights.rows], u_sight_first: sights.first, u_sight_step: sights.step });
+    }
+    if (focus) {
+      gl.deleteTexture(this.focus);
+      this.focus = this.gpu.floats(focus.data, focus.width, focus.height);
+    }
+  }
+
+  setPose(pose: Pose): void {
+    this.pose = pose;
+    if (this.pass && (this.pass.width !== pose.width || this.pass.height !== pose.height)) {
+      this.gpu.release(this.pass);
+      this.pass = null;
+    }
+    this.pass ??= this.gpu.target(pose.width, pose.height, true);
+  }
+
+  panel(mode: Mode, width: number, height: number): Panel {
+    return { mode, sum: this.gpu.target(width, height), passes: 0, rows: 0 };
+  }
+
+  restart(panel: Panel): void {
+    this.gpu.clear(panel.sum);
+    panel.passes = 0;
+    panel.rows = 0;
+  }
+
+  /** How many passes make the picture; paths never end. */
+  goal(mode: Mode): number {
+    return mode === 'sharp' ? sharpPasses : mode === 'path' ? 4096 : this.order.length;
+  }
+
+  private seeing(): Record<string, Uniform> {
+    const pose = this.pose as Pose;
+    return { ...this.eye, u_head: pose.head, u_position: pose.position, u_size: [pose.width, pose.height], u_pixel_slope: pose.pixelSlope };
+  }
+
+  /** Adds the next pass, or so many rows of it where each pixel is a ray. */
+  step(panel: Panel, rows: number): void {
+    if (panel.mode === 'gather' || panel.mode === 'path') {
+      const end = Math.min(panel.sum.height, panel.rows + rows);
+      this.traced(panel, panel.rows, end);
+      panel.rows = end;
+      if (end < panel.sum.height) return;
+      panel.rows = 0;
+    } else {
+      this.drawn(panel, this.order[panel.passes % this.order.length] ?? 0, -1);
+    }
+    ++panel.passes;
+  }
+
+  private traced(panel: Panel, first: number, end: number): void {
+    const { gl } = this.gpu, gathers = panel.mode === 'gather';
+    const program = this.scene.bind(this.programs.use('eye').set(this.seeing())).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_passes', this.passTable);
+    program.set({
+      u_gathers: gathers, u_pass: this.order[panel.passes % this.order.length] ?? 0, u_sample: panel.passes, u_max_bounces: 8,
+      ...(gathers ? { u_ray_model: 4 } : {}),
+    });
+    this.gpu.into(panel.sum);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, panel.sum.height - end, panel.sum.width, end - first);
+    this.gpu.fill(true);
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  /** One rasterised pass: a point of the pupil from one of the 16 sets, added to all pixels (`onlySet` −1) or to those of the set. */
+  drawn(panel: Panel, pass: number, onlySet: number): void {
+    const { gl } = this.gpu, target = this.pass as Target, count = this.order.length;
+    const set = Math.max(0, onlySet), at = 4 * (set * count + pass);
+    const sharp = panel.mode === 'sharp', [px, py, fx, fy] = this.passPoints.subarray(at, at + 4) as unknown as [number, number, number, number];
+    const places: Record<string, Uniform> = {
+      ...this.seeing(), u_pupil_point: sharp ? [0, 0] : [px, py], u_shift: [0.5 - fx, 0.5 - fy], u_nearest: this.scene.nearest, u_farthest: this.scene.farthest,
+    };
+    this.gpu.clear(target);
+    if (this.scene.hasSurroundings) {
+      this.scene.bind(this.programs.use('surroundings').set(places)).texture('u_sights', this.sights).texture('u_focus', this.focus);
+      this.gpu.fill(false);
+    }
+    this.scene.bind(this.programs.use('mesh').set(places)).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_baked', this.scene.baked.texture);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LESS);
+    this.scene.draw();
+    this.programs.use('add').texture('u_picture', target.texture).set({ u_set: onlySet, u_height: target.height });
+    this.gpu.into(panel.sum);
+    this.gpu.fill(true);
+  }
+
+  /** Panels beside each other on the canvas. */
+  show(panels: Panel[], canvas: { width: number; height: number }, exposure: number): void {
+    const { gl } = this.gpu, width = Math.floor(canvas.width / panels.length);
+    this.gpu.into(null);
+    panels.forEach((panel, k) => {
+      gl.viewport(k * width, 0, width, canvas.height);
+      this.programs.use('show').texture('u_sum', panel.sum.texture)
+        .set({ u_corner: [k * width, 0], u_scale: [panel.sum.width / width, panel.sum.height / canvas.height], u_exposure: exposure });
+      this.gpu.fill(false);
+    });
+  }
+}
