@@ -27,7 +27,7 @@ class Eye(_core.Eye):
 
     @property
     def wavefront(self) -> _core.Wavefront | None:
-        """The measured wavefront over the eye's own pupil, or None."""
+        """The wavefront over the pupil that it was measured for, or None."""
         return _core.eye_wavefront(self)
 
     def __repr__(self) -> str:
