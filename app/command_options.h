@@ -45,6 +45,7 @@ struct CommandLine {
   void add_see();
   void add_see_depth(CLI::App& s);
   void add_see_view(CLI::App& s);
+  void add_see_sequences(CLI::App& s);
   void add_compare();
   // command_options_of_runs.cpp
   void add_run();

@@ -38,7 +38,7 @@ void CommandLine::add_view() {
 
 void CommandLine::add_see() {
   auto* s = app.add_subcommand("see", "any picture with a depth map, as an eye sees it");
-  s->add_option("picture", see.picture, "sharp picture: EXR (linear), PNG, JPEG … (sRGB)")->required();
+  s->add_option("picture", see.picture, "sharp picture: EXR, HDR, PFM (linear), PNG, JPEG … (sRGB)")->required();
   s->add_option("--eye", see.eye, "eye (sturm.eye/1)")->required();
   auto* output_option = s->add_option("-o,--output", see.output, "PNG or EXR file; a manifest appears beside it");
   add_see_depth(*s);
@@ -57,6 +57,7 @@ void CommandLine::add_see_depth(CLI::App& s) {
   auto* depth = s.add_option("--depth", see.depth, "depth map: EXR, PFM or 16-bit PNG (default: the picture's own Z)");
   s.add_option("--layer", see.layers, "surface that the picture hides: EXR with R, G, B, Z and A; may be repeated")
       ->allow_extra_args(false);
+  s.add_option("--picture-layer", see.picture_layer, "of EXR files with several pictures: the name of one");
   s.add_option("--distance-m", see.distance_m, "of a flat picture [m]; inf = far away")->excludes(depth);
   s.add_option("--depth-unit", see.depth_unit, "of the depth map (default: m; mm for a PNG without --depth-scale)")
       ->check(CLI::IsMember({"m", "mm", "D"}));
@@ -94,6 +95,13 @@ void CommandLine::add_see_view(CLI::App& s) {
   s.add_option("--exposure", see.exposure, "factor before the display transfer function of a PNG")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  s.add_option("--png-bits", see.png_bits, "8 or 16 bits for each value of a PNG")
+      ->check(CLI::IsMember({8, 16}))
+      ->capture_default_str();
+  add_see_sequences(s);
+}
+
+void CommandLine::add_see_sequences(CLI::App& s) {
   auto* rack = s.add_option("--rack-focus-D", see.rack_focus_D, "FROM TO: frames with this accommodation [D]");
   rack->expected(2)->check(CLI::Range(0.0, 1000.0))->excludes("--focus-m")->excludes("--focus-D");
   s.add_option("--pupil-sequence-mm", see.pupil_sequence_mm, "FROM TO: frames with this pupil [mm]")
@@ -101,6 +109,7 @@ void CommandLine::add_see_view(CLI::App& s) {
       ->check(CLI::Range(0.0, 100.0))
       ->excludes("--pupil-mm");
   s.add_option("--frames", see.frames, "of a sequence")->check(CLI::Range(2, 100000))->capture_default_str();
+  s.add_flag("--film", see.film, "join the frames of a sequence into X.mp4 (needs ffmpeg)");
 }
 
 void CommandLine::add_compare() {

@@ -63,6 +63,7 @@ struct SeeOptions {
   std::string picture, eye, output;  ///< picture and eye files; where the result goes ("" with `explain`)
   std::string depth;                 ///< depth map, "" = the picture's own
   std::vector<std::string> layers;   ///< pictures of hidden surfaces
+  std::string picture_layer;         ///< of EXR files with several pictures, "" = the main or only one
   std::string distance_m;            ///< of a flat picture: > 0 or "inf"; "" = it has depth
   std::optional<double> vfov_deg, hfov_deg;
   std::string depth_unit;  ///< "m", "mm", "D"; "" = by the file
@@ -77,9 +78,11 @@ struct SeeOptions {
   std::optional<double> error;              ///< beside edges, from which the parts follow
   std::string psf = "rays";                 ///< or "waves"
   bool chromatic = false, explain = false;
-  double exposure = 1.0;                                ///< of a PNG
+  double exposure = 1.0;  ///< of a PNG
+  int png_bits = 8;
   std::vector<double> rack_focus_D, pupil_sequence_mm;  ///< first and last of a sequence of frames
   int frames = 25;
+  bool film = false;  ///< the frames are joined
 };
 
 /// What `sturm serve` is asked for.

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/configuration.h"
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "stages/image_files.h"
 #include "stages/psf_pictures.h"
 
@@ -11,7 +12,7 @@ namespace sturm {
 
 int psf_command(const CommonOptions& options, const PsfOptions& files) {
   const std::filesystem::path exr(files.images);
-  if (!files.images.empty() && exr.extension() != ".exr")
+  if (!files.images.empty() && !has_suffix(exr, ".exr"))
     throw InputError("", "--images", "\"" + files.images + "\"", "a name that ends in .exr");
   const PsfSpec spec = read_psf_spec(load_configuration(options), options.file);
   if (!files.output.empty()) require_writable(files.output);

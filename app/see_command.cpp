@@ -6,9 +6,12 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/distance_option.h"
+#include "app/film.h"
 #include "app/see_inputs.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "io/images/exr.h"
 #include "io/json/json_text.h"
 #include "io/json/manifest.h"
@@ -32,9 +35,13 @@ struct Frame {
   fs::path file;
 };
 
+bool is_sequence(const SeeOptions& options) {
+  return !options.rack_focus_D.empty() || !options.pupil_sequence_mm.empty();
+}
+
 std::vector<Frame> frames_of(const SeeOptions& options) {
   const fs::path file(options.output);
-  if (options.rack_focus_D.empty() && options.pupil_sequence_mm.empty()) return {{std::nullopt, std::nullopt, file}};
+  if (!is_sequence(options)) return {{std::nullopt, std::nullopt, file}};
   std::vector<Frame> frames;
   for (int i = 0; i < options.frames; ++i) {
     const auto between = [&](const std::vector<double>& ends) {
@@ -49,6 +56,17 @@ std::vector<Frame> frames_of(const SeeOptions& options) {
   return frames;
 }
 
+Json distance_json(double distance_m) {
+  return std::isinf(distance_m) ? Json("inf") : Json(distance_m);
+}
+
+/// What the numbers of the depth map are taken for.
+std::string depth_unit_of(const SeeOptions& options, const std::string& map) {
+  if (options.disparity) return "disparity";
+  if (!options.depth_unit.empty()) return options.depth_unit;
+  return has_suffix(map, ".png") && !options.depth_scale ? "mm" : "m";
+}
+
 /// The eye's document with what options and frame put in place of its own.
 Json eye_document(const SeeOptions& options, const Frame& frame, const Json& written) {
   Json eye = written;
@@ -57,9 +75,8 @@ Json eye_document(const SeeOptions& options, const Frame& frame, const Json& wri
   if (options.focus_D) eye["accommodation"] = {{"mode", "fixed"}, {"power_D", *options.focus_D}};
   if (frame.focus_D) eye["accommodation"] = {{"mode", "fixed"}, {"power_D", *frame.focus_D}};
   if (!options.focus_m.empty()) {
-    const double distance_m = distance_option(options.focus_m, "--focus-m");
-    eye["accommodation"] = {{"mode", "fixed"},
-                            {"focus_distance_m", std::isinf(distance_m) ? Json("inf") : Json(distance_m)}};
+    const Json distance_m = distance_json(distance_option(options.focus_m, "--focus-m"));
+    eye["accommodation"] = {{"mode", "fixed"}, {"focus_distance_m", distance_m}};
   }
   validate(eye, "eye", options.eye);
   return eye;
@@ -72,11 +89,11 @@ double accommodation_of(const Eye& eye, const SeeOptions& options, const SeeInpu
   return eye.accommodation_for(inputs.picture.vergence_D.front());
 }
 
-void write_seen(const fs::path& file, const Image& radiance, double exposure, const Json& spec) {
-  if (file.extension() == ".exr")
+void write_seen(const fs::path& file, const Image& radiance, const SeeOptions& options, const Json& spec) {
+  if (has_suffix(file, ".exr"))
     write_exr(file, LayeredImage{{{"", radiance}}, {{"sturm.see", json_text(spec)}}});
   else
-    write_png(file, radiance, exposure);
+    write_png(file, radiance, options.exposure, options.png_bits);
 }
 
 /// The options with every default spelt out.
@@ -89,17 +106,22 @@ Json spec_of(const SeeOptions& options, const SeeInputs& inputs, const Json& eye
                {"psf", options.psf},
                {"parts", parts},
                {"chromatic", options.chromatic},
-               {"exposure", options.exposure}};
+               {"exposure", options.exposure},
+               {"png_bits", options.png_bits}};
+  if (!options.picture_layer.empty()) spec["picture_layer"] = options.picture_layer;
   const std::string map = options.disparity_file.empty() ? options.depth : options.disparity_file;
   if (!options.distance_m.empty())
-    spec["distance_m"] = options.distance_m;
+    spec["distance_m"] = distance_json(distance_option(options.distance_m, "--distance-m"));
   else
     spec["depth"] = {{"file", map.empty() ? options.picture : map},
-                     {"unit", options.disparity ? "disparity" : options.depth_unit},
+                     {"unit", depth_unit_of(options, map)},
                      {"scale", options.depth_scale.value_or(1.0)}};
   if (options.disparity)
     spec["stereo"] = {
         {"focal_px", *options.focal_px}, {"baseline_m", *options.baseline_m}, {"doffs_px", options.doffs_px}};
+  if (!options.rack_focus_D.empty()) spec["rack_focus_D"] = options.rack_focus_D;
+  if (!options.pupil_sequence_mm.empty()) spec["pupil_sequence_mm"] = options.pupil_sequence_mm;
+  if (is_sequence(options)) spec["frames"] = options.frames;
   return spec;
 }
 
@@ -124,7 +146,7 @@ class SeeRun {
     for (const auto& [frame, settings] : frames_) {
       const SeenPicture seen = see(settings);
       Stopwatch writing;
-      write_seen(frame.file, seen.radiance, options_.exposure, spec);
+      write_seen(frame.file, seen.radiance, options_, spec);
       facts_.seconds["writing"] += writing.seconds();
       Json entry = counters_of(seen);
       entry["file"] = frame.file.filename().string();
@@ -132,8 +154,9 @@ class SeeRun {
       entry["pupil_diameter_mm"] = 2e3 * settings.eye.pupil_radius_m;
       counters["frames"].push_back(std::move(entry));
     }
-    facts_.seconds["total"] = total_.seconds();
     fs::path beside(options_.output);
+    if (options_.film) counters["film"] = join_frames(fs::path(beside).replace_extension()).filename().string();
+    facts_.seconds["total"] = total_.seconds();
     write_file_atomically(beside.replace_extension(".manifest.json"),
                           json_text(manifest(facts_, spec, counters, inputs_.notes), 1) + "\n");
   }
@@ -172,9 +195,12 @@ class SeeRun {
 int see_command(const CommonOptions& common, const SeeOptions& options) {
   if (!options.disparity_file.empty() && !options.depth.empty())
     throw InputError("", "--disparity", "\"" + options.disparity_file + "\"", "one depth map, beside --depth no other");
-  const std::string suffix = fs::path(options.output).extension().string();
-  if (!options.explain && suffix != ".png" && suffix != ".exr")
+  const bool png = has_suffix(options.output, ".png");
+  if (!options.explain && !png && !has_suffix(options.output, ".exr"))
     throw InputError("", "--output", "\"" + options.output + "\"", "a name that ends in .png or .exr");
+  if (options.film && (!is_sequence(options) || !png))
+    throw InputError("", "--film", "no sequence of PNG files", "--rack-focus-D or --pupil-sequence-mm, and -o X.png");
+  if (options.film) require_ffmpeg();
   SeeRun run(common, options);
   if (options.explain)
     run.explain();

@@ -1,15 +1,12 @@
 #include "app/see_inputs.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
+#include "app/distance_option.h"
 #include "io/files/error.h"
-#include "io/files/plain_file.h"
-#include "io/images/exr.h"
-#include "io/images/image_formats.h"
+#include "io/images/picture_file.h"
 #include "io/images/tone_map.h"
 #include "lensmodel/units.h"
 #include "stages/picture_view.h"
@@ -26,77 +23,49 @@ struct ColorFile {
   std::optional<double> pixel_slope;
 };
 
-/// The layer that holds a picture: the main one, one that a renderer calls Combined, or the only one in colour; last, a
-/// main layer of luminance.
-const Image& color_layer(const LayeredImage& file, const std::string& path) {
-  if (const auto main = file.layers.find(""); main != file.layers.end() && main->second.channels >= 3)
-    return main->second;
-  const Image* only = nullptr;
-  int colored = 0;
-  for (const auto& [name, layer] : file.layers) {
-    if (layer.channels < 3 || name == "normal" || name.ends_with(".normal")) continue;
-    if (name.ends_with("Combined")) return layer;
-    only = &layer;
-    ++colored;
-  }
-  if (colored == 1) return *only;
-  for (const char* luminance : {"", "Y"})
-    if (const auto layer = file.layers.find(luminance); layer != file.layers.end() && layer->second.channels == 1)
-      return layer->second;
-  throw InputError(path, "", "no channels R, G, B", "a picture");
-}
-
-/// Splits 1 … 4 channels into colours and coverage. Colours of EXR files are multiplied by the coverage, as the format
+/// Splits 3 or 4 channels into colours and coverage. Colours of EXR files are multiplied by the coverage, as the format
 /// has it, unless there are colours where the coverage is 0.
 void split_channels(const Image& image, bool may_be_multiplied, ColorFile& file) {
-  const int channels = image.channels;
-  const bool alpha = channels == 2 || channels == 4, gray = channels < 3;
-  const std::size_t pixels = static_cast<std::size_t>(image.width) * image.height;
-  file.radiance = Image(image.width, image.height, 3);
-  bool multiplied = alpha && may_be_multiplied, partial = false;
-  for (std::size_t i = 0; i < pixels && alpha; ++i) {
-    const float* p = &image.pixels[i * channels];
-    partial = partial || p[channels - 1] < 1.0f;
-    if (p[channels - 1] <= 0.0f && std::max({p[0], p[gray ? 0 : 1], p[gray ? 0 : 2]}) > 0.0f) multiplied = false;
-  }
-  if (partial) file.coverage.resize(pixels);
+  file.radiance = without_alpha(image);
+  if (image.channels < 4) return;
+  const std::size_t pixels = file.radiance.pixels.size() / 3;
+  bool multiplied = may_be_multiplied, partial = false;
   for (std::size_t i = 0; i < pixels; ++i) {
-    const float* p = &image.pixels[i * channels];
-    const float a = partial ? std::clamp(p[channels - 1], 0.0f, 1.0f) : 1.0f;
-    if (partial) file.coverage[i] = a;
-    for (int c = 0; c < 3; ++c) file.radiance.pixels[3 * i + c] = p[gray ? 0 : c] / (multiplied && a > 0.0f ? a : 1.0f);
+    const float* p = &image.pixels[4 * i];
+    partial = partial || p[3] < 1.0f;
+    if (p[3] <= 0.0f && std::max({p[0], p[1], p[2]}) > 0.0f) multiplied = false;
+  }
+  if (!partial) return;
+  file.coverage.resize(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float a = file.coverage[i] = std::clamp(image.pixels[4 * i + 3], 0.0f, 1.0f);
+    for (int c = 0; c < 3 && multiplied && a > 0.0f; ++c) file.radiance.pixels[3 * i + c] /= a;
   }
 }
 
-/// Light is finite. What little lies below zero, as filters of renderers leave it, counts as dark.
-void require_light(Image& radiance, const std::string& path, std::vector<std::string>& notes) {
+/// What little lies below zero, as filters of renderers leave it, counts as dark.
+void darken_negative(Image& radiance, const std::string& path, std::vector<std::string>& notes) {
   long long below = 0;
-  for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
-    float& value = radiance.pixels[i];
-    if (!std::isfinite(value))
-      throw InputError(path, "",
-                       "a value that is not finite at column " + std::to_string(i / 3 % radiance.width) + ", row " +
-                           std::to_string(i / 3 / radiance.width),
-                       "a picture of finite numbers");
+  for (float& value : radiance.pixels) {
     below += value < 0.0f;
     value = std::max(0.0f, value);
   }
   if (below > 0) notes.push_back(path + ": " + std::to_string(below) + " negative values were taken for 0");
 }
 
-ColorFile read_color_file(const std::string& path, std::vector<std::string>& notes) {
+ColorFile read_color_file(const std::string& path, const SeeOptions& options, std::vector<std::string>& notes) {
+  const bool layered = has_layers(path);
+  PictureFile picture = read_picture_file(
+      path, layered && !options.picture_layer.empty() ? std::optional(options.picture_layer) : std::nullopt);
+  for (const std::string& note : picture.notes) notes.push_back(path + ": " + note);
+  require_finite_pixels(picture.image(), path);
   ColorFile file;
-  if (has_suffix(path, ".exr")) {
-    const LayeredImage layers = read_exr(path);
-    split_channels(color_layer(layers, path), true, file);
-    if (const Image* depth = depth_layer(layers)) file.depth = *depth;
-    file.pixel_slope = view_of(layers).pixel_slope;
-  } else {
-    const Image encoded = read_image(path);
-    if (encoded.channels > 4) throw InputError(path, "", std::to_string(encoded.channels) + " channels", "a picture");
-    split_channels(srgb_to_linear(encoded), false, file);
-  }
-  require_light(file.radiance, path, notes);
+  split_channels(picture.values == PixelValues::Display ? srgb_to_linear(picture.image()) : picture.image(), layered,
+                 file);
+  darken_negative(file.radiance, path, notes);
+  file.pixel_slope = view_of(picture.picture).pixel_slope;
+  if (const auto depth = picture.picture.layers.find("depth"); depth != picture.picture.layers.end())
+    file.depth = std::move(depth->second);
   return file;
 }
 
@@ -147,7 +116,7 @@ DepthMap picture_depth(const SeeOptions& options, const ColorFile& file, SeeInpu
 }
 
 void add_layer(const std::string& path, const SeeOptions& options, SeeInputs& inputs) {
-  ColorFile file = read_color_file(path, inputs.notes);
+  ColorFile file = read_color_file(path, options, inputs.notes);
   inputs.files.push_back(path);
   require_size(file.radiance.width, file.radiance.height, inputs.picture.radiance, path);
   if (!file.depth) throw InputError(path, "", "no channel Z", "a layer with its own depth");
@@ -168,18 +137,9 @@ double pixel_slope_of(const SeeOptions& options, const ColorFile& file) {
 
 }  // namespace
 
-double distance_option(const std::string& text, const char* option) {
-  if (text == "inf") return std::numeric_limits<double>::infinity();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value > 0.0) || !std::isfinite(value))
-    throw InputError("", option, "\"" + text + "\"", "a number > 0 or \"inf\" (distance [m])");
-  return value;
-}
-
 SeeInputs read_see_inputs(const SeeOptions& options) {
   SeeInputs inputs;
-  ColorFile file = read_color_file(options.picture, inputs.notes);
+  ColorFile file = read_color_file(options.picture, options, inputs.notes);
   inputs.files.push_back(options.picture);
   inputs.pixel_slope = pixel_slope_of(options, file);
   DepthMap depth = picture_depth(options, file, inputs);

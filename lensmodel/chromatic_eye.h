@@ -3,6 +3,9 @@
 
 namespace sturm {
 
+/// Wavelengths are stated in nanometres.
+inline constexpr double metres_per_nanometre = 1e-9;
+
 /// One wavelength of a light [nm], and its share of what is seen.
 struct SpectralLine {
   double wavelength_nm, weight;

@@ -10,8 +10,8 @@
 
 namespace sturm {
 
-void write_png(const std::filesystem::path& path, const Image& linear, double exposure) {
-  const std::vector<unsigned char> bytes = encode_png(to_display(linear, exposure));
+void write_png(const std::filesystem::path& path, const Image& linear, double exposure, int bits) {
+  const std::vector<unsigned char> bytes = encode_png(to_display(linear, exposure), bits);
   write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 

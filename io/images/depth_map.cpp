@@ -8,7 +8,7 @@
 #include "io/files/error.h"
 #include "io/files/lower_case.h"
 #include "io/files/text_file.h"
-#include "io/images/exr.h"
+#include "io/images/exr_picture.h"
 #include "io/images/image_formats.h"
 #include "io/images/png_header.h"
 #include "io/images/portable_float_map.h"
@@ -95,29 +95,7 @@ Image one_channel(const Image& image, const std::string& name) {
   return numbers;
 }
 
-Image read_exr_numbers(const std::filesystem::path& path) {
-  const LayeredImage file = read_exr(path);
-  if (const Image* depth = depth_layer(file)) return *depth;
-  if (file.layers.size() == 1) return one_channel(file.layers.begin()->second, path.string());
-  if (const auto main = file.layers.find(""); main != file.layers.end())
-    return one_channel(main->second, path.string());
-  throw InputError(path.string(), "", "no channel Z", "a depth channel: Z, depth.Z, or a file of one channel");
-}
-
 }  // namespace
-
-const Image* depth_layer(const LayeredImage& image) {
-  const Image* found = nullptr;
-  for (const auto& [name, layer] : image.layers) {
-    if (layer.channels != 1) continue;
-    const std::string word = lower_case(name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1));
-    if (word == "z" || word == "depth") {
-      if (name == "depth" || name == "Z") return &layer;
-      if (!found) found = &layer;
-    }
-  }
-  return found;
-}
 
 DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::string& name) {
   const DepthUnit unit = reading.unit.value_or(DepthUnit::Metres);
@@ -136,7 +114,7 @@ DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::s
 
 DepthMap read_depth_map(const std::filesystem::path& path, const DepthReading& reading) {
   const std::string suffix = lower_case(path.extension().string());
-  if (suffix == ".exr") return depth_of(read_exr_numbers(path), reading, path.string());
+  if (suffix == ".exr") return depth_of(one_channel(read_exr_depth(path), path.string()), reading, path.string());
   if (suffix == ".pfm") return depth_of(one_channel(read_float_map(path), path.string()), reading, path.string());
   if (suffix != ".png") throw InputError(path.string(), "", "\"" + suffix + "\"", "a depth map as EXR, PFM or PNG");
   Image stored = one_channel(read_image(path), path.string());

@@ -40,7 +40,4 @@ DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::s
 /// PNG if it is a disparity. Throws InputError, for other bit depths too.
 DepthMap read_depth_map(const std::filesystem::path& path, const DepthReading& reading);
 
-/// The depth channel among the layers of an EXR file: depth.Z, Z, or one that ends so; none if there is none.
-const Image* depth_layer(const LayeredImage& image);
-
 }  // namespace sturm

@@ -77,6 +77,11 @@ const ExrLayer* named_layer(const std::vector<ExrLayer>& layers, const std::stri
   });
 }
 
+bool means_depth(const std::string& name) {
+  const std::string word = lower_case(name.substr(name.rfind('.') + 1));  // npos + 1 = 0
+  return word == "depth" || word == "z";
+}
+
 }  // namespace
 
 std::vector<ExrLayer> layers_of(const ExrReader& file) {
@@ -111,12 +116,23 @@ const ExrLayer& chosen_layer(const std::vector<ExrLayer>& layers, const std::opt
     if (const auto* main = only_one(layers, [&](const ExrLayer& l) { return fits(l) && l.name.empty(); })) return *main;
     if (const auto* single = only_one(layers, fits)) return *single;
     if (std::any_of(layers.begin(), layers.end(), fits))
-      throw InputError(
-          file, "", "several pictures",
-          "the name of one layer (--layer of sturm compare, \"layer\" of an environment): " + list_of(layers));
+      throw InputError(file, "", "several pictures",
+                       "the name of one layer (--layer of sturm compare, --picture-layer of sturm see, \"layer\" of an "
+                       "environment): " +
+                           list_of(layers));
   }
   throw InputError(file, "", "no channels R, G and B, and no luminance Y",
                    "a picture; the layers are " + list_of(layers));
+}
+
+const ExrLayer* depth_layer_of(const std::vector<ExrLayer>& layers) {
+  const ExrLayer* found = nullptr;
+  for (const ExrLayer& layer : layers) {
+    if (layer.channels.size() != 1 || is_picture(layer)) continue;
+    if (layer.name == "depth" || layer.name == "Z") return &layer;
+    if (!found && (means_depth(layer.name) || means_depth(channel_layer(layer.channels.front())))) found = &layer;
+  }
+  return found;
 }
 
 }  // namespace sturm

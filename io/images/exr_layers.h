@@ -28,4 +28,8 @@ std::vector<ExrLayer> layers_of(const ExrReader& file);
 const ExrLayer& chosen_layer(const std::vector<ExrLayer>& layers, const std::optional<std::string>& wanted,
                              const std::string& file);
 
+/// The layer of distances: "depth" or "Z", else the first of one channel with one of these words last in its name, in
+/// whatever case ("ViewLayer.Depth"); null where there is none.
+const ExrLayer* depth_layer_of(const std::vector<ExrLayer>& layers);
+
 }  // namespace sturm

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "io/files/readable_text.h"
 #include "io/images/colour_primaries.h"
 #include "io/images/exr_channels.h"
@@ -66,12 +67,21 @@ void convert_colours(const Imf::Header& header, PictureFile& file) {
   }
 }
 
-/// A depth layer beside the picture, which tells regions of it apart.
+/// A depth layer beside the picture: where its surfaces are.
 const ExrLayer* depth_beside(const std::vector<ExrLayer>& layers, const ExrLayer& picture) {
-  for (const ExrLayer& layer : layers)
-    if (layer.name == depth_layer && layer.part == picture.part && layer.channels.size() == 1 && &layer != &picture)
-      return &layer;
-  return nullptr;
+  const ExrLayer* depth = depth_layer_of(layers);
+  return depth == &picture ? nullptr : depth;
+}
+
+/// The picture and the distances beside it; in another window than the picture's they belong to something else.
+void read_picture_and_depth(const ExrReader& file, const ExrLayer& layer, const ExrLayer* depth, LayeredImage& read) {
+  std::vector<std::vector<std::string>> groups = {layer.channels};
+  if (depth && depth->part == layer.part) groups.push_back(depth->channels);
+  std::vector<Image> images = file.read(layer.part, groups, max_bytes);
+  if (depth && images.size() == 1) images.push_back(file.read(depth->part, {depth->channels}, max_bytes)[0]);
+  if (depth && images[1].width == images[0].width && images[1].height == images[0].height)
+    read.layers[depth_layer] = std::move(images[1]);
+  read.layers[""] = with_three_channels(std::move(images[0]));
 }
 
 PictureFile read_layer(const std::filesystem::path& path, const ExrReader& file, const std::vector<ExrLayer>& layers,
@@ -79,17 +89,11 @@ PictureFile read_layer(const std::filesystem::path& path, const ExrReader& file,
   PictureFile result;
   result.layer = layer.name;
   if (!layer.name.empty()) result.notes.push_back("layer \"" + readable(layer.name, 80) + "\"");
-  Image& picture = result.picture.layers[""];
   if (layer.kind == ExrLayer::Kind::LuminanceAndChroma) {
-    picture = read_luminance_and_chroma(path, file, layer);
+    result.picture.layers[""] = read_luminance_and_chroma(path, file, layer);
     result.notes.emplace_back("stored as luminance and chroma, which OpenEXR decodes in half precision");
   } else {
-    std::vector<std::vector<std::string>> groups = {layer.channels};
-    const ExrLayer* depth = depth_beside(layers, layer);
-    if (depth) groups.push_back(depth->channels);
-    std::vector<Image> images = file.read(layer.part, groups, max_bytes);
-    picture = with_three_channels(std::move(images[0]));
-    if (depth) result.picture.layers[depth_layer] = std::move(images[1]);
+    read_picture_and_depth(file, layer, depth_beside(layers, layer), result.picture);
     if (layer.kind == ExrLayer::Kind::Luminance) result.notes.emplace_back("luminance alone, shown as grey");
   }
   const Imf::Header& header = file.header(layer.part);
@@ -99,20 +103,39 @@ PictureFile read_layer(const std::filesystem::path& path, const ExrReader& file,
   return result;
 }
 
-}  // namespace
-
-PictureFile read_exr_picture(const std::filesystem::path& path, const std::optional<std::string>& layer) {
+/// Opens a file and reads from its layers; whatever is wrong with it is an InputError.
+template <class Read>
+auto opened(const std::filesystem::path& path, const Read& read) {
   try {
     const ExrReader file(path);
     if (file.parts() == 1 && file.is_deep(0)) throw std::runtime_error("a deep EXR");
-    const std::vector<ExrLayer> layers = layers_of(file);
-    return read_layer(path, file, layers, chosen_layer(layers, layer, path.string()));
+    return read(file, layers_of(file));
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
     throw InputError(path.string(), "", error.what(),
                      "a complete EXR picture of at most " + std::to_string(max_bytes >> 20) + " MiB");
   }
+}
+
+}  // namespace
+
+PictureFile read_exr_picture(const std::filesystem::path& path, const std::optional<std::string>& layer) {
+  return opened(path, [&](const ExrReader& file, const std::vector<ExrLayer>& layers) {
+    return read_layer(path, file, layers, chosen_layer(layers, layer, path.string()));
+  });
+}
+
+Image read_exr_depth(const std::filesystem::path& path) {
+  require_plain_file(path, "an EXR image");
+  return opened(path, [&](const ExrReader& file, const std::vector<ExrLayer>& layers) {
+    const ExrLayer* layer = depth_layer_of(layers);
+    for (const ExrLayer& other : layers)
+      if (!layer && (layers.size() == 1 || other.name.empty())) layer = &other;
+    if (!layer)
+      throw InputError(path.string(), "", "no channel Z", "a depth channel: Z, depth.Z, or a file of one channel");
+    return file.read(layer->part, {layer->channels}, max_bytes)[0];
+  });
 }
 
 }  // namespace sturm

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -74,6 +76,25 @@ Image decoded(const std::string& name, const Read& read) {
   return image;
 }
 
+template <class Integer>
+std::vector<unsigned char> encoded_png(const Image& display) {
+  constexpr auto largest = static_cast<float>(std::numeric_limits<Integer>::max());
+  std::vector<Integer> rounded(display.pixels.size());
+  std::transform(display.pixels.begin(), display.pixels.end(), rounded.begin(), [](float value) {
+    if (!std::isfinite(value)) throw std::invalid_argument("a PNG cannot hold a value that is not finite");
+    return static_cast<Integer>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
+  });
+  const Module& formats = module();
+  unsigned char* bytes = nullptr;
+  std::size_t size = 0;
+  std::array<char, 1024> error{};
+  if (formats.encode_png(rounded.data(), std::numeric_limits<Integer>::digits, display.width, display.height,
+                         display.channels, &bytes, &size, error.data(), error.size()))
+    throw RuntimeFailure(std::string("PNG encoding failed: ") + error.data());
+  const std::unique_ptr<unsigned char, decltype(Module::free)> owner(bytes, formats.free);
+  return {bytes, bytes + size};
+}
+
 }  // namespace
 
 StoredImage read_stored_image(const std::filesystem::path& path) {
@@ -97,23 +118,12 @@ Image read_embedded_image(std::span<const unsigned char> bytes, const std::strin
   });
 }
 
-std::vector<unsigned char> encode_png(const Image& display) {
+std::vector<unsigned char> encode_png(const Image& display, int bits) {
   if (display.width < 1 || display.height < 1 || (display.channels != 1 && display.channels != 3))
     throw std::invalid_argument("a PNG is made of an image with 1 or 3 channels");
-  std::vector<unsigned char> rounded(display.pixels.size());
-  std::transform(display.pixels.begin(), display.pixels.end(), rounded.begin(), [](float value) {
-    if (!std::isfinite(value)) throw std::invalid_argument("a PNG cannot hold a value that is not finite");
-    return static_cast<unsigned char>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
-  });
-  const Module& formats = module();
-  unsigned char* bytes = nullptr;
-  std::size_t size = 0;
-  std::array<char, 1024> error{};
-  if (formats.encode_png(rounded.data(), display.width, display.height, display.channels, &bytes, &size, error.data(),
-                         error.size()))
-    throw RuntimeFailure(std::string("PNG encoding failed: ") + error.data());
-  const std::unique_ptr<unsigned char, decltype(Module::free)> owner(bytes, formats.free);
-  return {bytes, bytes + size};
+  if (bits == 8) return encoded_png<std::uint8_t>(display);
+  if (bits == 16) return encoded_png<std::uint16_t>(display);
+  throw std::invalid_argument("a PNG has 8 or 16 bits");
 }
 
 }  // namespace sturm

@@ -17,7 +17,7 @@ enum class PixelValues {
 /// The picture in a file, as 3 channels, or 4 where it has alpha (the last one; grey ones have three equal channels).
 struct PictureFile {
   /// The picture is the layer "": linear Rec. 709 (other primaries have been converted), or as stored for a display. Of
-  /// an EXR also the layer "depth", if the file has one, and the text attributes.
+  /// an EXR also the layer "depth", if the file has distances of the picture's size, and the text attributes.
   LayeredImage picture;
   PixelValues values = PixelValues::Linear;
   int bits = 0;                    ///< of integer values; 0 for floats

@@ -10,13 +10,13 @@
 #include "io/files/lower_case.h"
 #include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
+#include "lensmodel/chromatic_eye.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr double metres_per_nanometre = 1e-9;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 struct Unit {

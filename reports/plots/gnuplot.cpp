@@ -1,87 +1,22 @@
 #include "reports/plots/gnuplot.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <regex>
 
+#include "io/files/child_program.h"
 #include "io/files/error.h"
 #include "reports/markup/escaped.h"
-
-extern char** environ;
 
 namespace sturm {
 
 namespace {
 
-using File = std::unique_ptr<FILE, int (*)(FILE*)>;
-
-/// A nameless temporary file. Files instead of pipes: neither side can block the other, and a dead child raises no
-/// SIGPIPE.
-File scratch_file() {
-  File file(std::tmpfile(), &std::fclose);
-  if (!file) throw RuntimeFailure(std::string("cannot create a temporary file for gnuplot: ") + std::strerror(errno));
-  fcntl(fileno(file.get()), F_SETFD, FD_CLOEXEC);
-  return file;
-}
-
-std::string contents(FILE* file) {
-  std::string text;
-  std::array<char, 65536> block;
-  std::rewind(file);
-  for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), file)) > 0;) text.append(block.data(), n);
-  return text;
-}
-
 std::string run_gnuplot(std::string_view script) {
-  const File input = scratch_file(), output = scratch_file(), complaints = scratch_file();
-  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0) {
-    throw RuntimeFailure(std::string("cannot write the script for gnuplot: ") + std::strerror(errno));
-  }
-  std::rewind(input.get());
-
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(complaints.get()), STDERR_FILENO);
-  char name[] = "gnuplot",
-       defaults[] = "--default-settings";  // the user's own start-up file must not restyle the report
-  char* arguments[] = {name, defaults, nullptr};
-  pid_t child = 0;
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t fatal;  // what this program ignores ends gnuplot, which does not look whether it could write
-  sigemptyset(&fatal);
-  sigaddset(&fatal, SIGPIPE);
-  sigaddset(&fatal, SIGXFSZ);
-  posix_spawnattr_setsigdefault(&attributes, &fatal);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-  const int failed = posix_spawnp(&child, name, &actions, &attributes, arguments, environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) {
-    throw RuntimeFailure(
-        std::string("the report's plots need gnuplot, which cannot be started (Debian package gnuplot-nox): ") +
-        std::strerror(failed));
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw RuntimeFailure(std::string("lost the gnuplot process: ") + std::strerror(errno));
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw RuntimeFailure("gnuplot could not draw a plot of the report: " + contents(complaints.get()));
-  }
-  return contents(output.get());
+  // The user's own start-up file must not restyle the report.
+  return output_of({{"gnuplot", "--default-settings"},
+                    "the report's plots need gnuplot, which cannot be started (Debian package gnuplot-nox)",
+                    "gnuplot could not draw a plot of the report"},
+                   script);
 }
 
 /// gnuplot does not tell of a temporary folder that is full.

@@ -3,10 +3,11 @@ import json
 import math
 import os
 import unittest
+import zlib
 
 import png_pixels
-from picture_files import pfm, png
-from sturm_process import SOURCE, WRONG_INPUT, FolderTest, snapshot, strict_json, sturm
+from picture_files import exr, exr_parts, pfm, png, radiance
+from sturm_process import RUNTIME_FAILURE, SOURCE, WRONG_INPUT, FolderTest, snapshot, strict_json, sturm
 
 WIDTH, HEIGHT = 48, 40
 MYOPE = {"format": "sturm.eye/1", "prescription": {"sphere_D": -2, "vertex_distance_mm": 0}, "pupil_diameter_mm": 5}
@@ -14,6 +15,17 @@ MYOPE = {"format": "sturm.eye/1", "prescription": {"sphere_D": -2, "vertex_dista
 
 def to_linear(encoded):
     return encoded / 12.92 if encoded <= 0.04045 else ((encoded + 0.055) / 1.055) ** 2.4
+
+
+def grey16(data):
+    """Rows of 0 … 1 of the red channel of a 16-bit PNG without interlace."""
+    (width, height), at, packed = png_pixels.size(data), 8, b""
+    while at < len(data):
+        length, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
+        packed += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
+        at += 12 + length
+    rows = png_pixels.unfiltered(zlib.decompress(packed), 6 * width, 6)
+    return [[int.from_bytes(row[6 * x:6 * x + 2], "big") / 65535 for x in range(width)] for row in rows]
 
 
 def board():
@@ -62,6 +74,105 @@ class See(FolderTest):
                 expected = expected or seen
                 difference = max(abs(a - b) for r, s in zip(seen, expected) for p, q in zip(r, s) for a, b in zip(p, q))
                 self.assertLessEqual(difference, 1)
+
+    def test_pictures_come_in_every_form(self):
+        """Linear light in floats is the light of the sRGB picture, whatever file it stands in."""
+        light = [[tuple(to_linear(v / 255) for v in pixel) for pixel in row] for row in board()]
+        channel = [[p[0] for p in row] for row in light]
+        colours = {"R": channel, "G": channel, "B": channel}
+        other = [[0.5] * WIDTH for _ in range(HEIGHT)]
+        depth = two_distances(0.5, 4.0)
+        expected = self.see("--depth", self.write("d.pfm", pfm(depth)))
+        forms = {
+            "photo.pfm": (pfm(light), []),
+            "photo.png": (png([[(p[0] * 257,) * 3 for p in row] for row in board()], 16), []),
+            "PHOTO.EXR": (exr(colours), []),
+            "parts.exr": (exr_parts({"beauty": colours}), []),
+            "passes.exr": (exr({**{f"View.Combined.{c}": channel for c in "RGB"}, **{f"View.Diffuse.{c}": other for c in "RGB"}}),
+                           ["--picture-layer", "Combined"]),
+            "deep.exr": (exr({**colours, "Z": depth}), None),
+            "apart.exr": (exr_parts({"rgba": colours, "depth": {"Z": depth}}), None),
+            "blender.exr": (exr({**{f"View.Combined.{c}": channel for c in "RGB"}, "View.Depth.Z": depth}), None),
+        }
+        for name, (content, options) in forms.items():
+            with self.subTest(form=name):
+                self.photo = self.write(name, content)
+                seen = self.see(*(["--depth", self.folder / "d.pfm"] + options if options is not None else []))
+                difference = max(abs(a - b) for r, s in zip(seen, expected) for p, q in zip(r, s) for a, b in zip(p, q))
+                self.assertLessEqual(difference, 1)
+        # RGBE has eight bits of mantissa: 128 · 2^(e − 136) is 0.5, where sRGB has 188.
+        self.photo = self.write("flat.hdr", radiance(f"-Y {HEIGHT} +X {WIDTH}", [(128, 128, 128, 128)] * (WIDTH * HEIGHT)))
+        self.assertEqual(self.see("--distance-m", "1")[20][20], (188, 188, 188))
+
+    def test_other_primaries_are_converted(self):
+        """Green of Rec. 2020 is beyond Rec. 709: its red is negative there, and counts as dark."""
+        zero, half = [[0.0] * WIDTH] * HEIGHT, [[0.5] * WIDTH] * HEIGHT
+        rec2020 = (0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.3290)
+        self.photo = self.write("wide.exr", exr({"R": zero, "G": half, "B": zero}, chromaticities=rec2020))
+        red, green, blue = self.see("--distance-m", "1")[20][20]
+        self.assertEqual((red, blue), (0, 0))
+        self.assertEqual(green, 198)  # 1.1329 · 0.5 of linear light
+        notes = json.loads((self.folder / "seen.manifest.json").read_text())["notes"]
+        self.assertTrue(any("chromaticities" in note for note in notes))
+
+    def test_several_pictures_in_a_file_are_listed(self):
+        rows = [[0.5] * WIDTH] * HEIGHT
+        file = self.write("passes.exr", exr({f"{layer}.{c}": rows for layer in ("A", "B") for c in "RGB"}))
+        message = self.refuse(file, "--eye", self.eye, "--vfov-deg", "2", "--distance-m", "1")
+        self.assertIn("--picture-layer", message)
+        self.assertIn('"A", "B"', message)
+
+    def test_a_slanted_plane_has_no_steps(self):
+        """From 0.3 m at the top to 10 m at the bottom; a ramp of light across the slant stays a ramp. A pixel is 1/28°, so that the kernel
+        grows by 13 px on the way."""
+        width, height, margin = 96, 160, 24
+        ramp = [[0.2 + 0.6 * x / (width - 1) for x in range(width)] for _ in range(height)]
+        dioptres = [[3.3333 + (0.1 - 3.3333) * y / (height - 1)] * width for y in range(height)]
+        self.photo = self.write("ramp.pfm", pfm(ramp))
+        eye = self.write("astigmat.json", dict(MYOPE, prescription={"sphere_D": -1, "cylinder_D": -1, "axis_deg": 30, "vertex_distance_mm": 0}))
+        self.succeed("see", self.photo, "--eye", eye, "--hfov-deg", width / 28, "--depth", self.write("slant.pfm", pfm(dioptres)), "--depth-unit", "D",
+                     "--png-bits", "16", "-o", self.folder / "slant.png")
+        seen = [[to_linear(v) for v in row] for row in grey16((self.folder / "slant.png").read_bytes())]
+        inside = [(x, y) for y in range(margin, height - margin) for x in range(margin, width - margin)]
+        square = sum((seen[y][x] - ramp[y][x]) ** 2 for x, y in inside) / len(inside)
+        self.assertLessEqual(math.sqrt(square), 0.002)
+        self.assertLessEqual(max(abs(seen[y][x] - seen[y - 1][x]) for x, y in inside), 1 / 255)
+
+    def test_a_png_may_have_16_bits(self):
+        self.photo = self.write("flat.pfm", pfm([[0.3] * WIDTH] * HEIGHT))
+        self.succeed("see", self.photo, "--eye", self.eye, "--vfov-deg", "2", "--distance-m", "1", "--png-bits", "16", "-o", self.folder / "A.PNG")
+        value = grey16((self.folder / "A.PNG").read_bytes())[20][20]
+        self.assertAlmostEqual(to_linear(value), 0.3, delta=2e-5)  # a step of 16 bits is 1.5e-5 of the display's range
+
+    def test_what_was_asked_for_follows_its_schema(self):
+        depth = self.write("d.pfm", pfm(two_distances(0.5, 10.0)))
+        for options in (["--depth", depth, "--rack-focus-D", "0", "1", "--frames", "2"], ["--distance-m", "inf", "--focus-m", "2"],
+                        ["--depth", depth, "--disparity", "--focal-px", "1000", "--baseline-m", "0.1"]):
+            self.see_quietly(*options)
+            spec = json.loads((self.folder / "seen.manifest.json").read_text())["spec"]
+            self.assertEqual(spec["format"], "sturm.see/1")
+            self.succeed("validate", self.write("spec.json", spec))
+
+    def see_quietly(self, *arguments):
+        self.succeed("see", self.photo, "--eye", self.eye, "--vfov-deg", "2", "-o", self.folder / "seen.png", *arguments)
+
+    def test_films(self):
+        """ffmpeg is a stand-in here that writes down how it was called."""
+        usual = ["see", self.photo, "--eye", self.eye, "--vfov-deg", "2", "--distance-m", "2", "--rack-focus-D", "0", "1", "--frames", "2",
+                 "--film", "-o", self.folder / "rack.png"]
+        before, path = snapshot(self.folder), os.environ["PATH"]
+        self.addCleanup(os.environ.__setitem__, "PATH", path)
+        os.environ["PATH"] = str(self.folder)
+        process = sturm(*usual)
+        self.assertEqual(process.returncode, RUNTIME_FAILURE)
+        self.assertIn("ffmpeg", process.stderr)
+        self.assertEqual(snapshot(self.folder), before)
+        self.write("ffmpeg", '#!/bin/sh\nfor last; do :; done\ncase $last in *.mp4) echo "$@" > "$last";; esac\n').chmod(0o755)
+        self.succeed(*usual)
+        self.assertIn(f"-i {self.folder}/rack_%04d.png", (self.folder / "rack.mp4").read_text())
+        self.assertFalse((self.folder / "rack.unfinished.mp4").exists())
+        self.assertEqual(json.loads((self.folder / "rack.manifest.json").read_text())["counters"]["film"], "rack.mp4")
+        self.assertIn("--film", self.refuse(self.photo, "--eye", self.eye, "--vfov-deg", "2", "--distance-m", "2", "--film"))
 
     def test_a_myope_sees_near_things_sharply(self):
         seen, sharp = self.see("--depth", self.write("d.pfm", pfm(two_distances(0.5, 10.0)))), board()

@@ -5,18 +5,20 @@
 
 #include "wavefront/layers/primaries.h"
 #include "wavefront/layers/ray_kernels.h"
-#include "wavefront/psf/psf_kernels.h"
-#include "wavefront/psf/wave_psf.h"
+#include "wavefront/psf/wave_kernel.h"
+#include "wavefront/psf/wave_sampling.h"
 
 namespace sturm {
 
 namespace {
 
 constexpr double spectrum_step_nm = 20.0;
+constexpr int coarse_grid = 512;  // pixels of pictures do not see what a finer one would add
 
 SpreadKernel wave_kernel_at(const PupilWave& pupil, const Light& light, double vergence_D, double pixel_slope) {
   try {
-    return wave_kernel(wave_psf(pupil, light, vergence_D, wave_sampling(pupil, light, vergence_D)), pixel_slope);
+    const WaveSampling sampling = wave_sampling(pupil, light, vergence_D, std::nullopt, coarse_grid);
+    return wave_kernel(wave_psf(pupil, light, vergence_D, sampling), pixel_slope);
   } catch (const AliasedSampling& error) {
     throw std::invalid_argument(error.what());
   }

@@ -31,6 +31,13 @@ double PupilWave::area_m2() const {
   return q == 0.0 ? disc : -disc * std::expm1(-q) / q;
 }
 
+double PupilWave::share_of(const PupilSector& sector) const {
+  const double q = std::numbers::ln10 * stiles_crawford_per_m2 * radius_m * radius_m;
+  const double within = q == 0.0 ? sector.outer - sector.inner
+                                 : (std::exp(-q * sector.inner) - std::exp(-q * sector.outer)) / -std::expm1(-q);
+  return within * (sector.to - sector.from);
+}
+
 double PupilWave::largest_slope(const Light& light, double vergence_D) const {
   constexpr int rings = 48, spokes = 192;
   constexpr double between_grid_points = 1.02;

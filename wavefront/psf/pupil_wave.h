@@ -4,6 +4,7 @@
 
 #include "lensmodel/chromatic_eye.h"
 #include "lensmodel/eye.h"
+#include "wavefront/psf/pupil_sector.h"
 
 namespace sturm {
 
@@ -40,6 +41,9 @@ struct PupilWave {
 
   /// ∫ intensity dp over the pupil [m²].
   double area_m2() const;
+
+  /// The share of a part of the pupil in that.
+  double share_of(const PupilSector& sector) const;
 
   /// A bound of |∂W/∂x| and |∂W/∂y| over the pupil [rad] in all of the light: the largest on a fine grid and 2 % more.
   double largest_slope(const Light& light, double vergence_D) const;

@@ -28,14 +28,16 @@ std::size_t points_for(const Light& light, std::size_t count) {
 
 }  // namespace
 
-RayFan::RayFan(const PupilWave& pupil, const Light& light, std::size_t count)
+RayFan::RayFan(const PupilWave& pupil, const Light& light, std::size_t count, const PupilSector& sector)
     : points_(points_for(light, count)), gradients_(points_.size()) {
   for (const SpectralLine& line : light)
     if (line.weight > 0.0) lines_.push_back({line.weight, pupil.vergence_at(line.wavelength_nm, 0.0)});
   const double q = std::numbers::ln10 * pupil.stiles_crawford_per_m2 * pupil.radius_m * pupil.radius_m;
+  const double width = sector.outer - sector.inner;
   tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
-    const double u = fraction(0.5, step_of_radius, i), angle = two_pi * fraction(0.5, step_of_angle, i);
-    const double t = q == 0.0 ? u : -std::log1p(u * std::expm1(-q)) / q;  // (r/a)²
+    const double u = fraction(0.5, step_of_radius, i),
+                 angle = two_pi * std::lerp(sector.from, sector.to, fraction(0.5, step_of_angle, i));
+    const double t = sector.inner + (q == 0.0 ? width * u : -std::log1p(u * std::expm1(-q * width)) / q);  // (r/a)²
     points_[i] = pupil.radius_m * std::sqrt(t) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     gradients_[i] = pupil.gradient(points_[i], 0.0);
   });

@@ -8,14 +8,14 @@
 
 namespace sturm {
 
-/// Rays through low-discrepancy points of a pupil, one for each wavelength of the light; where they land is linear in
-/// the vergence error, so one fan serves all distances.
+/// Rays through low-discrepancy points of a pupil or a part of it, one for each wavelength of the light; where they
+/// land is linear in the vergence error, so one fan serves all distances.
 class RayFan {
  public:
   /// The first points of a Kronecker sequence [Roberts2018] in (r², angle), all of the same energy: Stiles–Crawford is
   /// in their density. `count` points for one wavelength; for many, eight times as many rays in all. Same bits for any
   /// number of threads.
-  RayFan(const PupilWave& pupil, const Light& light, std::size_t count);
+  RayFan(const PupilWave& pupil, const Light& light, std::size_t count, const PupilSector& sector = {});
 
   std::size_t points() const { return points_.size(); }
   std::size_t wavelengths() const { return lines_.size(); }

@@ -15,7 +15,8 @@ int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width
 int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size, std::size_t max_pixels, int* width,
                                    int* height, int* channels, float** pixels, char* error, std::size_t error_size);
 
-int sturm_imageformats_encode_png(const unsigned char* pixels, int width, int height, int channels,
+/// `pixels` has bytes where `bits` is 8, and std::uint16_t where it is 16.
+int sturm_imageformats_encode_png(const void* pixels, int bits, int width, int height, int channels,
                                   unsigned char** bytes, std::size_t* size, char* error, std::size_t error_size);
 
 void sturm_imageformats_free(void* memory);

@@ -50,6 +50,17 @@ TEST(ImageFormats, PngRoundsToNearestAndClamps) {
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(255.0f * read.pixels[static_cast<std::size_t>(i)], expected[i], 1e-4);
 }
 
+TEST(ImageFormats, PngOf16BitsKeepsAll65536Values) {
+  const TemporaryFolder folder;
+  Image image(1024, 64, 1);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<float>(i) / 65535.0f;
+  write_bytes(folder / "a.png", encode_png(image, 16));
+  const StoredImage read = read_stored_image(folder / "a.png");
+  EXPECT_EQ(read.bits, 16);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    ASSERT_EQ(std::lround(65535.0f * read.image.pixels[i]), static_cast<long>(i));
+}
+
 TEST(ImageFormats, RowZeroIsAtTheTop) {
   // A TGA by hand: 1 × 2 pixels, 24 bits BGR, origin at the top left (descriptor bit 5); red above blue.
   const TemporaryFolder folder;
@@ -76,6 +87,7 @@ TEST(ImageFormats, BadFilesAreExplained) {
 TEST(ImageFormats, WhatAPngCannotHoldIsRefused) {
   EXPECT_THROW(encode_png(Image(2, 2, 2)), std::invalid_argument);
   EXPECT_THROW(encode_png(Image()), std::invalid_argument);
+  EXPECT_THROW(encode_png(Image(2, 2, 1), 12), std::invalid_argument);
   Image nan(1, 1, 1);
   nan.pixels[0] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(encode_png(nan), std::invalid_argument);

@@ -86,6 +86,35 @@ TEST(PictureFile, WhatTheProgramWritesKeepsItsDepth) {
   EXPECT_EQ(read_picture_file(folder / "a.exr", "albedo").layer, "albedo");
 }
 
+TEST(PictureFile, DepthOfOtherProgramsIsFound) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::vector<std::string>& channels) {
+    Imf::Header header(3, 2);
+    std::vector<float> values(6 * channels.size());
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      header.channels().insert(channels[c], Imf::Channel(Imf::FLOAT));
+      for (std::size_t i = 0; i < 6; ++i) values[6 * c + i] = static_cast<float>(c);
+      frame.insert(channels[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&values[6 * c]), 4, 12));
+    }
+    Imf::OutputFile file((folder / "a.exr").c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(2);
+  };
+  const auto depth = [&] {
+    const LayeredImage picture = read_picture_file(folder / "a.exr").picture;
+    return picture.layers.contains("depth") ? picture.layers.at("depth").pixels[0] : -1.0f;
+  };
+  write({"R", "G", "B", "Z"});
+  EXPECT_EQ(depth(), 3.0f);
+  write({"V.Combined.R", "V.Combined.G", "V.Combined.B", "V.Depth.V"});
+  EXPECT_EQ(depth(), 3.0f);
+  write({"R", "G", "B", "depth.Z", "V.Depth.Z"});
+  EXPECT_EQ(depth(), 3.0f);
+  write({"R", "G", "B", "normal.X", "normal.Y", "normal.Z"});
+  EXPECT_EQ(depth(), -1.0f);
+}
+
 TEST(PictureFile, AHeaderCannotClaimMoreThanItsFileHolds) {
   const TemporaryFolder folder;
   Imf::Header header(16384, 16384);

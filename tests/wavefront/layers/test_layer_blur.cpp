@@ -57,6 +57,38 @@ TEST(LayerBlur, LightAwayFromTheBorderIsKept) {
   EXPECT_NEAR(light(seen(picture, myope(6.0))) / light(picture.radiance), 1.0, 1e-6);
 }
 
+TEST(LayerBlur, LightOfSurfacesAtSeveralDistancesIsKept) {
+  // A lit card before a dark wall, and a lit patch of the wall that no blur of the card reaches.
+  LayeredPicture picture = flat_picture(600, 400, 0.5);
+  for (int y = 120; y < 280; ++y)
+    for (int x = 100; x < 500; ++x) {
+      if (x < 260) picture.vergence_D[static_cast<std::size_t>(y) * 600 + x] = 2.5;
+      if (x < 260 || x >= 400)
+        for (int c = 0; c < 3; ++c)
+          picture.radiance.at(x, y)[c] = static_cast<float>(0.2 + 0.1 * ((x * 7 + y * 3 + c) % 5));
+    }
+  for (const int parts : {1, 4})
+    EXPECT_NEAR(light(seen(picture, myope(5.0), parts)) / light(picture.radiance), 1.0, 5e-4) << parts;
+}
+
+TEST(LayerBlur, ADarkObjectTakesTheLightThatItCovers) {
+  // A dark card at 0.4 m, seen sharply, before a blurred bright wall: outside of the card the wall is as bright as
+  // ever.
+  LayeredPicture picture = flat_picture(400, 300, 0.0);
+  std::fill(picture.radiance.pixels.begin(), picture.radiance.pixels.end(), 0.8f);
+  for (int y = 100; y < 200; ++y)
+    for (int x = 150; x < 250; ++x) {
+      picture.vergence_D[static_cast<std::size_t>(y) * 400 + x] = 2.5;
+      std::fill_n(picture.radiance.at(x, y), 3, 0.0f);
+    }
+  const Eye eye = Eye::with(Prescription{-2.5, 0.0, 0.0, 0.0}, 5e-3);
+  for (const int parts : {1, 4}) {
+    const Image test = seen(picture, eye, parts);
+    for (int x = 0; x < 400; ++x)
+      ASSERT_NEAR(test.at(x, 150)[0], x >= 150 && x < 250 ? 0.0f : 0.8f, 1e-5) << parts << " " << x;
+  }
+}
+
 TEST(LayerBlur, FlatPictureIsTheConvolutionByItsKernel) {
   LayeredPicture picture = flat_picture(300, 260, 0.8);
   for (std::size_t i = 0; i < picture.radiance.pixels.size(); ++i)

@@ -69,6 +69,71 @@ TEST(RayKernels, InFocusIsOnePixel) {
   EXPECT_EQ(kernel.weight(0, 0), 1.0f);
 }
 
+TEST(RayKernels, StandUprightInAPicture) {
+  // Tilt of W towards +x and +y: ∂(2c r cos θ)/∂x = 2c/a = 2 mrad for 2 µm, and 1 mrad up, so to smaller rows.
+  const Eye eye = Eye::with(ZernikeWave::from_examiner(std::vector<double>{0.0, 1e-6, -2e-6}, 2e-3),
+                            SecondOrder::LeastSquares, std::nullopt, 4e-3);
+  for (const int parts : {1, 4}) {
+    const SpreadKernel kernel = ray_kernels(eye, 0.0, 1e-3, {parts, false}).kernel(0.0, parts - 1, 0);
+    EXPECT_EQ(kernel.radius_px, 2);
+    EXPECT_NEAR(kernel.weight(2, -1), 1.0f, 1e-6);
+  }
+}
+
+TEST(RayKernels, APartMovesAwayFromTheWholeAsItsShiftSays) {
+  const Eye eye = Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3);
+  const KernelModel model = ray_kernels(eye, 0.0, pixel, {4, false});
+  for (int part = 0; part < 4; ++part) {
+    // The first sector reaches from the wearer's right to the top: the mean of its points is (a, a)·4/(3π) = 0.4244 a;
+    // a vergence V moves light through p to −V p, in pixels to the left and down.
+    const double side = 0.4244132 * 2e-3 / pixel, sign_x = part == 0 || part == 3 ? -1.0 : 1.0,
+                 sign_y = part < 2 ? 1.0 : -1.0;
+    const Eigen::Vector2d shift = model.parts[static_cast<std::size_t>(part)].shift_px_per_D;
+    EXPECT_NEAR(shift.x(), sign_x * side, 2e-3 * side);
+    EXPECT_NEAR(shift.y(), sign_y * side, 2e-3 * side);
+    // The eye is in focus at 2 D: at 0.5 D the part's kernel stands at −1.5 D of its shift.
+    const Moments m = moments(model.kernel(0.5, part, 0));
+    EXPECT_NEAR(m.x, -1.5 * shift.x(), 2e-3 * side);
+    EXPECT_NEAR(m.y, -1.5 * shift.y(), 2e-3 * side);
+  }
+}
+
+TEST(RayKernels, AccommodationMovesTheFocus) {
+  const Eye eye = Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 4e-3);
+  EXPECT_EQ(ray_kernels(eye, 3.0, pixel, {}).kernel(3.0, 0, 0).radius_px, 0);
+  EXPECT_GT(ray_kernels(eye, 3.0, pixel, {}).kernel(0.0, 0, 0).radius_px, 14);  // 3 D · 2 mm = 15 px
+}
+
+TEST(RayKernels, ColoursAreOutOfFocusByTheChromaticEye) {
+  // The Indiana eye's 633.46/(λ − 214.102) D [nm], worked out for 612, 549 and 464 nm against 555 nm. The variance of a
+  // disc is r²/4; sharing among pixels adds 1/6.
+  const Eye eye = Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 8e-3);
+  const KernelModel model = ray_kernels(eye, 0.0, 1e-4, {1, true});
+  ASSERT_EQ(model.channels, 3);
+  const double added_D[] = {0.26621, -0.03329, -0.67668};
+  for (int channel = 0; channel < 3; ++channel) {
+    const double radius_px = added_D[channel] * 4e-3 / 1e-4, expected = radius_px * radius_px / 4.0;
+    EXPECT_NEAR(moments(model.kernel(0.0, 0, channel)).xx, expected + 1.0 / 6.0, 2e-3 * expected + 0.05);
+    EXPECT_LT(moments(model.kernel(-added_D[channel], 0, channel)).xx, 0.05);  // there it is in focus
+  }
+}
+
+TEST(RayKernels, RimOfThePupilCountsLess) {
+  // E[t] = 1/q − e^(−q)/(1 − e^(−q)), t = r²/a², q = ρ a² ln 10 = 0.05·16·2.302585: 0.35453 in place of ½.
+  Eye eye = Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 8e-3);
+  eye.stiles_crawford_per_m2 = 0.05e6;
+  const SpreadKernel kernel = ray_kernels(eye, 0.0, pixel, {}).kernel(0.0, 0, 0);
+  EXPECT_NEAR(moments(kernel).xx, 20.0 * 20.0 * 0.35453 / 2.0 + 1.0 / 6.0, 0.1);  // 2 D · 4 mm are 20 px
+  // With an inner ring the parts have different shares of the light.
+  const KernelModel parts = ray_kernels(eye, 0.0, pixel, {8, false});
+  EXPECT_GT(parts.parts.front().weight, 1.3 * parts.parts.back().weight);
+}
+
+TEST(RayKernels, OfAPinholeIsAPoint) {
+  const Eye eye = Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 0.0);
+  EXPECT_EQ(ray_kernels(eye, 0.0, pixel, {4, false}).kernel(0.0, 2, 0).radius_px, 0);
+}
+
 TEST(RayKernels, BlurBeyondTheLimitIsRefused) {
   const KernelModel model = ray_kernels(Eye::with(Prescription{-20.0, 0.0, 0.0, 0.0}, 8e-3), 0.0, 1e-5, {});
   EXPECT_THROW(model.kernel(0.0, 0, 0), std::invalid_argument);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "support/wave_cases.h"
-#include "wavefront/psf/psf_kernels.h"
+#include "wavefront/psf/ray_fan.h"
 
 namespace sturm {
 namespace {
@@ -107,12 +107,26 @@ TEST(RayFan, ChromaticRaysSpreadInFocus) {
   EXPECT_NEAR(sum / (2e-6 * square), 1.0, 1e-4);
 }
 
-TEST(RayKernel, StandsUprightInAPicture) {
-  // Tilt towards +x and +y of the pupil frame: right and up, so to smaller rows.
-  const PupilWave pupil = examiner_wave({0, 1.0, 2.0}, 4.0, 4.0);
-  const SpreadKernel kernel = ray_kernel(RayFan(pupil, monochromatic_light(555), 1024), 0.0, 1e-3);
-  EXPECT_EQ(kernel.radius_px, 2);
-  EXPECT_NEAR(kernel.weight(2, -1), 1.0f, 1e-6);
+TEST(RayFan, PartsOfAPupilMakeUpTheWhole) {
+  // The second moments about the origin of a defocused eye with Stiles–Crawford, part by part.
+  const PupilWave pupil = examiner_wave({0.0}, 6.0, 6.0, 0.05);
+  const PupilSector parts[] = {{0.0, 0.3, 0.0, 1.0}, {0.3, 1.0, 0.0, 0.25}, {0.3, 1.0, 0.25, 1.0}};
+  const auto square = [&](const PupilSector& sector) {
+    double sum = 0.0;
+    RayFan(pupil, monochromatic_light(555), 1 << 16, sector).for_each(0.7, [&](const Eigen::Vector2d& x, double share) {
+      sum += share * x.squaredNorm();
+    });
+    return sum;
+  };
+  double shares = 0.0, sum = 0.0;
+  for (const PupilSector& part : parts) {
+    shares += pupil.share_of(part);
+    sum += pupil.share_of(part) * square(part);
+  }
+  EXPECT_NEAR(shares, 1.0, 1e-14);
+  EXPECT_NEAR(sum / square({}), 1.0, 1e-4);
+  // ∫ 10^(−0.45 t) dt over 0 … 0.3 and 0 … 1: (1 − 10^−0.135)/(1 − 10^−0.45).
+  EXPECT_NEAR(pupil.share_of(parts[0]), 0.41410572, 1e-7);
 }
 
 void expect_variation(const nlohmann::json& c) {

@@ -6,9 +6,8 @@
 
 #include "support/wave_cases.h"
 #include "wavefront/psf/disc_area.h"
-#include "wavefront/psf/psf_kernels.h"
 #include "wavefront/psf/transfer.h"
-#include "wavefront/psf/wave_measures.h"
+#include "wavefront/psf/wave_kernel.h"
 
 namespace sturm {
 namespace {
@@ -127,23 +126,6 @@ TEST(WavePsf, CellsHoldItsEnergy) {
     for (int k = 0; k < 27; ++k) EXPECT_NEAR(coarse.energy(i, k), (fine.energy.block<3, 3>(3 * i, 3 * k).sum()), 1e-12);
   const SpreadKernel kernel = wave_kernel(psf, 0.5 * arcmin);
   EXPECT_NEAR(kernel.sum(), 1.0, 1e-6);
-}
-
-TEST(WaveKernels, AreThoseOfTheFineGrid) {
-  const PupilWave pupil = examiner_wave(testing::hofer_eye(5), 6.0, 5.0);
-  const Light light = luminance_weighted_light(20.0);
-  const std::vector<double> vergences = {0.0, 0.7, 2.0};
-  const auto kernels = wave_kernels(pupil, light, vergences, 2.0 * arcmin);
-  ASSERT_EQ(kernels.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const SpreadKernel fine = wave_kernel(spread_of(pupil, light, vergences[i]), 2.0 * arcmin);
-    const int radius = std::min(fine.radius_px, kernels[i].radius_px);
-    EXPECT_GE(radius, 8);  // where each is cut is decided by a thousandth of the light
-    double difference = 0.0;
-    for (int y = -radius; y <= radius; ++y)
-      for (int x = -radius; x <= radius; ++x) difference += std::abs(fine.weight(x, y) - kernels[i].weight(x, y));
-    EXPECT_LT(difference, 4e-3);  // twice what each leaves out at its rim
-  }
 }
 
 TEST(WavePsf, ReferencesAt550nm) {
