@@ -22,7 +22,8 @@ void CommandLine::add_render() {
 void CommandLine::add_serve() {
   auto* s = app.add_subcommand("serve", "show a view in a browser, and render what its page shows");
   add_common_options(*s, common, "view (sturm.render/1)");
-  s->add_option("--page", serve.page, "HTML file that is served")->required();
+  add_prescription(*s, common, "the eye");
+  s->add_option("--template", serve.page_template, "the page without data (default: the one that was built)");
   s->add_option("--port", serve.port, "on 127.0.0.1; 0 = any that is free")->check(CLI::Range(0, 65535));
   s->callback([this] { action = [this] { return serve_command(common, serve); }; });
 }

@@ -87,8 +87,8 @@ struct SeeOptions {
 
 /// What `sturm serve` is asked for.
 struct ServeOptions {
-  std::string page;  ///< HTML file
-  int port = 0;      ///< 0: any that is free
+  std::string page_template;  ///< the page without data, "" = the one that was built
+  int port = 0;               ///< 0: any that is free
 };
 
 /// What `sturm render` writes beside its picture.

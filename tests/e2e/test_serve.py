@@ -11,7 +11,8 @@ import documents
 import png_pixels
 from sturm_process import STURM, WRONG_INPUT, FolderTest, sturm
 
-PAGE = "<!doctype html><title>A page</title>"
+PAGE = """<!doctype html><title>A page</title>
+<script id="sturm-view" type="application/json">null</script><script id="sturm-scene" type="text/plain"></script>"""
 
 
 class Serve(FolderTest):
@@ -22,7 +23,7 @@ class Serve(FolderTest):
         self.view["method"]["samples_per_pixel"] = 4
         file = self.write("view.json", self.view)
         page = self.write("page.html", PAGE)
-        self.process = subprocess.Popen([STURM, "serve", file, "--page", page], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen([STURM, "serve", file, "--template", page], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(self.stop)
         address = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/\n", self.process.stdout.readline())
         self.port = int(address[1])
@@ -48,7 +49,8 @@ class Serve(FolderTest):
         return [json.loads(line) for line in text.splitlines()]
 
     def test_page_and_status(self):
-        self.assertEqual(self.ask("GET", "/"), (200, PAGE))
+        self.succeed("view", self.folder / "view.json", "-o", self.folder / "view.html", "--template", self.folder / "page.html", "--quiet")
+        self.assertEqual(self.ask("GET", "/"), (200, (self.folder / "view.html").read_text()))
         status, text = self.ask("GET", "/status")
         self.assertEqual((status, json.loads(text)["program"], json.loads(text)["busy"]), (200, "sturm", False))
         self.assertEqual(self.ask("GET", "/etc/passwd")[0], 404)
@@ -106,13 +108,13 @@ class Serve(FolderTest):
         self.assertFalse(json.loads(self.ask("GET", "/status")[1])["busy"])
 
     def test_a_port_that_is_taken(self):
-        process = sturm("serve", self.folder / "view.json", "--page", self.folder / "page.html", "--port", self.port)
+        process = sturm("serve", self.folder / "view.json", "--template", self.folder / "page.html", "--port", self.port)
         self.assertEqual(process.returncode, 3, process.stderr)
         self.assertIn(str(self.port), process.stderr)
 
     def test_wrong_documents_end_it_at_once(self):
         self.view["eye"] = {}
-        process = sturm("serve", self.write("wrong.json", self.view), "--page", self.folder / "page.html")
+        process = sturm("serve", self.write("wrong.json", self.view), "--template", self.folder / "page.html")
         self.assertEqual(process.returncode, WRONG_INPUT, process.stderr)
 
 
