@@ -44,7 +44,10 @@ class Browser:
         return value
 
     def open(self, path):
-        self._call("POST", "/url", {"url": path.as_uri()})
+        self.visit(path.as_uri())
+
+    def visit(self, address):
+        self._call("POST", "/url", {"url": address})
 
     def run(self, script, *arguments):
         """Runs the body of a JavaScript function in the page; returns its result."""

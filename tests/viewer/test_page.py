@@ -6,6 +6,7 @@ import re
 import struct
 
 from page_in_browser import TEMPLATE, PageTest, emissive_view, main
+from sturm_process import SOURCE
 
 KIB = 1024
 
@@ -82,6 +83,17 @@ class Page(PageTest):
         turned = self.state()["camera"]["turn_deg"]
         self.browser.type("#picture", "\ue014")
         self.assertGreater(self.state()["camera"]["turn_deg"], turned)
+
+    def test_nothing_bars_the_way(self):
+        axe = SOURCE / "viewer/node_modules/axe-core/axe.min.js"
+        if not axe.exists():
+            self.skipTest("axe-core is not installed")
+        self.open()
+        self.wait("document.getElementById('said').textContent")
+        for scheme in ("light", "dark"):
+            self.browser.run(f"document.documentElement.style.colorScheme = '{scheme}'")
+            found = self.browser.run(axe.read_text() + "; return axe.run(document).then((r) => r.violations.map((v) => [v.impact, v.id, v.nodes.map((n) => n.html)]))")
+            self.assertEqual([v for v in found if v[0] in ("serious", "critical")], [])
 
     def test_prescriptions_are_read_as_on_the_command_line(self):
         self.open()

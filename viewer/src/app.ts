@@ -9,6 +9,7 @@ import { Gpu } from './gpu';
 import { GpuScene } from './gpu_scene';
 import { hashOf, stateOfHash } from './hash_state';
 import { lessons } from './lessons';
+import { NativeRender, programAnswers } from './native_render';
 import { Overlay, type PlacedEllipse } from './overlay';
 import { Pace } from './pace';
 import { Pictures, type Panel } from './pictures';
@@ -55,7 +56,7 @@ export class App {
     this.readHash();
     this.setUpGpu();
     this.bound = fillForm(byId<HTMLFormElement>('controls'), (edit) => this.change(edit), core, view, {
-      lesson: (k) => this.lesson(k), reset: () => this.adopt(startState(view), ''), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(),
+      lesson: (k) => this.lesson(k), reset: () => this.adopt(startState(view), ''), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button),
     });
     this.pointing = pointOn(this.canvas, (edit) => this.change(edit), () => this.panels.length, () => { this.pointed = true; });
     this.canvas.addEventListener('webglcontextlost', (event) => {
@@ -222,6 +223,16 @@ export class App {
   private savePicture(): void {
     this.pictures.show(this.panels, this.canvas, this.state.exposure);
     this.canvas.toBlob((blob) => { if (blob) download('picture.png', blob); });
+  }
+
+  private async offerNative(button: HTMLButtonElement): Promise<void> {
+    if (!(await programAnswers())) return;
+    button.hidden = false;
+    new NativeRender(button, () => {
+      this.pictures.show(this.panels, this.canvas, this.state.exposure);
+      const picture = this.panels.length === 1 && this.state.exposure === 1 ? this.canvas.toDataURL('image/png') : null;
+      return { view: viewDocument(this.state, this.view, this.width, this.height), picture };
+    });
   }
 
   private async copyLink(): Promise<void> {

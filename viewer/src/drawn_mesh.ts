@@ -120,3 +120,24 @@ export function drawnMesh(scene: SceneData, eye: Vec3, angle_rad: number): Drawn
     }
   return { vertices: new Float32Array(into.vertices), places: new Float32Array(into.places), index: new Uint32Array(into.index), vertexCount: into.vertices.length / 9 };
 }
+
+/** Up to 8 vertices that share an edge with each; −1 where there are fewer. */
+export function neighboursOf(mesh: DrawnMesh): Float32Array {
+  const lists = new Float32Array(8 * mesh.vertexCount).fill(-1);
+  const add = (a: number, b: number) => {
+    for (let k = 8 * a; k < 8 * a + 8; ++k) {
+      if (lists[k] === b) return;
+      if (lists[k] === -1) {
+        lists[k] = b;
+        return;
+      }
+    }
+  };
+  for (let t = 0; t < mesh.index.length; t += 3)
+    for (let c = 0; c < 3; ++c) {
+      const a = mesh.index[t + c] ?? 0, b = mesh.index[t + ((c + 1) % 3)] ?? 0;
+      add(a, b);
+      add(b, a);
+    }
+  return lists;
+}

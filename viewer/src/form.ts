@@ -11,6 +11,8 @@ export interface FormActions {
   saveView(): void;
   savePicture(): void;
   copyLink(): void;
+  /** Gets the button that is shown where a program answers. */
+  native(button: HTMLButtonElement): void;
 }
 
 const modeNames: readonly (readonly [Mode, string])[] = [
@@ -84,6 +86,9 @@ export function fillForm(form: HTMLFormElement, change: Change, core: Core, view
   lessonPart.buttons(...lessons.map((lesson, k): [string, () => void] => [lesson.title, () => actions.lesson(k)]), ['As it came', actions.reset]);
   const keep = new FormPart('Keep', change);
   keep.buttons(['Save view.json', actions.saveView], ['Save picture', actions.savePicture], ['Copy link', actions.copyLink]);
+  const [native] = keep.buttons(['Render this natively', () => undefined]) as [HTMLButtonElement];
+  native.hidden = true;
+  actions.native(native);
   const parts = [eyePart(change, core), glassesPart(change, view), picturePart(change), lessonPart, keep];
   form.append(...parts.map((part) => part.element));
   form.addEventListener('submit', (event) => event.preventDefault());

@@ -1,5 +1,5 @@
 /** A scene on the graphics card: tables for rays, a mesh for the rasteriser, and the light at its vertices. */
-import { drawnMesh } from './drawn_mesh';
+import { drawnMesh, neighboursOf } from './drawn_mesh';
 import type { Gpu, Program, Target, Uniform } from './gpu';
 import type { Programs } from './programs';
 import type { SceneData, Vec3 } from './scene_file';
@@ -11,6 +11,11 @@ const edge_rad = 0.06;
 const bakeWidth = 1024;
 export const bakeGoal = 64;
 
+/** How often light is averaged over neighbours after so many samples. */
+function smoothings(samples: number): number {
+  return samples < 4 ? 4 : samples < 16 ? 2 : samples < bakeGoal ? 1 : 0;
+}
+
 export class GpuScene {
   private readonly textures: Record<string, WebGLTexture>;
   private readonly uniforms: Record<string, Uniform>;
@@ -18,7 +23,11 @@ export class GpuScene {
   private readonly places: WebGLTexture;
   private readonly indexCount: number;
   private readonly vertexCount: number;
-  readonly baked: Target;
+  private readonly neighbours: WebGLTexture;
+  private readonly baked: Target;
+  /** `baked`, averaged over neighbours. */
+  private readonly smoothed: [Target, Target];
+  private shown: Target;
   readonly nearest: number;
   readonly farthest: number;
   readonly hasSurroundings: boolean;
@@ -47,6 +56,9 @@ export class GpuScene {
     this.places = gpu.floatLine(mesh.places);
     this.vertexArray = this.vertexArrayOf(mesh.vertices, mesh.index);
     this.baked = gpu.target(bakeWidth, Math.max(1, Math.ceil(mesh.vertexCount / bakeWidth)));
+    this.neighbours = gpu.floatLine(neighboursOf(mesh));
+    this.smoothed = [gpu.target(bakeWidth, this.baked.height), gpu.target(bakeWidth, this.baked.height)];
+    this.shown = this.baked;
     const scatters = scene.materials.some((m) => m.type !== 'diffuse' || m.albedo_map !== null || luminance(m.albedo) > 0);
     if (!scatters) this.bakedSamples = bakeGoal;
     const reach = Math.hypot(...scene.upper.map((x, k) => Math.max(Math.abs(x - (eye[k] ?? 0)), Math.abs((scene.lower[k] ?? 0) - (eye[k] ?? 0)))));
@@ -100,6 +112,19 @@ export class GpuScene {
     if (this.bakedRows < this.baked.height) return false;
     this.bakedRows = 0;
     ++this.bakedSamples;
+    this.shown = this.baked;
+    for (let k = 0; k < smoothings(this.bakedSamples); ++k) this.smooth(programs, this.smoothed[k % 2] as Target);
     return true;
+  }
+
+  private smooth(programs: Programs, into: Target): void {
+    programs.use('smooth').texture('u_light', this.shown.texture).texture('u_neighbours', this.neighbours).set({ u_vertex_count: this.vertexCount });
+    this.gpu.into(into);
+    this.gpu.fill(false);
+    this.shown = into;
+  }
+
+  get light(): WebGLTexture {
+    return this.shown.texture;
   }
 }

@@ -136,7 +136,7 @@ export class Pictures {
       this.scene.bind(this.programs.use('surroundings').set(places)).texture('u_sights', this.sights).texture('u_focus', this.focus);
       this.gpu.fill(false);
     }
-    this.scene.bind(this.programs.use('mesh').set(places)).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_baked', this.scene.baked.texture);
+    this.scene.bind(this.programs.use('mesh').set(places)).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_baked', this.scene.light);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LESS);
     this.scene.draw();

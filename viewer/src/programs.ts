@@ -14,6 +14,7 @@ import scatter from '../shaders/scatter.glsl';
 import show from '../shaders/show.frag.glsl';
 import sight from '../shaders/sight.glsl';
 import slopes from '../shaders/slopes.frag.glsl';
+import smooth from '../shaders/smooth.frag.glsl';
 import surfaces from '../shaders/surfaces.glsl';
 import surroundings from '../shaders/surroundings.frag.glsl';
 import trace from '../shaders/trace.glsl';
@@ -25,6 +26,7 @@ const seeing = [rayModels, sight];
 const sources = {
   eye: [[fill], [...seeing, ...tracing, eye]],
   bake: [[fill], [...tracing, bake]],
+  smooth: [[fill], [smooth]],
   mesh: [[...seeing, meshVertex], [intersect, surfaces, meshFragment]],
   surroundings: [[fill], [...seeing, intersect, surfaces, surroundings]],
   add: [[fill], [add]],
