@@ -92,7 +92,7 @@ export class Pictures {
 
   private seeing(): Record<string, Uniform> {
     const pose = this.pose as Pose;
-    return { ...this.eye, u_head: pose.head, u_position: pose.position, u_size: [pose.width, pose.height], u_pixel_slope: pose.pixelSlope };
+    return { ...this.eye, u_head: pose.head, u_position: pose.position, u_size: [pose.width, pose.height], u_pixel_slope: pose.pixelSlope, u_center: pose.center };
   }
 
   /** Adds the next pass, or so many rows of it where each pixel is a ray. */
@@ -147,13 +147,17 @@ export class Pictures {
 
   /** Panels beside each other on the canvas. */
   show(panels: Panel[], canvas: { width: number; height: number }, exposure: number): void {
-    const { gl } = this.gpu, width = Math.floor(canvas.width / panels.length);
-    this.gpu.into(null);
-    panels.forEach((panel, k) => {
-      gl.viewport(k * width, 0, width, canvas.height);
-      this.programs.use('show').texture('u_sum', panel.sum.texture)
-        .set({ u_corner: [k * width, 0], u_scale: [panel.sum.width / width, panel.sum.height / canvas.height], u_exposure: exposure });
-      this.gpu.fill(false);
-    });
+    const width = Math.floor(canvas.width / panels.length);
+    panels.forEach((panel, k) => this.showIn(null, panel, { x: k * width, y: 0, width, height: canvas.height }, exposure));
+  }
+
+  /** A panel in a part of a framebuffer; null: the canvas. */
+  showIn(framebuffer: WebGLFramebuffer | null, panel: Panel, port: { x: number; y: number; width: number; height: number }, exposure: number): void {
+    const { gl } = this.gpu;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.viewport(port.x, port.y, port.width, port.height);
+    this.programs.use('show').texture('u_sum', panel.sum.texture)
+      .set({ u_corner: [port.x, port.y], u_scale: [panel.sum.width / port.width, panel.sum.height / port.height], u_exposure: exposure });
+    this.gpu.fill(false);
   }
 }
