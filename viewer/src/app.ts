@@ -116,7 +116,7 @@ export class App {
   private setUpGpu(): void {
     this.gpu = new Gpu(this.canvas);
     this.scene = new GpuScene(this.gpu, this.data, this.tree, this.view.camera.position_m as Vec3);
-    this.pictures = new Pictures(this.gpu, this.core, this.scene);
+    this.pictures = new Pictures(this.gpu, this.core, this.scene, this.view.maxBounces);
     this.panels = [];
   }
 
@@ -179,7 +179,7 @@ export class App {
 
   /** Light at the vertices of the drawn mesh; pictures begin anew when it has doubled its samples. */
   private settleLight(allowed: number): void {
-    if (!this.scene.gatherLight(this.pictures.programs, allowed)) return;
+    if (!this.scene.gatherLight(this.pictures.programs, allowed, this.view.maxBounces)) return;
     const n = this.scene.bakedSamples;
     if ((n & (n - 1)) === 0) this.panels.filter((p) => p.mode === 'sharp' || p.mode === 'raster').forEach((p) => this.pictures.restart(p));
   }

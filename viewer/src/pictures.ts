@@ -37,7 +37,7 @@ export class Pictures {
   private passPoints: Float32Array = new Float32Array(4);
   private order: number[] = [0];
 
-  constructor(readonly gpu: Gpu, private readonly core: Core, private readonly scene: GpuScene) {
+  constructor(readonly gpu: Gpu, private readonly core: Core, private readonly scene: GpuScene, private readonly maxBounces: number) {
     this.programs = new Programs(gpu);
     this.sights = gpu.floats(new Float32Array(4), 1, 1);
     this.focus = gpu.floats(new Float32Array(4), 1, 1);
@@ -113,7 +113,7 @@ export class Pictures {
     const { gl } = this.gpu, gathers = panel.mode === 'gather';
     const program = this.scene.bind(this.programs.use('eye').set(this.seeing())).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_passes', this.passTable);
     program.set({
-      u_gathers: gathers, u_pass: this.order[panel.passes % this.order.length] ?? 0, u_sample: panel.passes, u_max_bounces: 8,
+      u_gathers: gathers, u_pass: this.order[panel.passes % this.order.length] ?? 0, u_sample: panel.passes, u_max_bounces: this.maxBounces,
       ...(gathers ? { u_ray_model: 4 } : {}),
     });
     this.gpu.into(panel.sum);
