@@ -1,4 +1,6 @@
 """Pictures of the page against those of the program, pixel by pixel: the same passes through the same points of the pupil."""
+import json
+
 from page_in_browser import PageTest, emissive_view, main
 
 SIZE, PASSES = 128, 64
@@ -39,6 +41,15 @@ class Pictures(PageTest):
         view = emissive_view(SIZE)
         view["camera"].update({"position_m": [0.1, 0.05, 0.2], "look_at_m": [-0.05, 0.2, -1], "gaze": "foveal"})
         self.same(*self.gathered(view, "foveal"))
+
+    def test_a_saved_view_is_the_same_picture(self):
+        self.page_of(emissive_view(SIZE), "saved")
+        worn = "s.modes = ['gather']; s.eyes.right = {...s.eyes.right, sphere_D: -3, cylinder_D: -1.5, axis_deg: 70, vertex_mm: 12}; s.glasses.right.kind = "
+        for edit in (worn + "'single'; s.glasses.right.fitted = false; s.glasses.right.sphere_D = -1;", worn + "'progressive'; s.camera.gaze = 'foveal'; s.camera.tilt_deg = -4;"):
+            with self.subTest(edit=edit):
+                self.change(edit)
+                view = json.loads(self.browser.run("return window.sturmViewer.measured.document()"))
+                self.same(self.measured("picture('gather', 0)"), self.rendered(view, "saved"))
 
     def test_displaced_vertices_make_nearly_the_same_picture(self):
         view = emissive_view(SIZE)

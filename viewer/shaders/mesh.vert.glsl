@@ -15,7 +15,7 @@ flat out int v_material;
 vec2 projected(vec3 point) {
   vec3 seen = (point - u_position) * u_head;
   float depth = max(-seen.z, 1e-3);
-  return vec2(0.5 * u_size.x + seen.x / (depth * u_pixel_slope), 0.5 * u_size.y - seen.y / (depth * u_pixel_slope));
+  return u_center + vec2(seen.x, -seen.y) / (depth * u_pixel_slope);
 }
 
 /// How far the ray of a place through the pupil point passes from the vertex, per metre of distance, on two axes across it.
@@ -43,8 +43,8 @@ void main() {
     vec3 seen = (point - u_position) * u_head;
     vec2 at = (seen.xy - p + seen.z * matrix_slope(p, u_accommodation)) / (u_pixel_slope * 0.5 * u_size);
     float depth = -seen.z;
-    vec2 shift = vec2(u_shift.x, -u_shift.y) * 2.0 / u_size;
-    gl_Position = vec4(at + shift * depth, (u_farthest + u_nearest) / (u_farthest - u_nearest) * depth - 2.0 * u_farthest * u_nearest / (u_farthest - u_nearest), depth);
+    vec2 middle = vec2(2.0, -2.0) * (u_center + u_shift) / u_size + vec2(-1.0, 1.0);
+    gl_Position = vec4(at + middle * depth, (u_farthest + u_nearest) / (u_farthest - u_nearest) * depth - 2.0 * u_farthest * u_nearest / (u_farthest - u_nearest), depth);
     return;
   }
   vec3 from = (point - u_position) * u_head;

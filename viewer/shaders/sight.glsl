@@ -3,7 +3,8 @@
 uniform mat3 u_head;         // right, up, back of the head in the world
 uniform vec3 u_position;     // pupil centre in primary gaze [m]
 uniform vec2 u_size;         // of the picture [px]
-uniform float u_pixel_slope;
+uniform vec2 u_center;       // where straight ahead is in it [px], y down
+uniform vec2 u_pixel_slope;  // of a pixel's width and height
 uniform bool u_foveal;
 uniform float u_rotation_center;  // behind the pupil [m]
 uniform bool u_lens;
@@ -22,7 +23,7 @@ struct Sight {
 };
 
 vec2 slope_of(vec2 place) {
-  return vec2(place.x - 0.5 * u_size.x, 0.5 * u_size.y - place.y) * u_pixel_slope;
+  return vec2(place.x - u_center.x, u_center.y - place.y) * u_pixel_slope;
 }
 
 /// The smallest rotation that takes straight ahead to `gaze`; its first two columns.

@@ -8,6 +8,7 @@ import { fillForm } from './form';
 import { Gpu } from './gpu';
 import { GpuScene } from './gpu_scene';
 import { hashOf, stateOfHash } from './hash_state';
+import { Headset, headsetIsThere } from './headset';
 import { lessons } from './lessons';
 import { NativeRender, programAnswers } from './native_render';
 import { Overlay, type PlacedEllipse } from './overlay';
@@ -45,6 +46,7 @@ export class App {
   private lost = false;
   /** Nothing is drawn on its own while a script measures. */
   held = false;
+  headset: Headset | null = null;
   private hashTimer = 0;
 
   constructor(readonly core: Core, readonly view: ViewData, private readonly data: SceneData) {
@@ -56,7 +58,7 @@ export class App {
     this.readHash();
     this.setUpGpu();
     this.bound = fillForm(byId<HTMLFormElement>('controls'), (edit) => this.change(edit), core, view, {
-      lesson: (k) => this.lesson(k), reset: () => this.adopt(startState(view), ''), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button),
+      lesson: (k) => this.lesson(k), reset: () => this.adopt(startState(view), ''), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button), headset: (button) => this.offerHeadset(button),
     });
     this.pointing = pointOn(this.canvas, (edit) => this.change(edit), () => this.panels.length, () => { this.pointed = true; });
     this.canvas.addEventListener('webglcontextlost', (event) => {
@@ -114,7 +116,7 @@ export class App {
   private setUpGpu(): void {
     this.gpu = new Gpu(this.canvas);
     this.scene = new GpuScene(this.gpu, this.data, this.tree, this.view.camera.position_m as Vec3);
-    this.pictures = new Pictures(this.gpu, this.core, this.scene);
+    this.pictures = new Pictures(this.gpu, this.core, this.scene, this.view.maxBounces);
     this.panels = [];
   }
 
@@ -177,7 +179,7 @@ export class App {
 
   /** Light at the vertices of the drawn mesh; pictures begin anew when it has doubled its samples. */
   private settleLight(allowed: number): void {
-    if (!this.scene.gatherLight(this.pictures.programs, allowed)) return;
+    if (!this.scene.gatherLight(this.pictures.programs, allowed, this.view.maxBounces)) return;
     const n = this.scene.bakedSamples;
     if ((n & (n - 1)) === 0) this.panels.filter((p) => p.mode === 'sharp' || p.mode === 'raster').forEach((p) => this.pictures.restart(p));
   }
@@ -233,6 +235,32 @@ export class App {
       const picture = this.panels.length === 1 && this.state.exposure === 1 ? this.canvas.toDataURL('image/png') : null;
       return { view: viewDocument(this.state, this.view, this.width, this.height), picture };
     });
+  }
+
+  private offerHeadset(button: HTMLButtonElement): void {
+    const look = async () => { button.hidden = !(await headsetIsThere()); };
+    navigator.xr?.addEventListener('devicechange', () => void look());
+    void look();
+    button.addEventListener('click', () => void this.enterHeadset());
+  }
+
+  async enterHeadset(): Promise<void> {
+    const start = poseOf({ ...this.state.camera, tilt_deg: 0 }, 1, 1);
+    this.held = true;
+    const back = () => {
+      this.headset?.release();
+      this.headset = null;
+      this.held = false;
+      this.changed = true;
+      this.say('');
+    };
+    try {
+      this.headset = await Headset.enter(this, start, back);
+      this.say('The picture is in the headset. Hold the trigger, or pinch, to see sharply.');
+    } catch (problem) {
+      back();
+      this.say((problem as Error).message);
+    }
   }
 
   private async copyLink(): Promise<void> {

@@ -1,6 +1,6 @@
 /** The C++ core's answers for one eye and what it wears, as the shaders take them. */
 import type { Core, EyeNumbers, LensNumbers, Optics, PrescriptionNumbers } from './core_module';
-import type { Pose } from './camera';
+import { edgesOf, type Pose } from './camera';
 import type { Uniform } from './gpu';
 import { rayModels, type EyeState, type GlassesState, type Side, type State } from './state';
 import type { ViewData } from './view_data';
@@ -62,9 +62,9 @@ export class EyeOptics {
   /** The rays of the grid over a picture, one step wider on each side; null for a naked eye. */
   sights(state: State, pose: Pose): SightTable | null {
     if (!this.lens) return null;
-    const half: [number, number] = [0.5 * pose.width * pose.pixelSlope, 0.5 * pose.height * pose.pixelSlope];
-    const cells = half.map((h) => Math.min(96, Math.max(2, Math.ceil((2 * h) / sightStep)))) as [number, number];
-    const step: [number, number] = [(2 * half[0]) / cells[0], (2 * half[1]) / cells[1]], first: [number, number] = [-half[0] - step[0], -half[1] - step[1]];
+    const [left, right, lower, upper] = edgesOf(pose), sizes: [number, number] = [right - left, upper - lower];
+    const cells = sizes.map((size) => Math.min(96, Math.max(2, Math.ceil(size / sightStep)))) as [number, number];
+    const step: [number, number] = [sizes[0] / cells[0], sizes[1] / cells[1]], first: [number, number] = [left - step[0], lower - step[1]];
     const columns = cells[0] + 3, rows = cells[1] + 3;
     const data = this.optics.sights({ gaze: state.camera.gaze, first_x: first[0], first_y: first[1], step_x: step[0], step_y: step[1], columns, rows });
     return { data, columns, rows, first, step };
@@ -72,9 +72,9 @@ export class EyeOptics {
 
   /** Accommodation by vergence (columns) and height in the picture (rows, upper first) of an eye that seeks focus; RGBA. */
   focusTable(pose: Pose): { data: Float32Array; width: number; height: number } {
-    const height = this.lens ? 9 : 2, data = new Float32Array(4 * focusVergences * height);
+    const [, , lower, upper] = edgesOf(pose), height = this.lens ? 9 : 2, data = new Float32Array(4 * focusVergences * height);
     for (let j = 0; j < height; ++j) {
-      const slope = 0.5 * pose.height * pose.pixelSlope * (1 - (2 * j) / (height - 1));
+      const slope = upper + ((lower - upper) * j) / (height - 1);
       for (let i = 0; i < focusVergences; ++i)
         data[4 * (j * focusVergences + i)] = this.optics.accommodation(0, Math.atan(slope), (lastVergence_D * i) / (focusVergences - 1)) ?? 0;
     }

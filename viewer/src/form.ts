@@ -13,6 +13,8 @@ export interface FormActions {
   copyLink(): void;
   /** Gets the button that is shown where a program answers. */
   native(button: HTMLButtonElement): void;
+  /** Gets the button that is shown where there is a headset. */
+  headset(button: HTMLButtonElement): void;
 }
 
 const modeNames: readonly (readonly [Mode, string])[] = [
@@ -86,9 +88,10 @@ export function fillForm(form: HTMLFormElement, change: Change, core: Core, view
   lessonPart.buttons(...lessons.map((lesson, k): [string, () => void] => [lesson.title, () => actions.lesson(k)]), ['As it came', actions.reset]);
   const keep = new FormPart('Keep', change);
   keep.buttons(['Save view.json', actions.saveView], ['Save picture', actions.savePicture], ['Copy link', actions.copyLink]);
-  const [native] = keep.buttons(['Render this natively', () => undefined]) as [HTMLButtonElement];
-  native.hidden = true;
+  const [native, headset] = keep.buttons(['Render this natively', () => undefined], ['Enter the headset', () => undefined]) as [HTMLButtonElement, HTMLButtonElement];
+  native.hidden = headset.hidden = true;
   actions.native(native);
+  actions.headset(headset);
   const parts = [eyePart(change, core), glassesPart(change, view), picturePart(change), lessonPart, keep];
   form.append(...parts.map((part) => part.element));
   form.addEventListener('submit', (event) => event.preventDefault());

@@ -99,10 +99,10 @@ export class GpuScene {
   }
 
   /** One path from some rows of 1024 vertices; true where all have got one more. */
-  gatherLight(programs: Programs, rowsAtOnce: number): boolean {
+  gatherLight(programs: Programs, rowsAtOnce: number, maxBounces: number): boolean {
     const { gl } = this.gpu, rows = Math.min(rowsAtOnce, this.baked.height - this.bakedRows);
     this.bind(programs.use('bake')).texture('u_vertices', this.places)
-      .set({ u_vertex_count: this.vertexCount, u_sample: this.bakedSamples, u_max_bounces: 4 });
+      .set({ u_vertex_count: this.vertexCount, u_sample: this.bakedSamples, u_max_bounces: maxBounces });
     this.gpu.into(this.baked);
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(0, this.bakedRows, bakeWidth, rows);

@@ -1,6 +1,7 @@
 /** Whole pictures on request, for scripts that compare them with the program's. */
 import type { App } from './app';
 import type { Panel } from './pictures';
+import { viewDocument } from './save';
 import type { Mode } from './state';
 
 function base64(values: Float32Array): string {
@@ -49,6 +50,12 @@ export class Measured {
     const pixels = pixelsOf(this.app, panel);
     gpu.release(panel.sum);
     return pixels;
+  }
+
+  /** What "save view.json" saves. */
+  document(): string {
+    const { state, view, width, height } = this.app;
+    return JSON.stringify(viewDocument(state, view, width, height));
   }
 
   /** Slopes of the ray model in use at `count` points along a spiral over the pupil: x, y [m], slopes of the shader, slopes of the core. */

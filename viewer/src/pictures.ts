@@ -37,7 +37,7 @@ export class Pictures {
   private passPoints: Float32Array = new Float32Array(4);
   private order: number[] = [0];
 
-  constructor(readonly gpu: Gpu, private readonly core: Core, private readonly scene: GpuScene) {
+  constructor(readonly gpu: Gpu, private readonly core: Core, private readonly scene: GpuScene, private readonly maxBounces: number) {
     this.programs = new Programs(gpu);
     this.sights = gpu.floats(new Float32Array(4), 1, 1);
     this.focus = gpu.floats(new Float32Array(4), 1, 1);
@@ -92,7 +92,7 @@ export class Pictures {
 
   private seeing(): Record<string, Uniform> {
     const pose = this.pose as Pose;
-    return { ...this.eye, u_head: pose.head, u_position: pose.position, u_size: [pose.width, pose.height], u_pixel_slope: pose.pixelSlope };
+    return { ...this.eye, u_head: pose.head, u_position: pose.position, u_size: [pose.width, pose.height], u_pixel_slope: pose.pixelSlope, u_center: pose.center };
   }
 
   /** Adds the next pass, or so many rows of it where each pixel is a ray. */
@@ -113,7 +113,7 @@ export class Pictures {
     const { gl } = this.gpu, gathers = panel.mode === 'gather';
     const program = this.scene.bind(this.programs.use('eye').set(this.seeing())).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_passes', this.passTable);
     program.set({
-      u_gathers: gathers, u_pass: this.order[panel.passes % this.order.length] ?? 0, u_sample: panel.passes, u_max_bounces: 8,
+      u_gathers: gathers, u_pass: this.order[panel.passes % this.order.length] ?? 0, u_sample: panel.passes, u_max_bounces: this.maxBounces,
       ...(gathers ? { u_ray_model: 4 } : {}),
     });
     this.gpu.into(panel.sum);
@@ -147,13 +147,17 @@ export class Pictures {
 
   /** Panels beside each other on the canvas. */
   show(panels: Panel[], canvas: { width: number; height: number }, exposure: number): void {
-    const { gl } = this.gpu, width = Math.floor(canvas.width / panels.length);
-    this.gpu.into(null);
-    panels.forEach((panel, k) => {
-      gl.viewport(k * width, 0, width, canvas.height);
-      this.programs.use('show').texture('u_sum', panel.sum.texture)
-        .set({ u_corner: [k * width, 0], u_scale: [panel.sum.width / width, panel.sum.height / canvas.height], u_exposure: exposure });
-      this.gpu.fill(false);
-    });
+    const width = Math.floor(canvas.width / panels.length);
+    panels.forEach((panel, k) => this.showIn(null, panel, { x: k * width, y: 0, width, height: canvas.height }, exposure));
+  }
+
+  /** A panel in a part of a framebuffer; null: the canvas. */
+  showIn(framebuffer: WebGLFramebuffer | null, panel: Panel, port: { x: number; y: number; width: number; height: number }, exposure: number): void {
+    const { gl } = this.gpu;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.viewport(port.x, port.y, port.width, port.height);
+    this.programs.use('show').texture('u_sum', panel.sum.texture)
+      .set({ u_corner: [port.x, port.y], u_scale: [panel.sum.width / port.width, panel.sum.height / port.height], u_exposure: exposure });
+    this.gpu.fill(false);
   }
 }

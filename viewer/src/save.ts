@@ -56,7 +56,7 @@ export function viewDocument(state: State, view: ViewData, width: number, height
     format: 'sturm.render/1', scene: given.scene,
     camera: { ...givenCamera, position_m: camera.position_m, look_at_m: camera.look_at_m, up: camera.up, vfov_deg: state.camera.field_deg, resolution: [width, height], gaze: camera.gaze },
     ...worn(state.side),
-    method: traced ? { type: 'path_trace', ray_model: state.rayModel, samples_per_pixel: 256 }
+    method: traced ? { type: 'path_trace', ray_model: state.rayModel, samples_per_pixel: 256, max_bounces: view.maxBounces }
       : state.modes[0] === 'sharp' ? { type: 'path_trace', ray_model: 'pinhole', samples_per_pixel: 256 } : { type: 'predict', prediction: 'multipass', passes: state.passes },
     seed: given.seed ?? 1,
   };

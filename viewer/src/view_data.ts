@@ -11,6 +11,8 @@ export interface ViewData {
   worn: { right: WornNumbers; left: WornNumbers };
   interpupillary_m: number | null;
   rayModel: RayModel;
+  /** Of paths, in reflections. */
+  maxBounces: number;
   notDrawn: string[];
 }
 
@@ -25,7 +27,7 @@ export function viewOfPage(): ViewData | null {
   if (view.format !== 'sturm.viewer_view/1') throw new Error(`The view of this page has the format ${String(view.format)}, expected sturm.viewer_view/1.`);
   return {
     title: view.title, document: view.view, camera: view.camera, worn: { right: view.right, left: view.left ?? view.right }, interpupillary_m: view.interpupillary_distance_m,
-    rayModel: rayModels.includes(view.ray_model) ? view.ray_model : 'power_matrix', notDrawn: view.not_drawn,
+    maxBounces: view.view?.method?.max_bounces ?? 16, rayModel: rayModels.includes(view.ray_model) ? view.ray_model : 'power_matrix', notDrawn: view.not_drawn,
   };
 }
 

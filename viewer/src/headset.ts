@@ -1,0 +1,108 @@
+/** The picture in a headset: passes for each eye with its own prescription, from where the headset says that it is. */
+import type { App } from './app';
+import type { Pose } from './camera';
+import { EyeOptics, type SightTable } from './eye_optics';
+import type { Uniform } from './gpu';
+import type { Panel } from './pictures';
+import { sides, type Side, type State } from './state';
+
+/** Of each eye in each frame: a headset shows the next one before a picture could converge. */
+const passes = 8;
+/** Of the headset's own resolution along each side. */
+const scale = 0.7;
+
+interface EyeView { optics: EyeOptics; panel: Panel | null; state: State; uniforms: Record<string, Uniform>; sights: SightTable | null; edges: string; pose: Pose | null }
+
+export async function headsetIsThere(): Promise<boolean> {
+  try {
+    return (await navigator.xr?.isSessionSupported('immersive-vr')) ?? false;
+  } catch {
+    return false;
+  }
+}
+
+/** Head, slopes and middle of one of the headset's views, in the world of the page. */
+function poseOfView(view: XRView, width: number, height: number, start: Pose): Pose {
+  const m = view.projectionMatrix, at = view.transform.matrix, turn = start.head;
+  const turned = (v: number[]) => [0, 1, 2].map((k) => (turn[k] ?? 0) * (v[0] ?? 0) + (turn[3 + k] ?? 0) * (v[1] ?? 0) + (turn[6 + k] ?? 0) * (v[2] ?? 0));
+  const column = (k: number) => turned(Array.from(at.subarray(4 * k, 4 * k + 3)));
+  const position = column(3).map((x, k) => x + (start.position[k] ?? 0)) as [number, number, number];
+  return {
+    head: [...column(0), ...column(1), ...column(2)], position,
+    pixelSlope: [2 / ((m[0] ?? 1) * width), 2 / ((m[5] ?? 1) * height)], center: [0.5 * width * (1 - (m[8] ?? 0)), 0.5 * height * (1 + (m[9] ?? 0))], width, height,
+  };
+}
+
+export class Headset {
+  readonly eyes: Record<Side, EyeView>;
+  frames = 0;
+  private sharp = false;
+
+  /** `start` is where the head is and which way ahead is when the session begins. */
+  private constructor(private readonly app: App, private readonly session: XRSession, private readonly layer: XRWebGLLayer, private readonly space: XRReferenceSpace, private readonly start: Pose) {
+    const eye = (side: Side): EyeView => {
+      const optics = new EyeOptics(app.core), state: State = { ...app.state, side };
+      optics.wear(state, app.view);
+      return { optics, panel: null, state, uniforms: optics.uniforms(state, app.view), sights: null, edges: '', pose: null };
+    };
+    this.eyes = { right: eye('right'), left: eye('left') };
+    session.addEventListener('selectstart', () => { this.sharp = true; });
+    session.addEventListener('selectend', () => { this.sharp = false; });
+    session.requestAnimationFrame((_, frame) => this.frame(frame));
+  }
+
+  /** Throws where the headset or the core refuses. `ended` is called once. */
+  static async enter(app: App, start: Pose, ended: () => void): Promise<Headset> {
+    const xr = navigator.xr, { gl } = app.gpu;
+    if (!xr) throw new Error('This browser knows no headset.');
+    const session = await xr.requestSession('immersive-vr');
+    session.addEventListener('end', ended);
+    await gl.makeXRCompatible();
+    const layer = new XRWebGLLayer(session, gl, { antialias: false, alpha: false, depth: false });
+    await session.updateRenderState({ baseLayer: layer });
+    return new Headset(app, session, layer, await session.requestReferenceSpace('local'), start);
+  }
+
+  leave(): void {
+    void this.session.end();
+  }
+
+  release(): void {
+    for (const side of sides) {
+      const { panel, optics } = this.eyes[side];
+      if (panel) this.app.gpu.release(panel.sum);
+      optics.optics.delete();
+    }
+  }
+
+  private frame(frame: XRFrame): void {
+    this.session.requestAnimationFrame((_, next) => this.frame(next));
+    const pose = frame.getViewerPose(this.space);
+    if (!pose) return;
+    this.app.pictures.setPasses(passes);
+    for (const view of pose.views) {
+      const port = this.layer.getViewport(view);
+      if (port) this.draw(this.eyes[view.eye === 'left' ? 'left' : 'right'], view, port);
+    }
+    ++this.frames;
+  }
+
+  private draw(eye: EyeView, view: XRView, port: XRViewport): void {
+    const { pictures, gpu, state } = this.app, width = Math.max(1, Math.round(scale * port.width)), height = Math.max(1, Math.round(scale * port.height));
+    eye.pose = poseOfView(view, width, height, this.start);
+    const edges = [width, height, ...eye.pose.pixelSlope, ...eye.pose.center].join();
+    if (edges !== eye.edges) {
+      eye.edges = edges;
+      eye.sights = eye.optics.sights(eye.state, eye.pose);
+      if (eye.panel) gpu.release(eye.panel.sum);
+      eye.panel = pictures.panel('raster', width, height);
+    }
+    const panel = eye.panel as Panel, best = eye.state.eyes[eye.state.side].accommodation === 'best';
+    pictures.setEye({ ...eye.uniforms }, eye.sights, best ? eye.optics.focusTable(eye.pose) : null);
+    pictures.setPose(eye.pose);
+    panel.mode = this.sharp ? 'sharp' : 'raster';
+    pictures.restart(panel);
+    for (let k = 0; k < (this.sharp ? 1 : passes); ++k) pictures.step(panel, 0);
+    pictures.showIn(this.layer.framebuffer, panel, port, state.exposure);
+  }
+}
