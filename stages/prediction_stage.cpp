@@ -42,7 +42,7 @@ FirstHits first_hits_of(const Scene& scene) {
   };
 }
 
-/// One picture on its way: the sharp view, and what both predictors do with it.
+/// One picture on its way: the sharp view, and what the predictors do with it.
 class PredictionRun {
  public:
   PredictionRun(const Scene& scene, const SightField& field, const PredictionSpec& prediction,
@@ -90,13 +90,7 @@ class PredictionRun {
   }
 
   void spread_layers(const PredictorSettings& spreading) {
-    const int n = prediction_.oversampling;
-    passes_.passes = passes_to_find_unseen * n * n;
-    PassCounters found;
-    const std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, first_hits_, shader(), passes_, found);
-    result_.seconds["passes"] = watch_.lap() - shading_seconds_;
-    report(found);
-    Prediction predicted = predict_by_layers(view_, n, field_, unseen, spreading);
+    Prediction predicted = predict_by_layers(view_, prediction_.oversampling, field_, find_unseen(), spreading);
     result_.seconds["spreading"] = watch_.lap();
     result_.spread = predicted.counters;
     result_.counters["depth_layers"] = predicted.counters.layers;
@@ -106,7 +100,33 @@ class PredictionRun {
     result_.layers["coverage"] = std::move(predicted.coverage);
   }
 
+  void blur_by_depth() {
+    const int n = prediction_.oversampling;
+    const PicturePlane& plane = field_.plane();
+    SurfacesPicture surfaces = surfaces_picture(surface_pieces(view_, n, field_, find_unseen()), plane.width * n,
+                                                plane.height * n, sheet_thickness_D(n, field_));
+    result_.seconds["surfaces"] = watch_.lap();
+    SeenPicture seen = see_through_point_spreads(surfaces, field_.eye(), plane.pixel_slope, prediction_);
+    result_.layers[""] = std::move(seen.radiance);
+    for (const auto& [part, seconds] : seen.seconds) result_.seconds[part] = seconds;
+    result_.counters.update(counters_of(seen));
+    result_.counters["margin_px"] = surfaces.margin_px;
+    result_.explanation = explanation_of(seen);
+    result_.surfaces = std::move(surfaces);
+  }
+
  private:
+  /// What the sharp view does not show, along first-order rays through the pupil.
+  std::vector<UnseenPiece> find_unseen() {
+    const int n = prediction_.oversampling;
+    passes_.passes = passes_to_find_unseen * n * n;
+    PassCounters found;
+    std::vector<UnseenPiece> unseen = unseen_pieces(view_, n, field_, first_hits_, shader(), passes_, found);
+    result_.seconds["passes"] = watch_.lap() - shading_seconds_;
+    report(found);
+    return unseen;
+  }
+
   /// The path tracer's colours for the conoid's rays.
   PlaceShader shader() {
     return [this](const UnseenPlaces& places) {
@@ -157,6 +177,18 @@ SightField sight_field(const CameraSpec& camera, const WornEye& worn, double sid
                     worn.spectacles);
 }
 
+SeenPicture see_through_point_spreads(SurfacesPicture& surfaces, const Eye& eye, double pixel_slope,
+                                      const PredictionSpec& prediction) {
+  const int n = prediction.oversampling;
+  SeenPicture seen = see_surfaces(surfaces.picture, {.eye = eye,
+                                                     .accommodation_D = eye.accommodation_for(0.0),
+                                                     .pixel_slope = pixel_slope / n,
+                                                     .psf = prediction.psf,
+                                                     .parts = prediction.pupil_parts});
+  seen.radiance = without_margin(seen.radiance, surfaces.margin_px, n);
+  return seen;
+}
+
 PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const WornEye& worn, double sideways_m,
                            const PredictionSpec& prediction, const RenderSettings& settings,
                            const PredictorSettings& spreading) {
@@ -168,6 +200,8 @@ PredictedView predict_view(const Scene& scene, const CameraSpec& camera, const W
   run.render_sharp_view();
   if (prediction.kind == PredictionKind::Layered)
     run.spread_layers(spreading);
+  else if (prediction.kind == PredictionKind::DepthPsf)
+    run.blur_by_depth();
   else
     run.blend_passes();
   return result;

@@ -165,11 +165,29 @@ class DocumentRenderer {
   RenderOutput& output_;
 };
 
+/// What `depth_psf` does with each layer of each tile of a document's pictures. Where surfaces are is enough for that,
+/// so nothing is lit.
+std::string explained_tiles(const RenderSpec& spec, const Scene& scene) {
+  RenderSettings outlines;
+  outlines.samples_per_pixel = 16;
+  outlines.max_bounces = 0;
+  PredictionSpec prediction = spec.prediction;
+  prediction.smooth = false;
+  const auto explained = [&](const WornEye& worn, double sideways_m) {
+    return predict_view(scene, spec.camera, worn, sideways_m, prediction, outlines).explanation;
+  };
+  if (!spec.camera.interpupillary_distance_m) return explained(spec.eye, 0.0);
+  const double half = 0.5 * *spec.camera.interpupillary_distance_m;
+  return "left eye: " + explained(spec.left.value_or(spec.eye), -half) + "\nright eye: " + explained(spec.eye, half);
+}
+
 }  // namespace
 
 std::string explain_view(const RenderSpec& spec) {
   SceneDescription description = build_scene(spec.scene);
-  return plan_table(plan_render(spec, description).items);
+  const std::string table = plan_table(plan_render(spec, description).items);
+  const bool by_tiles = spec.method == RenderMethod::Predict && spec.prediction.kind == PredictionKind::DepthPsf;
+  return by_tiles ? table + "\n" + explained_tiles(spec, Scene(description)) : table;
 }
 
 RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progress, const Preview& preview) {

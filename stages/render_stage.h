@@ -54,7 +54,8 @@ struct RenderOutput {
   std::map<std::string, double> seconds;
 };
 
-/// The plan of work of a document, as a table for people; nothing is rendered. Throws InputError.
+/// The plan of work of a document, as a table for people, and for `depth_psf` what is done with each layer of each
+/// tile; nothing is lit. Throws InputError.
 std::string explain_view(const RenderSpec& spec);
 
 /// The main layer is what was rendered; "denoised", where the document asks for it, is never in its place.

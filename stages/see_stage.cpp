@@ -39,22 +39,13 @@ std::vector<double> all_vergences(const LayeredPicture& picture) {
   return all;
 }
 
-}  // namespace
-
-SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings) {
-  SeenPicture seen;
+/// A picture on its way.
+struct SeeRun {
   Stopwatch watch;
-  // At one distance the parts of the pupil add up to the whole.
-  seen.parts = settings.psf == SeenPsf::Waves || one_distance(sharp, layers) ? 1 : settings.parts;
-  try {
-    const KernelModel model = kernels_of(settings, seen.parts);
-    LayeredPicture parted;  // the edges of a picture whose layers are known are parted in a copy
-    if (!layers.empty()) parted = sharp;
-    LayeredPicture& picture = layers.empty() ? sharp : parted;
-    picture.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
-    picture.hidden = hidden_by(picture, layers);
-    seen.hidden_given = static_cast<long long>(picture.hidden.size());
-    unmix_edges(picture, layers);
+  SeenPicture seen;
+
+  /// `picture.hidden` has what is known.
+  void blur(LayeredPicture& picture, const KernelModel& model) {
     const KernelBank bank(model, picture.hidden.empty() ? planes_for(picture.vergence_D, model.reach_px_per_D)
                                                         : planes_for(all_vergences(picture), model.reach_px_per_D));
     seen.seconds["kernels"] = watch.lap();
@@ -64,11 +55,44 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
     seen.seconds["blur"] = watch.lap();
     seen.planes_D = bank.planes_D();
     for (std::size_t i = 0; i < seen.planes_D.size(); ++i) seen.radii_px.push_back(bank.radius_px(static_cast<int>(i)));
+  }
+};
+
+/// Runs `see(model, run)` with the kernels of the settings.
+template <class See>
+SeenPicture seen_through(const SeeSettings& settings, bool pupil_as_a_whole, const See& see) {
+  SeeRun run;
+  run.seen.parts = settings.psf == SeenPsf::Waves || pupil_as_a_whole ? 1 : settings.parts;
+  try {
+    see(kernels_of(settings, run.seen.parts), run);
   } catch (const std::invalid_argument& error) {
     throw InputError("", "", error.what(),
                      "a blur that can be computed: a smaller picture, pupil or distance to focus");
   }
-  return seen;
+  return std::move(run.seen);
+}
+
+}  // namespace
+
+SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings) {
+  // At one distance the parts of the pupil add up to the whole.
+  return seen_through(settings, one_distance(sharp, layers), [&](const KernelModel& model, SeeRun& run) {
+    LayeredPicture parted;  // the edges of a picture whose layers are known are parted in a copy
+    if (!layers.empty()) parted = sharp;
+    LayeredPicture& picture = layers.empty() ? sharp : parted;
+    picture.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
+    picture.hidden = hidden_by(picture, layers);
+    run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
+    unmix_edges(picture, layers);
+    run.blur(picture, model);
+  });
+}
+
+SeenPicture see_surfaces(LayeredPicture& picture, const SeeSettings& settings) {
+  return seen_through(settings, false, [&](const KernelModel& model, SeeRun& run) {
+    run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
+    run.blur(picture, model);
+  });
 }
 
 Json counters_of(const SeenPicture& seen) {

@@ -6,17 +6,12 @@
 #include <string>
 
 #include "io/json/json.h"
+#include "io/specs/seen_psf.h"
 #include "lensmodel/eye.h"
-#include "lensmodel/words.h"
 #include "wavefront/layers/layer_blur.h"
 #include "wavefront/layers/layered_picture.h"
 
 namespace sturm {
-
-/// What the kernels of a seen picture are made of.
-enum class SeenPsf { Rays, Waves };
-
-inline constexpr Words<SeenPsf, 2> seen_psf_words{{{SeenPsf::Rays, "rays"}, {SeenPsf::Waves, "waves"}}};
 
 /// Who sees a picture, and how exactly.
 struct SeeSettings {
@@ -45,6 +40,9 @@ struct SeenPicture {
 /// edge it is guessed. `picture.hidden` and `picture.jump_D` are set here. Throws InputError where the blur is too
 /// large for the picture.
 SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings);
+
+/// The same of a picture whose `hidden` surfaces, coverage and `jump_D` are known.
+SeenPicture see_surfaces(LayeredPicture& picture, const SeeSettings& settings);
 
 /// The least number of parts of the pupil with which the root-mean-square error beside edges stayed below `error`
 /// (linear light, pictures between 0 and 1) in pictures with known hidden surfaces; the largest of the table where none

@@ -127,29 +127,32 @@ Json json_of(const PredictionFinding& prediction) {
   for (const PartErrors& part : prediction.parts) parts.push_back(json_of(part));
   for (const CauseShares& cause : prediction.causes) causes.push_back(json_of(cause));
   const ErrorBudget &loss = prediction.similarity_loss, &error = prediction.squared_error;
-  return {{"kind", prediction.kind_name()},
-          {"files", {{"predicted", prediction.files.exr}, {"predicted_png", prediction.files.png}}},
-          {"seconds", json_of(prediction.seconds)},
-          {"parts", std::move(parts)},
-          {"causes", std::move(causes)},
-          {"similarity_loss",
-           {{"total", number_or_null(loss.total)},
-            {"reference_noise", number_or_null(loss.reference_noise)},
-            {"prediction_noise", number_or_null(loss.prediction_noise)},
-            {"method", number_or_null(loss.method)}}},
-          {"squared_error",
-           {{"total", number_or_null(error.total)},
-            {"prediction_noise", number_or_null(error.prediction_noise)},
-            {"method", number_or_null(error.method)}}},
-          {"samples_of_equal_error", number_or_null(prediction.samples_of_equal_error)},
-          {"times_faster", number_or_null(prediction.times_faster)},
-          {"cost_in_paths", number_or_null(prediction.cost_in_paths)},
-          {"rmse_needed", number_or_null(prediction.rmse_needed)}};
+  Json json = {{"kind", prediction.kind ? name_of(*prediction.kind) : ""},
+               {"files", {{"predicted", prediction.files.exr}, {"predicted_png", prediction.files.png}}},
+               {"seconds", json_of(prediction.seconds)},
+               {"parts", std::move(parts)},
+               {"causes", std::move(causes)},
+               {"similarity_loss",
+                {{"total", number_or_null(loss.total)},
+                 {"reference_noise", number_or_null(loss.reference_noise)},
+                 {"prediction_noise", number_or_null(loss.prediction_noise)},
+                 {"method", number_or_null(loss.method)}}},
+               {"squared_error",
+                {{"total", number_or_null(error.total)},
+                 {"prediction_noise", number_or_null(error.prediction_noise)},
+                 {"method", number_or_null(error.method)}}},
+               {"samples_of_equal_error", number_or_null(prediction.samples_of_equal_error)},
+               {"times_faster", number_or_null(prediction.times_faster)},
+               {"cost_in_paths", number_or_null(prediction.cost_in_paths)},
+               {"rmse_needed", number_or_null(prediction.rmse_needed)}};
+  if (prediction.kind == PredictionKind::DepthPsf) json["psf"] = seen_psf_words.word_of(prediction.psf);
+  return json;
 }
 
 PredictionFinding prediction_of(const Json& json) {
   PredictionFinding prediction;
   prediction.kind = prediction_kind_words.value_of(text_at(json, "kind"));
+  prediction.psf = seen_psf_words.value_of(text_at(json, "psf")).value_or(SeenPsf::Rays);
   prediction.files = files_of(json, "predicted");
   prediction.seconds = numbers_of(value_at(json, "seconds"));
   for (const Json& part : array_at(json, "parts")) prediction.parts.push_back(part_of(part));
@@ -237,6 +240,7 @@ Json region_json(const PictureFinding& finding) {
   json.update({{"id", finding.id},
                {"note", finding.note},
                {"scene", finding.scene},
+               {"ray_model", finding.model()},
                {"gaze", finding.gaze},
                {"spectacles", finding.spectacles ? Json(*finding.spectacles) : Json(nullptr)},
                {"pupil_mm", number_or_null(finding.pupil_mm)},
@@ -248,11 +252,13 @@ Json region_json(const PictureFinding& finding) {
                {"seconds_path_traced", number_or_null(finding.seconds_path_traced)},
                {"path_tracing", json_of(finding.cost)},
                {"predictions", std::move(predictions)}});
+  for (const auto& [mutation, mutated] : finding.mutated) json["mutated"][mutation] = region_json(mutated);
   return json;
 }
 
 void read_regions(const Json& entry, PictureFinding& finding) {
-  finding.ray_model = RayModel::power_matrix;
+  finding.ray_model = ray_model_named(text_at(entry, "ray_model"));
+  if (!finding.ray_model) finding.ray_model = RayModel::power_matrix;  // of older reports
   finding.note = text_at(entry, "note");
   finding.gaze = text_at(entry, "gaze");
   finding.spectacles = boolean_at(entry, "spectacles");

@@ -29,7 +29,7 @@ PartErrors PredictionFinding::whole() const {
 }
 
 std::string PredictionFinding::kind_name() const {
-  return kind ? name_of(*kind) : "";
+  return kind ? name_of(*kind, psf) : "";
 }
 
 PredictionFinding PictureFinding::prediction() const {

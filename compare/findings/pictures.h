@@ -79,6 +79,7 @@ struct ErrorBudget {
 /// A prediction of one kind against the path-traced pictures.
 struct PredictionFinding {
   std::optional<PredictionKind> kind;
+  SeenPsf psf = SeenPsf::Rays;  ///< of PredictionKind::DepthPsf
   PictureFiles files;
   std::map<std::string, Number> seconds;         ///< by part of the work, with their "total"
   std::map<std::string, PictureMetric> metrics;  ///< of means over all replicates (PictureMeasures::Metrics)
@@ -93,7 +94,7 @@ struct PredictionFinding {
   PictureMetric metric(const std::string& name) const;  ///< without a value if there is none
   Number seconds_of(const std::string& part) const;
   PartErrors whole() const;       ///< without numbers if there is none
-  std::string kind_name() const;  ///< or ""
+  std::string kind_name() const;  ///< as statistics have it: "depth_psf_waves" for waves; or ""
   bool operator==(const PredictionFinding&) const = default;
 };
 

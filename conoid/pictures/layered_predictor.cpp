@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <tuple>
 
-#include "conoid/pictures/lamp_reach.h"
 #include "conoid/pictures/layer_compositor.h"
+#include "conoid/pictures/surface_pieces.h"
 #include "conoid/threads/parallel_for.h"
 #include "lensmodel/symmetric2.h"
 
@@ -24,13 +23,8 @@ int lamp_grid(double radius_px) {
   return radius_px < 2.0 ? 8 : radius_px < 8.0 ? 4 : 2;
 }
 
-/// A piece of surface in one sharp pixel.
-struct Source {
-  std::int32_t x, y;  ///< sharp pixel; outside of the view beyond the border
-  double vergence_D;
-  float coverage;
-  Eigen::Vector3f radiance;
-  const Fragment* part = nullptr;  ///< where in its pixel it is, beside the rim of a lamp
+/// A piece of surface on its way to the picture.
+struct Source : SurfacePiece {
   std::int64_t layer = 0;
   Eigen::Vector2d place{0.0, 0.0};                ///< that it is spread from, in output pixels
   Eigen::Matrix2d map = Eigen::Matrix2d::Zero();  ///< unit disc to output pixels
@@ -44,12 +38,11 @@ class Layers {
     if (view.width != plane.width * n_ || view.height != plane.height * n_)
       throw std::invalid_argument("layers: the sharp view does not cover the picture");
     px_per_dioptre_ = field.eye().pupil_radius_m / plane.pixel_slope;
-    // One sharp pixel of blur: further apart, two surfaces blur differently.
-    sheet_D_ = px_per_dioptre_ > 0.0 ? 1.0 / (n_ * px_per_dioptre_) : std::numeric_limits<double>::infinity();
   }
 
   Prediction run(const std::vector<UnseenPiece>& unseen) {
-    collect(unseen);
+    for (const SurfacePiece& piece : surface_pieces(view_, n_, field_, unseen)) sources_.push_back({piece});
+    counters_.hidden_pixels = static_cast<long long>(unseen.size());
     parallel_for(std::size_t{0}, sources_.size(), [&](std::size_t i) { blur(sources_[i]); });
     spread_lamps_from_all_over();
     for (const Source& s : sources_)
@@ -75,58 +68,6 @@ class Layers {
   Vector2d within_pixel(const Source& s, const Vector2d& within) const {
     constexpr double border = 1e-3;
     return (Vector2d(s.x, s.y) + within.cwiseMax(border).cwiseMin(1.0 - border)) / n_;
-  }
-
-  double vergence_of(const Fragment& f, const std::optional<LightRay>& chief) const {
-    if (f.surroundings || !chief) return 0.0;
-    const double t = (f.position.cast<double>() - chief->origin).dot(chief->direction) / chief->direction.squaredNorm();
-    return t > 0.0 ? 1.0 / t : 0.0;
-  }
-
-  void collect(const std::vector<UnseenPiece>& unseen) {
-    for (int y = 0; y < view_.height; ++y)
-      for (int x = 0; x < view_.width; ++x) {
-        const auto fragments = view_.at(x, y);
-        if (fragments.empty()) continue;
-        const auto chief = field_.chief_ray({(x + 0.5) / n_, (y + 0.5) / n_});
-        const std::size_t first = sources_.size();
-        const bool rim =
-            at_lamp_rim(view_, x, y, 2);  // the lamp, what it shines into, and what that gives light to in turn
-        for (const Fragment& f : fragments) {
-          sources_.push_back({x, y, vergence_of(f, chief), f.share, f.radiance});
-          if (rim) sources_.back().part = &f;
-        }
-        complete_sheets(first);
-      }
-    for (std::size_t i = 0; i < unseen.size();) {
-      const std::size_t first = sources_.size();
-      const auto x = static_cast<std::int32_t>(std::floor(unseen[i].place.x() * n_)),
-                 y = static_cast<std::int32_t>(std::floor(unseen[i].place.y() * n_));
-      std::size_t end = i;
-      for (; end < unseen.size() && unseen[end].place == unseen[i].place; ++end)
-        sources_.push_back({x, y, unseen[end].vergence_D, unseen[end].share, unseen[end].radiance});
-      complete_sheets(first, true);
-      counters_.hidden_pixels += static_cast<long long>(end - i);
-      i = end;
-    }
-  }
-
-  /// The sources of one pixel from `first` on: pieces of about the same depth are one sheet, and a sheet goes on behind
-  /// what is nearer. `unknown_shares`: nothing is known of the pieces but that they are there, except for lamps.
-  void complete_sheets(std::size_t first, bool unknown_shares = false) {
-    const auto begin = sources_.begin() + static_cast<std::ptrdiff_t>(first);
-    std::stable_sort(begin, sources_.end(),
-                     [](const Source& a, const Source& b) { return a.vergence_D > b.vergence_D; });
-    float nearer = 0.0f;
-    for (auto sheet = begin; sheet != sources_.end();) {
-      auto end = sheet;
-      float own = 0.0f;
-      for (; end != sources_.end() && sheet->vergence_D - end->vergence_D <= sheet_D_; ++end) own += end->coverage;
-      const float scale = unknown_shares ? 1.0f / std::max(own, 1.0f) : (nearer + own) / own;
-      for (auto s = sheet; s != end; ++s) s->coverage *= scale;
-      nearer += own;
-      sheet = end;
-    }
   }
 
   void blur(Source& s) const {
@@ -193,7 +134,7 @@ class Layers {
   int n_;
   const SightField& field_;
   PredictorSettings settings_;
-  double px_per_dioptre_, sheet_D_;
+  double px_per_dioptre_;
   std::vector<Source> sources_;
   PredictionCounters counters_;
 };

@@ -6,6 +6,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "experiments/run/wrong_eyes.h"
+
 namespace sturm {
 
 namespace {
@@ -37,6 +39,15 @@ const std::vector<Mutation>& all_mutations() {
       {"half_pixel", "path-traced spots and predicted pictures stand half a pixel too far to the right",
        mutation::HalfPixelShift{}},
       {"lost_light", "predicted pictures have lost 1 % of their light", mutation::LostLight{0.99}},
+      {"mirrored_eye", "the point spreads are those of the other eye: x → −x", mutation::WrongEye{mirrored_eye}},
+      {"point_reflected_psf", "the point spreads are turned round: p → −p in the pupil",
+       mutation::WrongEye{point_reflected_eye}},
+      {"noll_for_osa", "the coefficients' OSA numbers are read as Noll's", mutation::WrongEye{eye_read_as_noll}},
+      {"pupil_scale", "the coefficients are taken for those of the pupil in use",
+       mutation::WrongEye{eye_of_wrong_pupil}},
+      {"stiles_crawford_left_out", "the point spreads take all of the pupil alike",
+       mutation::WrongEye{eye_without_stiles_crawford}},
+      {"gamma_left_in", "the point spreads blur sRGB values in place of light", mutation::BlurredAsEncoded{}},
   };
   return all;
 }
@@ -91,11 +102,13 @@ std::optional<Replicates> mutated_pictures(const Mutation& mutation, const Eye& 
   if (std::holds_alternative<mutation::HalfPixelShift>(mutation.kind))
     return changed(honest.predictions, moved_half_pixel);
   if (const auto* lost = std::get_if<mutation::LostLight>(&mutation.kind))
-    return changed(honest.predictions, [&](Image image) {
-      for (float& value : image.pixels) value *= static_cast<float>(lost->factor);
-      return image;
-    });
+    return changed(honest.predictions, [&](Image image) { return with_less_light(std::move(image), *lost); });
   return std::nullopt;
+}
+
+Image with_less_light(Image image, const mutation::LostLight& lost) {
+  for (float& value : image.pixels) value *= static_cast<float>(lost.factor);
+  return image;
 }
 
 Image moved_half_pixel(const Image& image) {

@@ -37,10 +37,19 @@ struct LostLight {
   double factor;
 };
 
+/// Point spreads over depth are those of another eye, which the measured one is taken for.
+struct WrongEye {
+  Eye (*read)(const Eye&);
+};
+
+/// Point spreads over depth blur sRGB values in place of light.
+struct BlurredAsEncoded {};
+
 }  // namespace mutation
 
-using MutationKind = std::variant<mutation::WrongPrescription, mutation::WrongSemiAxis, mutation::DroppedTangentialTerm,
-                                  mutation::HalfPixelShift, mutation::LostLight>;
+using MutationKind =
+    std::variant<mutation::WrongPrescription, mutation::WrongSemiAxis, mutation::DroppedTangentialTerm,
+                 mutation::HalfPixelShift, mutation::LostLight, mutation::WrongEye, mutation::BlurredAsEncoded>;
 
 struct Mutation {
   std::string id, what;
@@ -66,5 +75,7 @@ std::optional<Replicates> mutated_pictures(const Mutation& mutation, const Eye& 
 /// A picture moved to the right by half a pixel: (−1, 9, 9, −1)/16 of the four neighbours, whose mean is half a pixel
 /// away and whose variance is zero, so that nothing is blurred to second order. Columns beyond the border repeat it.
 Image moved_half_pixel(const Image& image);
+
+Image with_less_light(Image image, const mutation::LostLight& lost);
 
 }  // namespace sturm

@@ -59,7 +59,7 @@ class PictureRun : public SectionRun {
     const std::filesystem::path folder = place.folder.path();
     if (picture.measures == PictureMeasures::Metrics)
       return metric_findings(spec_, index, scenes_[index], views, place.mutations, folder, progress);
-    return {region_finding(picture, scenes_[index], spec_.seed, folder, progress)};
+    return {region_finding(picture, scenes_[index], spec_.seed, place.mutations, folder, progress)};
   }
 
   const ExperimentSpec& spec_;

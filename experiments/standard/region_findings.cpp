@@ -10,6 +10,7 @@
 #include "compare/metrics/ssim.h"
 #include "compare/statistics/equal_error.h"
 #include "compare/studies/agreement/agreement_measures.h"
+#include "experiments/run/point_spread_mutations.h"
 #include "experiments/run/replicates.h"
 #include "experiments/standard/noise_floor.h"
 #include "experiments/standard/stored_picture.h"
@@ -32,6 +33,7 @@ constexpr std::uint64_t fewer_divisor = 8;
 struct Pictures {
   std::vector<Image> linear, display;
   std::map<std::string, double> seconds;
+  std::vector<SurfacesPicture> surfaces;  ///< of point spreads over depth
 
   void add(Image image, std::map<std::string, double> parts) {
     display.push_back(to_display(image, metrics_exposure));
@@ -98,6 +100,7 @@ class RegionStudy {
       } else {
         PredictedView view = predict_view(scene_, spec_.camera, spec_.worn, 0.0, prediction, settings);
         pictures.add(std::move(view.layers.at("")), std::move(view.seconds));
+        if (prediction.kind == PredictionKind::DepthPsf) pictures.surfaces.push_back(std::move(view.surfaces));
       }
     }
     return pictures;
@@ -122,6 +125,20 @@ class RegionStudy {
     for (const auto& [part, seconds] : pictures.seconds) finding.seconds[part] = seconds;
     add_worth(whole, pictures.seconds.at("total"), finding);
     return finding;
+  }
+
+  /// What a prediction with an error would have brought about in place of the honest one, at the same time; none where
+  /// the mutation is none of its kind.
+  std::optional<PredictionFinding> mutated(const Mutation& mutation, const PredictionSpec& prediction,
+                                           const Pictures& honest) const {
+    if (prediction.kind != PredictionKind::DepthPsf || prediction.psf != SeenPsf::Rays) return std::nullopt;
+    auto pictures = mutated_point_spreads(
+        mutation, {spec_.worn.eye, pixel_slope(camera_pose(spec_.camera)), prediction, honest.surfaces, honest.linear});
+    if (!pictures) return std::nullopt;
+    Pictures wrong;
+    for (Image& picture : *pictures) wrong.add(std::move(picture), honest.seconds);
+    wrong.seconds = honest.seconds;
+    return measured_against_traced(wrong);
   }
 
   Image mean() const { return Replicates{traced_linear_}.mean(); }
@@ -152,6 +169,7 @@ class RegionStudy {
     view.camera = spec_.camera;
     view.ray_model = spec_.ray_models.front();
     ViewPlan plan;
+    plan.model = spec_.ray_models.front();
     plan.naked =
         spec_.camera.gaze == Gaze::Camera && !spec_.worn.spectacles && spec_.worn.eye.stiles_crawford_per_m2 == 0.0;
     RenderSettings settings;
@@ -230,13 +248,8 @@ class RegionStudy {
   ViewLayers layers_;
 };
 
-}  // namespace
-
-PictureFinding region_finding(const PictureExperiment& spec, const SceneDescription& description, std::uint64_t seed,
-                              const std::filesystem::path& folder, const ProgressFunction& progress) {
-  const Scene scene(description);
-  RegionStudy study(spec, scene, seed);
-  study.path_trace_all(progress);
+/// What the experiment itself says.
+PictureFinding stated(const PictureExperiment& spec) {
   PictureFinding finding;
   finding.measures = spec.measures;
   finding.id = spec.id;
@@ -247,20 +260,45 @@ PictureFinding region_finding(const PictureExperiment& spec, const SceneDescript
   finding.spectacles = spec.worn.spectacles.has_value();
   finding.pupil_mm = 2e3 * spec.worn.eye.pupil_radius_m;
   finding.resolution = {static_cast<std::uint64_t>(spec.camera.width), static_cast<std::uint64_t>(spec.camera.height)};
-  finding.path_traced = stored_picture(folder, spec.id + "_path_traced", study.mean());
   finding.replicates = static_cast<std::uint64_t>(spec.replicates);
   finding.samples_per_pixel = spec.samples_per_pixel * *finding.replicates;
   finding.sharp_samples_per_pixel = spec.sharp_samples_per_pixel;
+  return finding;
+}
+
+}  // namespace
+
+PictureFinding region_finding(const PictureExperiment& spec, const SceneDescription& description, std::uint64_t seed,
+                              std::span<const Mutation> mutations, const std::filesystem::path& folder,
+                              const ProgressFunction& progress) {
+  const Scene scene(description);
+  RegionStudy study(spec, scene, seed);
+  study.path_trace_all(progress);
+  PictureFinding finding = stated(spec);
+  finding.path_traced = stored_picture(folder, spec.id + "_path_traced", study.mean());
+  finding.seconds_path_traced = study.seconds_path_traced();
+  finding.cost = study.cost();
+  finding.noise_floor = study.floor();
+  std::map<std::string, std::map<std::size_t, PredictionFinding>> mutated;  // of each mutation, by prediction
   for (const PredictionSpec& prediction : spec.predictions) {
     const Pictures predicted = study.predict_all(prediction);
     PredictionFinding found = study.measured_against_traced(predicted);
     found.kind = prediction.kind;
-    found.files = stored_picture(folder, spec.id + "_" + name_of(prediction.kind), predicted.linear.front());
+    found.psf = prediction.psf;
+    found.files = stored_picture(folder, spec.id + "_" + found.kind_name(), predicted.linear.front());
+    for (const Mutation& mutation : mutations)
+      if (auto wrong = study.mutated(mutation, prediction, predicted)) {
+        wrong->kind = found.kind;
+        wrong->files = found.files;
+        mutated[mutation.id].emplace(finding.predictions.size(), std::move(*wrong));
+      }
     finding.predictions.push_back(std::move(found));
   }
-  finding.seconds_path_traced = study.seconds_path_traced();
-  finding.cost = study.cost();
-  finding.noise_floor = study.floor();
+  const PictureFinding honest = finding;
+  for (auto& [mutation, predictions] : mutated) {
+    PictureFinding& wrong = finding.mutated.emplace(mutation, honest).first->second;
+    for (auto& [index, prediction] : predictions) wrong.predictions[index] = std::move(prediction);
+  }
   return finding;
 }
 

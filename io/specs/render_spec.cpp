@@ -10,6 +10,8 @@ namespace sturm {
 
 namespace {
 
+constexpr const char* prediction_keys[] = {"oversampling", "prediction", "passes", "smooth", "psf", "pupil_parts"};
+
 void read_method(const Json& value, const Source& where, RenderSpec& spec) {
   const auto refuse = [&](const char* key, const char* type) {
     if (value.contains(key))
@@ -22,7 +24,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
       refuse(key, "predict");
     spec.prediction = read_prediction(value, where);
   } else {
-    for (const char* key : {"oversampling", "prediction", "passes", "smooth"}) refuse(key, "path_trace");
+    for (const char* key : prediction_keys) refuse(key, "path_trace");
     if (!value.contains("ray_model"))
       throw InputError(where.file, where.pointer, "no \"ray_model\"", "a ray model for type \"path_trace\"");
     spec.ray_model = read_word(value["ray_model"], where / "ray_model", ray_model_words);
@@ -54,20 +56,25 @@ void require_accommodation(const RenderSpec& spec, const Eye& eye, const Source&
     require_rays(*spec.ray_model, eye.accommodation, place);
 }
 
-/// One sharp layer knows the naked eye in `camera` gaze; the others also spectacles and turning eyes. All of them:
-/// perspective.
+/// One sharp layer and point spreads over depth know the naked eye in `camera` gaze; the others also spectacles and
+/// turning eyes. All of them: perspective.
 void require_predictable(const Json& document, const RenderSpec& spec, const Source& root) {
   const Json& camera = document["camera"];
   const PredictionKind kind = spec.prediction.kind;
   const std::string what = "prediction \"" + name_of(kind) + "\"";
-  if (kind == PredictionKind::Ellipses) {
-    const std::string other = what + " (\"layered\" and \"multipass\" know more)";
-    require_plain_camera(camera, root / "camera", other);
-    if (spec.eye.spectacles) (root / "spectacles").fail(document["spectacles"], "null, the naked eye, for " + other);
-  } else if (spec.camera.projection != Projection::Perspective) {
+  if (spec.camera.projection != Projection::Perspective)
     (root / "camera" / "projection").fail(camera["projection"], "\"perspective\" for type \"predict\"");
+  if (kind == PredictionKind::Ellipses || kind == PredictionKind::DepthPsf) {
+    const std::string other = what + " (\"layered\" and \"multipass\" know more)";
+    if (kind == PredictionKind::Ellipses) require_plain_camera(camera, root / "camera", other);
+    if (spec.camera.gaze != Gaze::Camera) (root / "camera" / "gaze").fail(camera["gaze"], "\"camera\" for " + other);
+    if (spec.eye.spectacles) (root / "spectacles").fail(document["spectacles"], "null, the naked eye, for " + other);
+    if (spec.left && spec.left->spectacles)
+      (root / "left" / "spectacles").fail(document["left"]["spectacles"], "null, the naked eye, for " + other);
   }
-  if (kind == PredictionKind::Multipass) return;
+  require_pupil(spec.prediction, spec.eye.eye, root / "eye");
+  if (spec.left) require_pupil(spec.prediction, spec.left->eye, root / "left" / "eye");
+  if (kind == PredictionKind::Multipass || kind == PredictionKind::DepthPsf) return;
   for (const auto* worn : {&spec.eye, spec.left ? &*spec.left : nullptr})
     if (worn && worn->eye.stiles_crawford_per_m2 != 0.0)
       throw InputError(root.file, "/eye/stiles_crawford_per_mm2", "an apodized pupil",
@@ -86,10 +93,9 @@ Json resolved_render(const Json& document, const Source& root) {
   resolved = with_defaults(resolved, "render");
   Json& method = resolved["method"];
   if (method["type"] == "path_trace") {
-    for (const char* key : {"oversampling", "prediction", "passes", "smooth"}) method.erase(key);
+    for (const char* key : prediction_keys) method.erase(key);
   } else {
-    if (method["prediction"] != "multipass") method.erase("passes");
-    if (method["prediction"] == "ellipses") method.erase("smooth");
+    for (const std::string& key : keys_without_meaning(method)) method.erase(key);
     method.erase("sampling");
     method.erase("guide_emitters");
     method.erase("sharp_below_px");

@@ -122,6 +122,7 @@ PlanItem pair_item(const RenderSpec& spec) {
 /// The predictor's own threshold; which pixels lie below it shows when the sharp view is there.
 void plan_prediction(const RenderSpec& spec, const CameraPose& pose, RenderPlan& plan) {
   if (spec.prediction.kind == PredictionKind::Multipass) return;  // spreads nothing
+  if (spec.prediction.kind == PredictionKind::DepthPsf) return;   // tile by tile, once the sharp view is there
   const double threshold_px = PredictorSettings{}.sharp_below_px;
   if (spec.prediction.kind == PredictionKind::Layered) {
     plan.items.push_back({"sharp_spots",

@@ -89,6 +89,81 @@ class Predictions(FolderTest):
         self.refused(sphere, "/camera/projection")
 
 
+# Coma and trefoil beside a defocus that leaves the far wall of the box 1 D in front of the focus.
+COMATIC = {"wavefront": {"coefficients_um": {"4": 0.9, "6": 0.2, "7": -0.3, "8": 0.25, "9": -0.1, "12": 0.1}, "pupil_diameter_mm": 6, "eye": "right"},
+           "pupil_diameter_mm": 6, "accommodation": {"mode": "fixed", "power_D": 0.5}}
+# What coma and trefoil become in the other eye (ISO 24157: sines of even and cosines of odd frequencies change their sign).
+MIRRORED = {**COMATIC, "wavefront": {**COMATIC["wavefront"], "coefficients_um": {"4": 0.9, "6": 0.2, "7": -0.3, "8": -0.25, "9": 0.1, "12": 0.1}}}
+
+
+class DepthPsf(Predictions):
+    def wavefront_view(self, eye, **method):
+        return {**prediction("depth_psf", **method), "eye": eye}
+
+    def test_threads_do_not_change_a_byte(self):
+        seen = set()
+        for method in ({}, {"psf": "waves"}, {"pupil_parts": 1}, {"oversampling": 2}):
+            with self.subTest(method):
+                view = self.wavefront_view(COMATIC, samples_per_pixel=4, **method)
+                first = self.render(view, "first", "--threads", 1)
+                self.assertEqual(self.render(view, "second", "--threads", 2), first)
+                seen.add(first)
+        self.assertEqual(len(seen), 4)
+
+    def test_both_are_close_to_path_tracing(self):
+        # As above, against 512 paths per pixel by the whole wavefront; two such pictures of different seeds have 0.985. An ellipse knows
+        # nothing of coma, and a mirrored eye has it on the wrong side.
+        traced = {**changed(changed(documents.view(), "/method/samples_per_pixel", 512), "/method/ray_model", "zernike"), "eye": COMATIC}
+        self.render(traced, "traced")
+        ssim = {}
+        for name, view in {"rays": self.wavefront_view(COMATIC, samples_per_pixel=64),
+                           "mirrored": self.wavefront_view(MIRRORED, samples_per_pixel=64),
+                           "ellipses": {**prediction("layered", samples_per_pixel=64), "eye": COMATIC}}.items():
+            self.render(view, name)
+            ssim[name] = self.ssim(name, "traced")
+        self.assertGreater(ssim["rays"], 0.97)
+        self.assertLess(ssim["mirrored"], ssim["rays"] - 0.01)
+        self.assertLess(ssim["ellipses"], ssim["rays"] - 0.01)
+
+    def test_what_lies_beside(self):
+        self.render(self.wavefront_view(COMATIC, samples_per_pixel=4), "a")
+        counters = strict_json((self.folder / "a.manifest.json").read_text())["counters"]
+        self.assertEqual(counters["pupil_parts"], 4)
+        self.assertGreater(counters["hidden_pixels_given"], 0)
+        self.assertGreater(counters["margin_px"], 0)
+        self.assertEqual(counters["pupil_rays"], 48 * 48 * 16)
+        kinds = [counters["layers_" + kind] for kind in ("empty", "covered", "unblurred", "spatial", "transform")]
+        self.assertEqual(sum(kinds), counters["tiles"] * counters["planes"])
+        method = strict_json((self.folder / "a.manifest.json").read_text())["spec"]["method"]
+        self.assertEqual((method["psf"], method["pupil_parts"], "passes" in method), ("rays", 4, False))
+
+    def test_it_explains_what_is_done_with_each_layer(self):
+        output = self.succeed("render", "--explain", self.write("view.json", self.wavefront_view(COMATIC))).stdout
+        self.assertIn("unseen_emitters", output)
+        self.assertIn("4 part(s) of the pupil", output)
+        self.assertIn("(0, 0)", output)
+
+    def test_a_stereo_pair_is_predicted(self):
+        view = changed(self.wavefront_view(COMATIC, samples_per_pixel=4), "/camera/stereo", {"interpupillary_distance_mm": 64})
+        self.render(view, "a")
+        counters = strict_json((self.folder / "a.manifest.json").read_text())["counters"]
+        self.assertGreater(counters["left"]["planes"], 0)
+        self.assertIn("right eye: ", self.succeed("render", "--explain", self.write("view.json", view)).stdout)
+
+    def test_what_a_prediction_does_not_know_is_refused(self):
+        view = self.wavefront_view(COMATIC)
+        self.refused({**view, "spectacles": TORIC}, "/spectacles")
+        self.refused(changed(view, "/camera/gaze", "foveal"), "/camera/gaze")
+        self.refused(self.wavefront_view(COMATIC, passes=8), "/method/passes")
+        self.refused(self.wavefront_view(COMATIC, psf="wave"), "/method/psf")
+        self.refused(self.wavefront_view(COMATIC, psf="waves", pupil_parts=4), "/method/pupil_parts")
+        self.refused(prediction("layered", psf="rays"), "/method/psf")
+        self.refused(changed(documents.view(), "/method/psf", "rays"), "/method/psf")
+        self.refused(changed(self.wavefront_view(COMATIC, psf="waves"), "/eye/pupil_diameter_mm", 0), "/eye/pupil_diameter_mm")
+        both = {**changed(view, "/camera/stereo", {"interpupillary_distance_mm": 64}), "left": {"spectacles": TORIC}}
+        self.refused(both, "/left/spectacles")
+
+
 class Agreement(FolderTest):
     def experiment(self):
         view = documents.view()
@@ -115,6 +190,37 @@ class Agreement(FolderTest):
                 self.assertGreater(whole["ssim_display"]["value"], 0.5)
                 self.assertTrue((self.folder / "out" / prediction_["files"]["predicted"]).exists())
         self.assertIn("Predicted pictures", (self.folder / "out/report.html").read_text())
+
+    def test_point_spreads_are_predictions_like_others(self):
+        experiment = self.experiment()
+        experiment["agreement"][0].update({"ray_model": "zernike", "eye": COMATIC, "predictions": ["depth_psf", {"prediction": "depth_psf", "psf": "waves"}, "layered"]})
+        self.write("gates.json", {"format": "sturm.gates/1", "gates": [
+            {"id": "similar", "title": "Similar", "statistic": "agreement_ssim_display/box/depth_psf_waves", "comparison": "at_least", "bound": 0.5,
+             "reason": "a picture of something else is below it"}]})
+        process = sturm("run", self.write("experiment.json", experiment), "--out", self.folder / "out", "--quiet")
+        self.assertEqual(process.returncode, PASSED, process.stdout + process.stderr)
+        report = strict_json((self.folder / "out/report.json").read_text())
+        self.succeed("validate", self.folder / "out/report.json")
+        box = report["agreement"][0]
+        self.assertEqual(box["ray_model"], "zernike")
+        self.assertEqual([(p["kind"], p.get("psf")) for p in box["predictions"]], [("depth_psf", "rays"), ("depth_psf", "waves"), ("layered", None)])
+        self.assertEqual(len({p["files"]["predicted"] for p in box["predictions"]}), 3)
+        self.assertIn("depth_psf_waves", (self.folder / "out/report.html").read_text())
+
+    def test_a_prediction_is_listed_once_and_knows_the_view(self):
+        for predictions, pointer in ((["depth_psf", {"prediction": "depth_psf", "psf": "rays"}], "/agreement/0/predictions/1"),
+                                     (["layred"], "/agreement/0/predictions/0"),
+                                     ([{"prediction": "layered", "psf": "rays"}], "/agreement/0/predictions/0/psf")):
+            experiment = self.experiment()
+            experiment["agreement"][0]["predictions"] = predictions
+            process = sturm("run", self.write("experiment.json", experiment), "--out", self.folder / "out", "--quiet")
+            self.assertEqual(process.returncode, WRONG_INPUT)
+            self.assertIn(pointer, process.stderr)
+        experiment = self.experiment()
+        experiment["agreement"][1]["predictions"] = ["depth_psf"]
+        process = sturm("run", self.write("experiment.json", experiment), "--out", self.folder / "out", "--quiet")
+        self.assertEqual(process.returncode, WRONG_INPUT)
+        self.assertIn("/agreement/1/predictions/0", process.stderr)
 
     def test_ellipses_through_spectacles_are_refused(self):
         experiment = self.experiment()

@@ -97,9 +97,13 @@ Json resolved_experiment(const Json& document) {
     for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i)
       (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
   if (const auto agreement = resolved.find("agreement"); agreement != resolved.end())
-    for (std::size_t i = 0; i < agreement->size(); ++i)
-      if (document["agreement"][i].contains("spectacles"))
-        (*agreement)[i]["spectacles"] = document["agreement"][i]["spectacles"];
+    for (std::size_t i = 0; i < agreement->size(); ++i) {
+      Json& view = (*agreement)[i];
+      if (document["agreement"][i].contains("spectacles")) view["spectacles"] = document["agreement"][i]["spectacles"];
+      for (Json& one : view["predictions"])
+        if (one.is_object())
+          for (const std::string& key : keys_without_meaning(one)) one.erase(key);
+    }
   if (const auto figures = resolved.find("figures"); figures != resolved.end())
     for (std::size_t i = 0; i < figures->size(); ++i)
       for (const auto& [key, given] : document["figures"][i].items()) (*figures)[i][key] = given;

@@ -50,15 +50,28 @@ PictureExperiment read_image(const Json& value, const Source& where, const Presc
   return image;
 }
 
-std::vector<PredictionSpec> read_predictions(const Json& value, const Source& where, bool ellipses_know_the_view) {
+/// One of the predictions of a view: an object, or a word about which the view says the rest.
+Json prediction_object(const Json& one, const Json& view) {
+  Json object = one.is_object() ? one : Json{{"prediction", one}};
+  object["oversampling"] = view.value("oversampling", 1);
+  if (object["prediction"] == "multipass") object["passes"] = view.value("passes", 64);
+  if (one == "depth_psf") object["psf"] = view.value("psf", "rays");
+  return object;
+}
+
+std::vector<PredictionSpec> read_predictions(const Json& value, const Source& where, const WornEye& worn,
+                                             bool plain_view) {
   std::vector<PredictionSpec> predictions;
-  const Json& kinds = value["predictions"];
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    Json one = {{"prediction", kinds[i]}, {"oversampling", value.value("oversampling", 1)}};
-    if (kinds[i] == "multipass") one["passes"] = value.value("passes", 64);
-    predictions.push_back(read_prediction(one, where));
-    if (predictions.back().kind == PredictionKind::Ellipses && !ellipses_know_the_view)
-      (where / "predictions" / i).fail(kinds[i], "\"layered\" or \"multipass\" for a turning eye or spectacles");
+  const Json& list = value["predictions"];
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Source place = where / "predictions" / i;
+    const PredictionSpec one = read_prediction(prediction_object(list[i], value), place);
+    const bool plain_only = one.kind == PredictionKind::Ellipses || one.kind == PredictionKind::DepthPsf;
+    if (plain_only && !plain_view) place.fail(list[i], "\"layered\" or \"multipass\" for a turning eye or spectacles");
+    require_pupil(one, worn.eye, where / "eye");
+    for (const PredictionSpec& other : predictions)
+      if (name_of(other.kind, other.psf) == name_of(one.kind, one.psf)) place.fail(list[i], "each prediction once");
+    predictions.push_back(one);
   }
   return predictions;
 }
@@ -75,8 +88,8 @@ PictureExperiment read_regions(const Json& value, const Source& where) {
   view.worn = worn.worn;
   const bool foveal = view.camera.gaze == Gaze::Foveal;
   if (!foveal) require_camera_accommodation(view.worn.eye.accommodation, std::nullopt, where / "eye" / "accommodation");
-  view.ray_models = {RayModel::power_matrix};
-  view.predictions = read_predictions(value, where, !foveal && !view.worn.spectacles);
+  view.ray_models = {word_or(value, "ray_model", RayModel::power_matrix, where, ray_model_words)};
+  view.predictions = read_predictions(value, where, view.worn, !foveal && !view.worn.spectacles);
   view.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", view.sharp_samples_per_pixel);
   view.guide_emitters = true;
   return view;

@@ -35,8 +35,8 @@ struct PictureExperiment {
 using PrescriptionNamed = std::function<const Prescription&(const Json& id, const Source& where)>;
 
 /// Reads an experiment's lists "images" (naked eyes in `camera` gaze, predicted by ellipses) and "agreement" (path
-/// traced with power_matrix), in this order. Throws InputError, also where ids of a list are not unique and where a
-/// prediction does not know the gaze or the spectacles.
+/// traced with power_matrix or zernike), in this order. Throws InputError, also where ids of a list are not unique and
+/// where a prediction does not know the gaze or the spectacles.
 std::vector<PictureExperiment> read_pictures(const Json& document, const Source& root,
                                              const PrescriptionNamed& prescription);
 
