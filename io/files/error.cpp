@@ -22,6 +22,7 @@ std::string message(const std::string& file, const std::string& pointer, const s
 
 InputError::InputError(const std::string& file, const std::string& pointer, const std::string& value,
                        const std::string& expected)
-    : std::runtime_error(message(file, pointer, value, expected)) {}
+    : std::runtime_error(message(file, pointer, value, expected)),
+      parts_(std::make_shared<const Parts>(Parts{file, pointer, value, expected})) {}
 
 }  // namespace sturm

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +11,18 @@ class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, const std::string& pointer, const std::string& value,
              const std::string& expected);
+
+  // The parts as they were given; the message shortens long ones.
+  const std::string& file() const { return parts_->file; }
+  const std::string& pointer() const { return parts_->pointer; }
+  const std::string& value() const { return parts_->value; }
+  const std::string& expected() const { return parts_->expected; }
+
+ private:
+  struct Parts {
+    std::string file, pointer, value, expected;
+  };
+  std::shared_ptr<const Parts> parts_;  ///< shared, as a copy of an exception must not throw
 };
 
 /// Something failed while the work was being done (exit status 3): an unwritable folder, a full disk, a broken module.
