@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "io/files/code_folder.h"
 #include "io/files/error.h"
 #include "io/files/plain_file.h"
 #include "io/images/imageformats/abi.h"
@@ -29,12 +30,12 @@ struct Module {
 };
 
 Module open_module() {
-  std::error_code code;
-  const std::filesystem::path bin = std::filesystem::read_symlink("/proc/self/exe", code).parent_path();
+  const std::filesystem::path own = folder_of_this_code();
   std::string reasons;
-  // The same place relative to the program in the build tree and where it is installed.
-  for (const std::filesystem::path folder : {"../lib/sturm", STURM_MODULE_FOLDER}) {
-    const std::filesystem::path file = (bin / folder / "sturm_imageformats.so").lexically_normal();
+  // Beside a library that is used from another program; else the same place relative to the program in the build tree
+  // and where it is installed.
+  for (const std::filesystem::path folder : {".", "../lib/sturm", STURM_MODULE_FOLDER}) {
+    const std::filesystem::path file = (own / folder / "sturm_imageformats.so").lexically_normal();
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) {
       reasons += std::string("\n  ") + dlerror();
