@@ -60,7 +60,7 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
     seen.seconds["kernels"] = watch.lap();
     seen.hidden_guessed = add_guessed_background(picture, bank);
     seen.seconds["hidden_surfaces"] = watch.lap();
-    seen.radiance = blur_layers(picture, bank, seen.work);
+    seen.radiance = blur_layers(picture, bank, seen.work, settings.progress);
     seen.seconds["blur"] = watch.lap();
     seen.planes_D = bank.planes_D();
     for (std::size_t i = 0; i < seen.planes_D.size(); ++i) seen.radii_px.push_back(bank.radius_px(static_cast<int>(i)));

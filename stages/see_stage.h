@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -23,8 +24,9 @@ struct SeeSettings {
   double accommodation_D = 0.0;
   double pixel_slope = 0.0;  ///< size of a pixel in tangent units, > 0
   SeenPsf psf = SeenPsf::Rays;
-  bool chromatic = false;  ///< R, G and B have kernels of their own
-  int parts = 1;           ///< of the pupil; waves have one
+  bool chromatic = false;                              ///< R, G and B have kernels of their own
+  int parts = 1;                                       ///< of the pupil; waves have one
+  std::function<void(double fraction)> progress = {};  ///< of the blurring, called from worker threads; may be empty
 };
 
 /// What the eye sees.

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include "wavefront/layers/tile_blur.h"
@@ -30,7 +31,8 @@ float lamp_level(const Image& radiance) {
   return std::max(above_median * median, *high);
 }
 
-Image blur_layers(const LayeredPicture& picture, const KernelBank& bank, BlurCounters& counters) {
+Image blur_layers(const LayeredPicture& picture, const KernelBank& bank, BlurCounters& counters,
+                  const std::function<void(double fraction)>& progress) {
   const int width = picture.radiance.width, height = picture.radiance.height;
   const std::size_t pixels = static_cast<std::size_t>(width) * height;
   if (pixels == 0 || picture.radiance.channels != 3 || picture.vergence_D.size() != pixels ||
@@ -43,11 +45,13 @@ Image blur_layers(const LayeredPicture& picture, const KernelBank& bank, BlurCou
   Image seen(width, height, 3);
   counters.tiles.resize(static_cast<std::size_t>(columns) * rows);
   tbb::enumerable_thread_specific<TileBlur> blurs([&] { return TileBlur(scene); });
+  std::atomic<int> done{0};
   tbb::parallel_for(0, columns * rows, [&](int tile) {
     TileWork& work = counters.tiles[static_cast<std::size_t>(tile)];
     work.left = (tile % columns) * step;
     work.top = (tile / columns) * step;
     blurs.local().blur(work, seen);
+    if (progress) progress(static_cast<double>(++done) / (columns * rows));
   });
   for (const TileBlur& blur : blurs) counters.lamp_pixels += blur.lamp_pixels();
   counters.tile_side_px = plan.side();

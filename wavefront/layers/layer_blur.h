@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "wavefront/layers/kernel_bank.h"
@@ -34,8 +35,10 @@ struct BlurCounters {
 /// blurred and laid behind that of nearer ones, for each part of the pupil by itself; the parts are then averaged.
 /// Tiles run in parallel; the same bits for any number of threads. What lies beyond the border is not known: light and
 /// coverage come from within, and the light is divided by the coverage. Throws std::invalid_argument where the sizes of
-/// the picture's parts do not fit together.
-Image blur_layers(const LayeredPicture& picture, const KernelBank& bank, BlurCounters& counters);
+/// the picture's parts do not fit together. `progress` (may be empty) is told the share of the tiles that are done,
+/// from worker threads; what it throws ends the work.
+Image blur_layers(const LayeredPicture& picture, const KernelBank& bank, BlurCounters& counters,
+                  const std::function<void(double fraction)>& progress = {});
 
 /// Brightness from which on a pixel is spread directly, since transforms in single precision would let its light leak
 /// over its whole tile: 1000 times the median, and that of at most one pixel in twenty.
