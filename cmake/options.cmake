@@ -88,7 +88,7 @@ function(sturm_module name)
   add_library(sturm::${name} ALIAS sturm_${name})
   set_target_properties(sturm_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
   target_include_directories(sturm_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sturm>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(sturm_${name} PUBLIC cxx_std_20)
   target_link_libraries(sturm_${name} PUBLIC ${ARG_DEPENDS} PRIVATE $<BUILD_INTERFACE:sturm_options> ${ARG_PRIVATE})
   foreach(kind text numeric)

@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -10,27 +11,6 @@ import documents
 from sturm_process import SOURCE
 
 BUILD = pathlib.Path(os.environ.get("STURM_BUILD", SOURCE / "build/release"))
-
-CONSUMER_CMAKE = """cmake_minimum_required(VERSION 3.25)
-project(consumer LANGUAGES CXX)
-find_package(sturm REQUIRED)
-add_executable(consumer main.cpp)
-target_link_libraries(consumer PRIVATE sturm::conoid)
-"""
-
-CONSUMER = """#include <cstdio>
-
-#include "conoid/tracing/footprint.h"
-#include "lensmodel/ellipse.h"
-
-int main() {
-  const auto eye = sturm::Eye::with({-2.0, -1.5, 30.0, 0.0}, 4e-3);
-  const auto footprint = sturm::naked_eye_footprint(eye, 0.8);
-  const auto ellipse = sturm::Ellipse::image_of_disc(footprint.angular, eye.pupil_radius_m);
-  std::printf("%.12g %.12g %.9g\\n", ellipse.semi_major, ellipse.semi_minor, *ellipse.orientation_deg);
-}
-"""
-
 
 class Installed(unittest.TestCase):
     @classmethod
@@ -77,18 +57,64 @@ class Installed(unittest.TestCase):
             with self.subTest(path.name):  # an experiment names files: each must have been installed where the experiment expects it
                 self.sturm("validate", path, cwd="/")
 
-    def test_another_program_links_the_libraries(self):
-        project = self.folder / "consumer"
+    def test_public_headers_alone_are_installed(self):
+        include = self.prefix / "include"
+        self.assertEqual([path.name for path in include.iterdir()], ["sturm"])  # nothing lies bare on the include path
+        installed = {str(path.relative_to(include)) for path in include.rglob("*.h")}
+        listed = [line for line in (SOURCE / "cmake/public_headers.txt").read_text().splitlines() if not line.startswith("#")]
+        self.assertLessEqual({f"sturm/{line}" for line in listed}, installed)
+        self.assertNotIn("sturm/conoid/pictures/fragment_filter.h", installed)
+        for header in installed:
+            text = (include / header).read_text()
+            self.assertNotIn('#include "', text, header)
+            self.assertLessEqual(set(re.findall(r"#include <(sturm/[^>]+)>", text)), installed, header)
+
+    def test_public_headers_stand_on_their_own(self):
+        project = self.folder / "headers"
         project.mkdir()
-        (project / "CMakeLists.txt").write_text(CONSUMER_CMAKE)
-        (project / "main.cpp").write_text(CONSUMER)
-        self.run_quietly("cmake", "-G", "Ninja", "-S", project, "-B", project / "build", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={self.prefix}")
-        self.run_quietly("cmake", "--build", project / "build")
-        major, minor, orientation = map(float, self.run_quietly(project / "build/consumer").split())
+        include = self.prefix / "include"
+        lines = [f"#include <{path.relative_to(include)}>\n" for path in sorted(include.rglob("*.h"))]
+        (project / "all.cpp").write_text("".join(lines))
+        (project / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(headers LANGUAGES CXX)\nfind_package(sturm REQUIRED)\n"
+            "add_library(headers OBJECT all.cpp)\ntarget_link_libraries(headers PRIVATE sturm::stages)\n")
+        self.build(project)
+
+    def build(self, project):
+        build = self.folder / f"{project.name}_build"
+        self.run_quietly("cmake", "-G", "Ninja", "-S", project, "-B", build, "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.run_quietly("cmake", "--build", build)
+        return build
+
+    def test_examples(self):
+        build = self.build(SOURCE / "examples")
+        major, minor, orientation = map(float, self.run_quietly(build / "ellipse").split())
         # 1/d + F has the principal values 1.25 - 3.5 and 1.25 - 2; the first acts along the wearer's 60 degrees.
         self.assertAlmostEqual(major, 2e-3 * 2.25, delta=1e-12)
         self.assertAlmostEqual(minor, 2e-3 * 0.75, delta=1e-12)
         self.assertAlmostEqual(orientation, 60.0, delta=1e-7)
+
+        work = self.folder / "example_work"
+        work.mkdir()
+        (work / "view.json").write_text(json.dumps(documents.changed(documents.view(), "/camera/resolution", [24, 20])))
+        self.run_quietly(build / "render", work / "view.json", work / "example.exr")
+        self.sturm("render", "view.json", "-o", "program.exr", "--quiet", cwd=work)
+        printed = dict(line.split() for line in self.run_quietly(build / "compare", work / "example.exr", work / "program.exr").splitlines())
+        self.assertEqual(float(printed["rmse_linear"]), 0.0)
+        self.assertEqual(float(printed["ssim_display"]), 1.0)
+        (work / "view.json").write_text('{"format": "sturm.render/1", "seed": -1}')
+        process = subprocess.run([str(build / "render"), "view.json", "bad.exr"], cwd=work, capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("at /seed: expected", process.stderr)
+
+    def test_versions_are_semantic(self):
+        (self.folder / "newer").mkdir()
+        for version, found in (("0.1", True), ("0.2", False), ("1.0", False)):
+            (self.folder / "newer/CMakeLists.txt").write_text(
+                f"cmake_minimum_required(VERSION 3.25)\nproject(newer LANGUAGES CXX)\nfind_package(sturm {version} REQUIRED)\n")
+            process = subprocess.run(["cmake", "-S", str(self.folder / "newer"), "-B", str(self.folder / f"newer_{version}"), f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+                                     capture_output=True, text=True, check=False)
+            self.assertEqual(process.returncode == 0, found, version + process.stderr)
 
 
 if __name__ == "__main__":
