@@ -18,6 +18,7 @@ ARROWS = {
     "stages": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare"},
     "experiments": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages"},
     "app": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments"},
+    "python": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "stages"},
 }
 
 # The subfolders of a room from the ground up: each may include itself and those before it; those on one line do not see each other.
@@ -33,6 +34,7 @@ FLOORS = {
     "stages": [["plan"], [""]],
     "experiments": [["run"], ["figures"], ["standard", "lens_study", "sin2_study", "samplings", "bench", "stress"], [""]],
     "app": [[""]],
+    "python": [[""]],
 }
 # Libraries that one room alone may include.
 OWN_LIBRARIES = {
@@ -44,6 +46,7 @@ OWN_LIBRARIES = {
     "openssl": {"io"},
     "valijson": {"io"},
     "CLI": {"app"},
+    "pybind11": {"python"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
@@ -96,7 +99,7 @@ class IncludeArrows(unittest.TestCase):
         self.assertEqual(violations(SOURCE), [])
 
     def test_there_is_no_room_or_subfolder_without_arrows(self):
-        found = {path.parent.name for path in SOURCE.glob("*/CMakeLists.txt")} - {"tests"}
+        found = {path.parent.name for path in SOURCE.glob("*/CMakeLists.txt")} - {"tests", "examples"}
         self.assertEqual(found, set(ARROWS))
         for room in ARROWS:
             subfolders = {floor_of(path.relative_to(SOURCE))[1] for path in sources_of(SOURCE, room)}
@@ -144,6 +147,8 @@ class IncludeArrows(unittest.TestCase):
             ("reports/page/a.cpp", "#include <embree3/rtcore.h>"),
             ("conoid/pictures/a.h", "#include <embree3/rtcore.h>"),
             ("stages/a.cpp", "#include <CLI/CLI.hpp>"),
+            ("app/a.cpp", "#include <pybind11/numpy.h>"),
+            ("python/a.cpp", '#include "app/commands.h"'),
             ("conoid/pictures/a.cpp", "#include <opencv2/imgproc.hpp>"),
             ("experiments/run/a.cpp", "#include <openssl/evp.h>"),
         ]:

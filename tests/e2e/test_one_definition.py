@@ -7,7 +7,7 @@ import unittest
 
 from sturm_process import SOURCE
 
-ROOMS = ("lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments", "app")
+ROOMS = ("lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments", "app", "python")
 SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".inl"}
 
 # Comments, strings and preprocessor lines are passed over; of the rest words, numbers and signs matter.
