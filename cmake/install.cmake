@@ -1,5 +1,7 @@
 # Install rules in three components (program, dev, python), the CMake package (find_package(sturm)) and Debian packages of the components.
 include(CMakePackageConfigHelpers)
+# Packages are made of what is built, without the tests.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS sturm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS sturm_imageformats LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/sturm)

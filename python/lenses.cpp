@@ -22,8 +22,8 @@ SpectaclesObject spectacles_from(const py::object& given, const EyeObject* weare
   return {wearer ? read_spectacles(document, where, wearer->eye) : read_lens_alone(document, where)};
 }
 
-py::object report(const SpectaclesObject& object, std::vector<double> azimuths_deg, std::vector<double> elevations_deg,
-                  double rotation_center_mm) {
+py::object report_of(const SpectaclesObject& object, std::vector<double> azimuths_deg,
+                     std::vector<double> elevations_deg, double rotation_center_mm) {
   for (const std::vector<double>* angles : {&azimuths_deg, &elevations_deg})
     for (const double angle : *angles)
       if (!(angle >= -89.0 && angle <= 89.0))
@@ -61,7 +61,7 @@ void bind_lenses(py::module_& module) {
       .def_property_readonly(
           "notes", [](const SpectaclesObject& o) { return o.spec.notes; },
           "What is remarkable about the lens, in words.")
-      .def("report", &report, "azimuths_deg"_a, "elevations_deg"_a,
+      .def("report", &report_of, "azimuths_deg"_a, "elevations_deg"_a,
            "rotation_center_mm"_a = 1e3 * mean_rotation_center_m,
            "What `sturm lens` says of the lens (sturm.lens_report/1): powers as worn for all pairs of azimuth (to the\n"
            "wearer's right) and elevation (up) [deg], prism, thickness.");

@@ -9,8 +9,6 @@ namespace sturm {
 
 namespace {
 
-constexpr int colours = 3;
-
 py::dict values_of(const PictureComparison& comparison) {
   py::dict values;
   for (const ImageMetric& metric : comparison.metrics) values[py::str(metric.key)] = metric.value;
@@ -26,7 +24,7 @@ py::dict maps_of(PictureComparison& comparison) {
 
 py::tuple compared(const py::object& test, const py::object& reference, double exposure,
                    const std::optional<double>& pixels_per_degree) {
-  const Image first = image_of(test, "test", colours), second = image_of(reference, "reference", colours);
+  const Image first = image_of(test, "test", 3), second = image_of(reference, "reference", 3);
   ImageMetricSettings settings;
   if (!(exposure > 0.0)) throw InputError("", "exposure", std::to_string(exposure), "a number > 0");
   settings.exposure = exposure;

@@ -25,8 +25,7 @@ class DebianPackages(unittest.TestCase):
         holder = tempfile.TemporaryDirectory(prefix="sturm_deb_")
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name)
-        # What the tests run on is built; CPack needs not ask the build tool again.
-        quietly("cpack", "--config", BUILD / "CPackConfig.cmake", "-D", "CPACK_CMAKE_GENERATOR=", "-B", cls.folder, cwd=cls.folder)
+        quietly("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", cls.folder, cwd=cls.folder)
         cls.packages = {path.name.split("_")[0]: path for path in cls.folder.glob("*.deb")}
         cls.root = cls.folder / "root"
         for path in cls.packages.values():
