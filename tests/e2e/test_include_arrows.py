@@ -18,7 +18,7 @@ ARROWS = {
     "stages": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare"},
     "experiments": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages"},
     "app": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments"},
-    "viewer": {"lensmodel", "io", "pathtrace", "conoid"},
+    "viewer": {"lensmodel", "io", "pathtrace", "conoid", "stages"},
 }
 
 # The subfolders of a room from the ground up: each may include itself and those before it; those on one line do not see each other.
