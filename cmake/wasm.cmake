@@ -9,6 +9,7 @@ find_path(eigen_headers Eigen/Core PATHS /usr/include/eigen3 NO_DEFAULT_PATH NO_
 find_path(json_headers nlohmann/json.hpp PATHS /usr/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 file(CREATE_LINK ${eigen_headers}/Eigen ${wasm_headers}/Eigen SYMBOLIC)
 file(CREATE_LINK ${json_headers}/nlohmann ${wasm_headers}/nlohmann SYMBOLIC)
+file(CREATE_LINK ${json_headers}/valijson ${wasm_headers}/valijson SYMBOLIC)
 
 add_library(sturm_wasm_options INTERFACE)
 target_include_directories(sturm_wasm_options INTERFACE ${PROJECT_SOURCE_DIR})

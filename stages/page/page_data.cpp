@@ -39,7 +39,8 @@ Json worn_numbers(const WornEye& worn, const Json& document, const Source& where
 Json left_numbers(const RenderSpec& spec, const Source& root) {
   if (!spec.left) return nullptr;
   const Json& left = (*spec.resolved)["left"];
-  if (!left.contains("spectacles")) return worn_numbers(*spec.left, *spec.resolved, root, spec.eye.eye);
+  const bool states_none = !left.contains("spectacles") || (left["spectacles"].is_null() && spec.left->spectacles);
+  if (states_none) return worn_numbers(*spec.left, *spec.resolved, root, spec.eye.eye);
   return worn_numbers(*spec.left, left, root / "left", spec.left->eye);
 }
 

@@ -20,7 +20,7 @@ ARROWS = {
     "server": {"lensmodel", "io", "compare", "reports", "stages"},
     "app": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "reports", "stages", "experiments", "server"},
     "python": {"lensmodel", "io", "pathtrace", "conoid", "wavefront", "compare", "stages"},
-    "viewer": {"lensmodel", "io", "pathtrace", "conoid"},
+    "viewer": {"lensmodel", "io", "pathtrace", "conoid", "stages"},
 }
 
 # The subfolders of a room from the ground up: each may include itself and those before it; those on one line do not see each other.

@@ -43,18 +43,23 @@ function fields(core) {
 function ellipses(core, file) {
   const bytes = fs.readFileSync(file);
   const numbers = new Float64Array(bytes.buffer, bytes.byteOffset, bytes.length / 8);
-  const worst = {count: 0, maps: 0, semi_axes: 0, angles_deg: 0};
+  const worst = {count: 0, maps: 0, askance: 0, semi_axes: 0, angles_deg: 0};
   const optics = new core.Optics();
   for (let at = 0; at < numbers.length; at += 17) {
     const [s, c, a, pupil, azimuth, elevation, distance, ls, lc, la, xx, xy, yx, yy, major, minor, angle] = numbers.subarray(at, at + 17);
     optics.setEye(eye(prescription(s, c, a), pupil, {mode: 'fixed', power_D: 0.25}));
     optics.setLens(la < 0 ? null : singleVision(prescription(ls, lc, la)));
     const answer = optics.ellipse(azimuth, elevation, distance);
-    const same = [xx, xy, yx, yy].every((x, k) => Object.is(x, answer.angular_footprint[k]));
     worst.count += 1;
-    worst.maps += same ? 0 : 1;
+    const map = [xx, xy, yx, yy], largest = Math.max(...map.map(Math.abs));
+    const difference = Math.max(...map.map((x, k) => Math.abs(x - answer.angular_footprint[k]))) / largest;
+    if (azimuth !== 0) {
+      worst.askance = Math.max(worst.askance, difference);
+      continue;
+    }
+    worst.maps += difference === 0 ? 0 : 1;
     for (const [mine, native] of [[answer.semi_axes_rad[0], major], [answer.semi_axes_rad[1], minor]])
-      worst.semi_axes = Math.max(worst.semi_axes, Math.abs(mine - native) / native);
+      if (native > 0) worst.semi_axes = Math.max(worst.semi_axes, Math.abs(mine - native) / native);
     const turn = Math.abs((answer.orientation_deg === null ? 1000 : answer.orientation_deg) - angle);
     worst.angles_deg = Math.max(worst.angles_deg, Math.min(turn, Math.abs(180 - turn)));
   }

@@ -65,20 +65,22 @@ int print_fields() {
 }
 
 /// Ten inputs (sphere, cylinder, AXIS, pupil, azimuth, elevation, distance, lens sphere, cylinder, AXIS; a lens AXIS of
-/// −1: naked), then the map, the semi-axes in radians and the orientation (1000 where there is none).
+/// −1: naked), then the map, the semi-axes in radians and the orientation (1000 where there is none). A third of them
+/// is naked, a third looks straight through a lens, a third looks askance through one.
 int write_ellipses(const char* file) {
   std::mt19937_64 random(1);
   const auto between = [&](double low, double high) {
     return low + (high - low) * std::ldexp(static_cast<double>(random() >> 11), -53);
   };
+  const auto quarters = [&](double low, double high) { return 0.25 * std::nearbyint(4.0 * between(low, high)); };
   std::vector<double> numbers;
   for (int k = 0; k < 20000; ++k) {
-    const bool naked = k % 2 == 0;
-    const double in[10] = {between(-12, 8),         between(-6, 6),
-                           between(0, 180),         between(1e-3, 8e-3),
-                           between(-0.6, 0.6),      between(-0.6, 0.6),
-                           1.0 / between(0.0, 5.0), between(-8, 6),
-                           between(-4, 0),          naked ? -1.0 : between(0, 180)};
+    const bool naked = k % 3 == 0, askance = k % 3 == 2;
+    const double axis = std::nearbyint(between(1, 180)), lens_axis = naked ? -1.0 : std::nearbyint(between(1, 180));
+    const double azimuth = askance ? between(-0.6, 0.6) : 0.0, elevation = askance ? between(-0.6, 0.6) : 0.0;
+    const double in[10] = {
+        quarters(-12, 8), quarters(-6, 6), axis,     between(1e-3, 8e-3), azimuth, elevation, 1.0 / between(0.0, 5.0),
+        quarters(-8, 6),  quarters(-4, 0), lens_axis};
     const Eye eye = Eye::with({.sphere_D = in[0], .cylinder_D = in[1], .axis_deg = in[2], .vertex_distance_m = 12e-3},
                               in[3], FixedAccommodation{0.25, 0.0});
     Spectacles lens;

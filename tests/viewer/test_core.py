@@ -15,6 +15,7 @@ CORE = pathlib.Path(os.environ["VIEWER_BUILD"]) / "wasm/sturm_core.js"
 REFERENCE = os.environ["VIEWER_REFERENCE"]
 SCRIPT = pathlib.Path(__file__).with_name("core_bits.cjs")
 TWELVE_DIGITS = 1e-12
+PUPIL_RADIUS_M = 2e-3
 
 
 def core(*arguments, stdin=None):
@@ -61,6 +62,8 @@ class Bits(FolderTest):
         worst = core("ellipses", str(file))
         self.assertGreater(worst["count"], 19000)  # some chief rays pass the lens by
         self.assertEqual(worst["maps"], 0)
+        # Sine and cosine of an angle of gaze are an ulp apart in a few cases out of a hundred, and their differences grow on the way.
+        self.assertLessEqual(worst["askance"], 5e-14)
         # hypot and atan2 of another library: at most an ulp or two. Measured 4.4e-16 and 1.4e-14.
         self.assertLessEqual(worst["semi_axes"], 1e-15)
         self.assertLessEqual(worst["angles_deg"], 3e-14)
@@ -74,24 +77,30 @@ class Answers(FolderTest):
         for a, b in zip(mine, theirs, strict=True):
             self.assertLessEqual(abs(a - b), TWELVE_DIGITS * scale)
 
-    def compare(self, answer, result):
+    def compare(self, answer, result, targets):
         self.assertEqual(answer["status"], result["status"])
         if answer["status"] != "ok":
             self.assertIsNone(answer["semi_axes_rad"])
             return
         self.assertLessEqual(abs(answer["accommodation_D"] - result["accommodation_D"]), TWELVE_DIGITS)
-        for key in ("semi_axes_rad", "semi_axes_m"):
-            self.close(answer[key], result[key], result[key][0] if result[key] else 0.0)
+        # Where the lens makes a point sharp, what is left is what cancels out: twelve digits of a dioptre's blur, then.
+        distance = targets[result["target"]]["distance_m"]
+        reach = None if distance == "inf" else distance
+        for key, unit in (("semi_axes_rad", 1.0), ("semi_axes_m", reach or 1.0)):
+            self.close(answer[key], result[key], max(result[key][0], PUPIL_RADIUS_M * unit) if result[key] else 0.0)
         rows = result["footprint"]
         flat = [*rows[0], *rows[1]]
-        self.close(answer["footprint"] or answer["angular_footprint"], flat, max(map(abs, flat)))
+        self.close(answer["footprint"] or answer["angular_footprint"], flat, max(reach or 1.0, *map(abs, flat)))
         curvature = result["wavefront_curvature_D"]
-        self.close(answer["wavefront_curvature_D"], curvature, max(map(abs, curvature)) if curvature else 0.0)
+        self.close(answer["wavefront_curvature_D"], curvature, max(1.0, *map(abs, curvature)) if curvature else 0.0)
         self.close(answer["chief_ray"]["origin_m"], result["chief_ray"]["origin_m"], 1e-2)
         self.close(answer["chief_ray"]["direction"], result["chief_ray"]["direction"], 1.0)
         self.assertEqual(answer["orientation_deg"] is None, result["orientation_deg"] is None)
         if result["orientation_deg"] is not None:
-            self.assertLessEqual(abs(math.remainder(answer["orientation_deg"] - result["orientation_deg"], 180.0)), 1e-10)
+            # A nearly round ellipse turns by what its axes differ by.
+            major, minor = result["semi_axes_rad"]
+            turn = abs(math.remainder(answer["orientation_deg"] - result["orientation_deg"], 180.0))
+            self.assertLessEqual(turn * (major - minor), math.degrees(TWELVE_DIGITS * max(major, PUPIL_RADIUS_M)))
 
     def test_real_prescriptions(self):
         targets = [{"gaze_deg": [20, -15], "distance_m": 0.4}, {"gaze_deg": [0, 0], "distance_m": "inf"}]
@@ -109,7 +118,7 @@ class Answers(FolderTest):
                          "lens": None, "targets": radians(targets)})
         for answers, results in zip(core("answers", stdin=json.dumps(mine)), ask_all(queries), strict=True):
             for answer, result in zip(answers, results, strict=True):
-                self.compare(answer, result)
+                self.compare(answer, result, targets)
 
     def test_lenses_as_sturm_view_hands_them_over(self):
         """Ten lenses in five gazes: JSON, numbers of the page, WebAssembly, against the program."""
@@ -134,7 +143,7 @@ class Answers(FolderTest):
         for file, answers, results in zip(files, core("answers", stdin=json.dumps(mine)), ask_all(queries), strict=True):
             for answer, result in zip(answers, results, strict=True):
                 with self.subTest(lens=file.stem, target=result["target"]):
-                    self.compare(answer, result)
+                    self.compare(answer, result, targets)
 
 
 class Manners(unittest.TestCase):

@@ -191,7 +191,7 @@ export type RayModelName = 'pinhole' | 'thin_lens' | 'metalstigmatism' | 'sin2_r
 /** One eye and what it wears. Call `delete()` when it is done with. */
 export interface Optics {
   setEye(eye: EyeNumbers): void;
-  /** Null = naked. A progressive lens takes about 60 ms; all others far less than 1 ms. */
+  /** Null = naked. Made for the eye that was set. A progressive lens takes about 60 ms; all others far less than 1 ms. */
   setLens(lens: LensNumbers | null): void;
   /** F = correction at the cornea [D]: xx, xy, yy. */
   correction(): [number, number, number];
@@ -234,7 +234,6 @@ export interface NotedPrescription {
 
 export interface Core {
   readonly Optics: new () => Optics & { delete(): void };
-  version(): string;
   /** 4 floats a pass: point of the unit disc (x, y), place in the pixel (x, y) in [0, 1)². */
   pupilPasses(count: number, turn: number): Float32Array;
   /** 16 sets of `count` passes; pixel (x, y), y down, takes set (y mod 4)·4 + x mod 4. */
@@ -245,16 +244,12 @@ export interface Core {
   amplitudeAtAge(age_years: number): number;
 }
 
-/** What the second, larger module adds: the command line's own readers, with its messages. It has all of `Core` too. */
+/** What the second, larger module adds: the command line's own readers, with its messages. It has all of `Core` too. `name` is what messages call the text. */
 export interface CoreWithReaders extends Core {
-  /** Puts a file where documents can name it by a relative path. */
-  addFile(name: string, bytes: Uint8Array): void;
-  /** A sturm.eye/1 document as text. */
-  readEye(json: string): EyeNumbers;
-  /** A sturm.spectacles/1 document as text, or a file put by addFile; `eye` is who wears it. */
-  readSpectacles(json: string, eye: EyeNumbers): LensNumbers | null;
-  /** A sturm.render/1 document as text; its scene is not read. */
-  readView(json: string): { camera: CameraNumbers; right: WornNumbers; left: WornNumbers | null; interpupillary_distance_m: number | null };
+  /** A sturm.eye/1 document. */
+  readEye(json: string, name: string): EyeNumbers;
+  /** A sturm.spectacles/1 document without files of its own; `eye` is who wears it. Null for the text "null". */
+  readSpectacles(json: string, name: string, eye: EyeNumbers): LensNumbers | null;
 }
 
 export interface WornNumbers {

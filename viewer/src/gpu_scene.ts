@@ -58,7 +58,7 @@ export class GpuScene {
     this.baked = gpu.target(bakeWidth, Math.max(1, Math.ceil(mesh.vertexCount / bakeWidth)));
     this.neighbours = gpu.floatLine(neighboursOf(mesh));
     this.smoothed = [gpu.target(bakeWidth, this.baked.height), gpu.target(bakeWidth, this.baked.height)];
-    this.shown = this.baked;
+    this.shown = this.smoothed[0];  // nothing yet
     const scatters = scene.materials.some((m) => m.type !== 'diffuse' || m.albedo_map !== null || luminance(m.albedo) > 0);
     if (!scatters) this.bakedSamples = bakeGoal;
     const reach = Math.hypot(...scene.upper.map((x, k) => Math.max(Math.abs(x - (eye[k] ?? 0)), Math.abs((scene.lower[k] ?? 0) - (eye[k] ?? 0)))));
