@@ -87,7 +87,8 @@ void bind_wavefronts(py::module_& module) {
           },
           "x_mm"_a, "y_mm"_a,
           "Height of the wave [um] at points of the pupil [mm], wearer's frame (x right, y up); x and y broadcast.");
-  module.def("eye_wavefront", &wavefront_of, "eye"_a, "The wavefront of an eye over the pupil that it was measured for, or None.");
+  module.def("eye_wavefront", &wavefront_of, "eye"_a,
+             "The wavefront of an eye over the pupil that it was measured for, or None.");
   module.def(
       "refraction",
       [](const std::vector<double>& coefficients, double pupil_mm) {

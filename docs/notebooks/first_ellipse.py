@@ -23,11 +23,12 @@ print({name: round(value, 3) for name, value in eye.power_vector.items()})
 distances_m = [0.2, 0.4, 1, math.inf]
 for distance_m, blur in zip(distances_m, sturm.ellipses(eye, distances_m)):
     major, minor = (math.degrees(blur[name]) * 60 for name in ("semi_major_rad", "semi_minor_rad"))
-    print(f"{distance_m:5} m: {major:5.1f} x {minor:4.1f} arcmin along {blur['orientation_deg']:6.1f} deg, accommodation {blur['accommodation_D']:.2f} D")
+    along = "a circle" if math.isnan(blur["orientation_deg"]) else f"along {blur['orientation_deg']:.1f} deg"
+    print(f"{distance_m:5} m: {major:4.1f} x {minor:4.1f} arcmin, {along}, accommodation {blur['accommodation_D']:.2f} D")
 
 # %% [markdown]
-# Where is the eye sharpest? A thousand distances are one call. Between the two focal lines the ellipse is a circle: the eye sees least
-# blur there, and it is no longer blurred along a direction.
+# Where is the eye sharpest? Three thousand distances are one call. Between the two focal lines, where the semi-minor axis vanishes, the
+# ellipse becomes a circle: the eye sees least blur there, and it is not blurred along any direction.
 
 # %%
 relaxed = sturm.Eye(prescription="-3.25 -1.75 x 160 VD 12", pupil_diameter_mm=5)
@@ -35,5 +36,7 @@ vergence_D = np.linspace(2.5, 5.5, 3001)
 blur = sturm.ellipses(relaxed, 1 / vergence_D)
 least = blur["semi_major_rad"].argmin()
 print(f"least blur at {1 / vergence_D[least]:.3f} m: {math.degrees(blur['semi_major_rad'][least]) * 60:.1f} arcmin")
-lines = np.sort(np.argsort(blur["semi_minor_rad"])[:1])
-print(f"a focal line at {1 / vergence_D[lines[0]]:.3f} m")
+nearer = vergence_D > vergence_D[least]
+for side in (nearer, ~nearer):
+    line = blur["semi_minor_rad"][side].argmin()
+    print(f"a focal line at {1 / vergence_D[side][line]:.3f} m")

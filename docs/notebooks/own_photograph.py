@@ -13,22 +13,22 @@ view = sturm.load(sturm.shipped("views/desk.json"))
 view["scene"] = str(sturm.shipped("scenes/desk.json"))
 view["camera"]["resolution"] = [240, 160]
 view["eye"]["pupil_diameter_mm"] = 0
-view["method"] = {"type": "path_trace", "samples_per_pixel": 64, "max_bounces": 4}
+view["method"] = {"type": "path_trace", "ray_model": "pinhole", "samples_per_pixel": 64, "max_bounces": 4}
 sharp = sturm.render(view)
 depth_m = sharp.layers["depth"]
 print(sharp.radiance.shape, f"depth {depth_m.min():.2f} to {np.max(depth_m[np.isfinite(depth_m)]):.2f} m")
 
 # %% [markdown]
-# A measured eye with all of its aberrations looks at the card in front, 0.7 m away, through a pupil of 5.7 mm.
+# A measured eye with all of its aberrations looks at the mug, 0.75 m away, through a pupil of 5.7 mm. The card lies before it, at 0.28 m.
 
 # %%
-eye = sturm.Eye("hofer_5", pupil_diameter_mm=5.7, accommodation={"mode": "fixed", "focus_distance_m": 0.7})
+eye = sturm.Eye("hofer_5", pupil_diameter_mm=5.7, accommodation={"mode": "fixed", "focus_distance_m": 0.75})
 seen = sturm.see(sharp.radiance, depth_m, eye, vfov_deg=view["camera"]["vfov_deg"])
 sturm.write_picture("own_photograph_sharp.png", sharp.radiance)
 sturm.write_picture("own_photograph_seen.png", seen)
 
 # %% [markdown]
-# ![The desk, sharp](own_photograph_sharp.png) ![The desk with its background out of focus](own_photograph_seen.png)
+# ![The desk, sharp](own_photograph_sharp.png) ![The desk with the card in front out of focus](own_photograph_seen.png)
 #
 # By how much do the two differ? These are the metrics of `sturm compare`.
 

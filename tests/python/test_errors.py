@@ -56,7 +56,7 @@ class Errors(FolderTest):
         self.error(sturm.write_picture, self.folder / "a.bmp", picture)
 
     def test_a_lens_needs_a_prescription_or_a_wearer(self):
-        document = {"single_vision": {"refractive_index": 1.6}}
+        document = {"single_vision": {"refractive_index": 1.6, "center_thickness_mm": 2, "diameter_mm": 60}}
         self.error(sturm.Spectacles, document)
         sturm.Spectacles(document, sturm.Eye(EYE))
 

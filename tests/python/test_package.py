@@ -41,7 +41,7 @@ class Package(unittest.TestCase):
     def assert_works(self):
         view = """{"format": "sturm.render/1", "scene": str(sturm.shipped("scenes/cornell_box.json")),
             "camera": {"position_m": [0.278, 0.273, -0.8], "look_at_m": [0.278, 0.273, 0], "up": [0, 1, 0], "vfov_deg": 39.3, "resolution": [16, 16]},
-            "eye": {"prescription": "-1.00 DS", "pupil_diameter_mm": 4}, "method": {"type": "path_trace", "samples_per_pixel": 1}}"""
+            "eye": {"prescription": "-1.00 DS", "pupil_diameter_mm": 4}, "method": {"type": "path_trace", "ray_model": "power_matrix", "samples_per_pixel": 1}}"""
         self.assertRegex(self.quietly(self.python, "-c", USE.replace("VIEW", view)), r"^\d+\.\d+\.\d+$")
 
     def test_pip_install(self):
