@@ -11,8 +11,6 @@ namespace sturm {
 
 namespace {
 
-constexpr double metres_per_nanometre = 1e-9;
-
 /// Sum over the overlap of two pupils of radius a that stand `shift` apart; `value` of both pupil points. In the
 /// direction across the shift the substitution v = a sin t removes the root at the ends.
 template <class Value>

@@ -11,8 +11,6 @@ namespace sturm {
 
 namespace {
 
-constexpr double metres_per_nanometre = 1e-9;
-
 /// The window leaves a tenth beyond the farthest ray, and on either side so many λ/D for the rings about it.
 constexpr double slope_room = 1.1, rings_room = 12.0;
 constexpr int rim_cells = 4;  // of the pupil, which stick out of its disc
