@@ -24,6 +24,13 @@ target_compile_options(sturm_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virt
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(sturm_options INTERFACE -Wno-restrict)
 endif()
+if(STURM_UNITY)
+  # A local name may be one that another file of the folder keeps to itself.
+  target_compile_options(sturm_options INTERFACE -Wno-shadow)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(sturm_options INTERFACE -Wshadow=local)
+  endif()
+endif()
 target_compile_options(sturm_options INTERFACE -ffp-contract=off)
 if(STURM_WARNINGS_AS_ERRORS)
   # At -O1 GCC 12 sees writes beyond the end in its own std::string (GCC bug 105329) and uninitialised parts of Eigen's decompositions.
@@ -63,6 +70,18 @@ function(sturm_precompiled_headers target kind)
   target_precompile_headers(${target} REUSE_FROM sturm_precompiled_${kind})
 endfunction()
 
+# sturm_unity_by_folder(TARGET SOURCE...): with STURM_UNITY the sources of a folder are compiled as one. So what a folder keeps to itself in nameless
+# namespaces has different names in its files, and a new file changes no other folder's unit.
+function(sturm_unity_by_folder target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${STURM_UNITY} UNITY_BUILD_MODE GROUP)
+  foreach(source ${ARGN})
+    get_filename_component(folder ${source} DIRECTORY)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+    string(MAKE_C_IDENTIFIER "${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
 # sturm_module(NAME [EXCLUDE pattern] [NUMERIC pattern] [TEXT] [OPTIONS option...] DEPENDS target... [PRIVATE target...]): one library per folder,
 # made of all its .cpp files but main.cpp and those whose path matches EXCLUDE. Sources are listed by the folder itself: one concept, one .cpp; a new file
 # needs no edit here. A module is numeric unless it is TEXT; of a TEXT module the files that match NUMERIC are.
@@ -97,6 +116,7 @@ function(sturm_module name)
       target_link_libraries(sturm_${name}_${kind} PRIVATE ${ARG_DEPENDS} sturm_options sturm_eigen nlohmann_json::nlohmann_json ${ARG_PRIVATE})
       target_include_directories(sturm_${name}_${kind} PRIVATE ${PROJECT_SOURCE_DIR})
       sturm_precompiled_headers(sturm_${name}_${kind} ${kind} ${ARG_OPTIONS})
+      sturm_unity_by_folder(sturm_${name}_${kind} ${${kind}_sources})
       target_sources(sturm_${name} PRIVATE $<TARGET_OBJECTS:sturm_${name}_${kind}>)
     endif()
   endforeach()

@@ -29,14 +29,14 @@ struct Node {
   double at, weight;
 };
 /// The positive half of Gauss and Legendre's rule with 16 nodes on (−1, 1): exact for the degree 31.
-constexpr std::array<Node, 8> gauss_legendre{{{0.98940093499164994, 0.027152459411754096},
-                                              {0.9445750230732326, 0.062253523938647894},
-                                              {0.86563120238783176, 0.095158511682492786},
-                                              {0.755404408355003, 0.12462897125553388},
-                                              {0.61787624440264377, 0.14959598881657674},
-                                              {0.45801677765722737, 0.16915651939500254},
-                                              {0.28160355077925892, 0.18260341504492358},
-                                              {0.095012509837637441, 0.1894506104550685}}};
+constexpr std::array<Node, 8> sixteen_nodes{{{0.98940093499164994, 0.027152459411754096},
+                                             {0.9445750230732326, 0.062253523938647894},
+                                             {0.86563120238783176, 0.095158511682492786},
+                                             {0.755404408355003, 0.12462897125553388},
+                                             {0.61787624440264377, 0.14959598881657674},
+                                             {0.45801677765722737, 0.16915651939500254},
+                                             {0.28160355077925892, 0.18260341504492358},
+                                             {0.095012509837637441, 0.1894506104550685}}};
 
 /// q = c u²/(1 + √(1 − c²u²)) and its derivatives.
 struct Section {
@@ -156,7 +156,7 @@ double ProgressiveSurface::height_in_corridor(double s) const {
     return sine / std::sqrt(1.0 - sine * sine);
   };
   double sum = 0.0;
-  for (const Node& node : gauss_legendre)
+  for (const Node& node : sixteen_nodes)
     sum += node.weight * (slope(middle - half * node.at) + slope(middle + half * node.at));
   return half * sum;
 }

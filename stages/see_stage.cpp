@@ -41,8 +41,9 @@ std::vector<double> all_vergences(const LayeredPicture& picture) {
 
 /// A picture on its way.
 struct SeeRun {
-  Stopwatch watch;
-  SeenPicture seen;
+  std::function<void(double fraction)> progress;  ///< may be empty
+  Stopwatch watch = {};
+  SeenPicture seen = {};
 
   /// `picture.hidden` has what is known.
   void blur(LayeredPicture& picture, const KernelModel& model) {
@@ -51,7 +52,7 @@ struct SeeRun {
     seen.seconds["kernels"] = watch.lap();
     seen.hidden_guessed = add_guessed_background(picture, bank);
     seen.seconds["hidden_surfaces"] = watch.lap();
-    seen.radiance = blur_layers(picture, bank, seen.work, settings.progress);
+    seen.radiance = blur_layers(picture, bank, seen.work, progress);
     seen.seconds["blur"] = watch.lap();
     seen.planes_D = bank.planes_D();
     for (std::size_t i = 0; i < seen.planes_D.size(); ++i) seen.radii_px.push_back(bank.radius_px(static_cast<int>(i)));
@@ -61,7 +62,7 @@ struct SeeRun {
 /// Runs `see(model, run)` with the kernels of the settings.
 template <class See>
 SeenPicture seen_through(const SeeSettings& settings, bool pupil_as_a_whole, const See& see) {
-  SeeRun run;
+  SeeRun run{settings.progress};
   run.seen.parts = settings.psf == SeenPsf::Waves || pupil_as_a_whole ? 1 : settings.parts;
   try {
     see(kernels_of(settings, run.seen.parts), run);

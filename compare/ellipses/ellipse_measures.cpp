@@ -57,7 +57,7 @@ RunningMoments scatter_of(int draws, const std::function<double()>& draw) {
   return moments;
 }
 
-constexpr double rounding_floor =
+constexpr double singular_floor =
     64.0 * std::numeric_limits<double>::epsilon();  // of the total variance, as in EllipseComparison
 
 using Distance = std::function<double(const Eigen::Matrix2d&)>;
@@ -114,7 +114,7 @@ EllipseMeasures measure_ellipses(const BundleEllipse& measured, const Eigen::Mat
   const auto axes = measured.semi_axis_standard_errors();
   const Ellipse expected = Ellipse::of_second_moments(predicted);
   // What rounding of the second moments does to a semi-axis: much where the axis is zero, next to nothing elsewhere.
-  const double floor = rounding_floor * predicted.trace();
+  const double floor = singular_floor * predicted.trace();
   const auto axis = [&](double value, double should, int i) -> EllipseMeasure {
     if (!axes) return with_error(value, std::nullopt);
     const double variance = 0.25 * should * should,

@@ -105,7 +105,7 @@ std::optional<ConoidComparison> conoid_comparison_from(const Json& json) {
       .bures_wasserstein_arcmin = number_at(json, "bures_wasserstein_arcmin")};
 }
 
-std::optional<Ellipse> ellipse_from(const Json& json) {
+std::optional<Ellipse> ellipse_in_radians(const Json& json) {
   const std::optional<Eigen::Vector2d> axes = pair_at(json, "semi_axes_rad");
   if (!axes) return std::nullopt;
   return Ellipse{axes->x(), axes->y(), number_at(json, "orientation_deg")};
@@ -121,7 +121,7 @@ RayFinding rays_from(const Json& json) {
   return {.model = ray_model_at(json, "ray_model"),
           .status = ray_status_words.value_of(text_at(json, "status")),
           .counts = counts_from(value_at(json, "counters")),
-          .ellipse = ellipse_from(json),
+          .ellipse = ellipse_in_radians(json),
           .covariance_rad2 = symmetric_at(json, "covariance_rad2"),
           .covariance_standard_error_rad2 = triple_at(json, "covariance_standard_error_rad2"),
           .against_conoid = conoid_comparison_from(value_at(json, "against_conoid")),
@@ -129,10 +129,10 @@ RayFinding rays_from(const Json& json) {
 }
 
 PredictedEllipse predicted_from(const Json& json) {
-  return {ellipse_from(json), symmetric_at(json, "covariance_rad2")};
+  return {ellipse_in_radians(json), symmetric_at(json, "covariance_rad2")};
 }
 
-EllipseFinding finding_from(const Json& json) {
+EllipseFinding ellipse_finding_from(const Json& json) {
   EllipseFinding finding{.id = text_at(json, "id"),
                          .prescription = text_at(json, "prescription"),
                          .sphere_D = number_at(json, "sphere_D"),
@@ -220,7 +220,7 @@ EllipseFindings read_ellipses(const Json& report) {
                                           .sequence = text_at(conditions, "sequence"),
                                           .standard_error = text_at(conditions, "standard_error")},
                            .cases = {}};
-  for (const Json& item : array_at(section, "cases")) findings.cases.push_back(finding_from(item));
+  for (const Json& item : array_at(section, "cases")) findings.cases.push_back(ellipse_finding_from(item));
   return findings;
 }
 

@@ -3,23 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json/stored.h"
+#include "io/json/stored_values.h"
 #include "io/json/values.h"
 
 namespace sturm {
 
 namespace {
-
-using Count = std::optional<std::uint64_t>;
-
-Json count_or_null(const Count& count) {
-  return count ? Json(*count) : Json(nullptr);
-}
-
-Count count_at(const Json& json, std::string_view path) {
-  const Json& value = value_at(json, path);
-  const bool is_count = value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
-  return is_count ? Count(value.get<std::uint64_t>()) : std::nullopt;
-}
 
 Json json_of(const Estimate& measured) {
   return {{"value", number_or_null(measured.value)}, {"uncertainty", number_or_null(measured.uncertainty)}};
@@ -264,7 +253,7 @@ void read_regions(const Json& entry, PictureFinding& finding) {
   finding.spectacles = boolean_at(entry, "spectacles");
   finding.resolution = {count_at(entry, "resolution/0"), count_at(entry, "resolution/1")};
   finding.replicates = count_at(entry, "replicates");
-  if (const Count each = count_at(entry, "samples_per_pixel"); each && finding.replicates)
+  if (const auto each = count_at(entry, "samples_per_pixel"); each && finding.replicates)
     finding.samples_per_pixel = *each * *finding.replicates;
   finding.sharp_samples_per_pixel = count_at(entry, "sharp_samples_per_pixel");
   finding.seconds_path_traced = number_at(entry, "seconds_path_traced");
@@ -274,7 +263,7 @@ void read_regions(const Json& entry, PictureFinding& finding) {
 }
 
 /// As the report's experiment states them.
-Count replicates_of_image(const Json& report, const std::string& id) {
+std::optional<std::uint64_t> replicates_of_image(const Json& report, const std::string& id) {
   for (const Json& image : array_at(report, "spec/images"))
     if (text_at(image, "id") == id) return count_at(image, "replicates");
   return std::nullopt;

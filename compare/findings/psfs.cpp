@@ -43,7 +43,7 @@ Json json_of(const PsfFinding& psf) {
   return json;
 }
 
-std::optional<Ellipse> ellipse_from(const Json& json) {
+std::optional<Ellipse> ellipse_in_arcminutes(const Json& json) {
   const std::optional<Eigen::Vector2d> axes = pair_at(json, "semi_axes_arcmin");
   if (!axes) return std::nullopt;
   return Ellipse{axes->x(), axes->y(), number_at(json, "orientation_deg")};
@@ -51,14 +51,14 @@ std::optional<Ellipse> ellipse_from(const Json& json) {
 
 std::optional<MeasuredSpot> spot_from(const Json& json) {
   if (!json.is_object()) return std::nullopt;
-  return MeasuredSpot{.ellipse = ellipse_from(json),
+  return MeasuredSpot{.ellipse = ellipse_in_arcminutes(json),
                       .standard_error_arcmin = pair_at(json, "standard_error_arcmin"),
                       .centroid_arcmin = pair_at(json, "centroid_arcmin"),
                       .centroid_standard_error_arcmin = pair_at(json, "centroid_standard_error_arcmin"),
                       .hits = number_at(json, "hits")};
 }
 
-PsfFinding finding_from(const Json& json) {
+PsfFinding psf_finding_from(const Json& json) {
   return {.id = text_at(json, "id"),
           .prescription = text_at(json, "prescription"),
           .distance_m = distance_at(json, "distance_m"),
@@ -68,9 +68,9 @@ PsfFinding finding_from(const Json& json) {
           .predicted_file = text_at(json, "files/predicted"),
           .pixel_arcmin = number_at(json, "pixel_arcmin"),
           .resolution = count_at(json, "resolution"),
-          .predicted = ellipse_from(value_at(json, "predicted")),
+          .predicted = ellipse_in_arcminutes(value_at(json, "predicted")),
           .measured = spot_from(value_at(json, "measured")),
-          .bundle = ellipse_from(value_at(json, "bundle")),
+          .bundle = ellipse_in_arcminutes(value_at(json, "bundle")),
           .mutated = {}};
 }
 
@@ -84,7 +84,7 @@ Json to_json(const std::vector<PsfFinding>& psfs) {
 
 std::vector<PsfFinding> read_psfs(const Json& report) {
   std::vector<PsfFinding> psfs;
-  for (const Json& entry : array_at(report, "psfs")) psfs.push_back(finding_from(entry));
+  for (const Json& entry : array_at(report, "psfs")) psfs.push_back(psf_finding_from(entry));
   return psfs;
 }
 

@@ -19,7 +19,6 @@ namespace sturm {
 namespace {
 
 constexpr int bins_per_layer = 64;
-constexpr double largest_radius_px = 16384.0;  // keeps kernels and layer numbers bounded; no image is that wide
 
 /// The blur of one eye in image pixels, as a function of vergence 1/d.
 class PixelBlur {
@@ -107,7 +106,7 @@ class Predictor {
       vergence[i] = 1.0 / static_cast<double>(view_.depth.pixels[i]);  // 1/∞ = 0
     for (const double extreme :
          {*std::min_element(vergence.begin(), vergence.end()), *std::max_element(vergence.begin(), vergence.end())})
-      if (!(blur_.semi_major_px(extreme) <= largest_radius_px))
+      if (!(blur_.semi_major_px(extreme) <= largest_blur_radius_px))
         throw std::invalid_argument("sharp view: a blur ellipse exceeds 16384 pixels");
     for (int y = 0; y < radiance.height; ++y)
       for (int x = 0; x < radiance.width; ++x)

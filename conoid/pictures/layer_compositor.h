@@ -8,6 +8,9 @@
 
 namespace sturm {
 
+/// Keeps kernels and numbers of layers bounded; no image is that wide.
+inline constexpr double largest_blur_radius_px = 16384.0;
+
 /// Composites layers of spread light from near to far with clipped additive coverage: a layer of coverage α adds min(α,
 /// 1 − A) to the coverage A so far; colour is divided by A at the end. Bands of rows run in parallel, each pixel is
 /// summed by one thread in the order of the spots, in double: the same bits for any number of threads, and a bright

@@ -15,8 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double largest_radius_px = 16384.0;
-
 /// Places along each side that the sharp pixel of a lamp's rim is spread from. Cells of 1/n px lack n⁻²/12 px² of the
 /// pixel's variance, which is little beside that of the blur, r²/4.
 int lamp_grid(double radius_px) {
@@ -46,7 +44,7 @@ class Layers {
     parallel_for(std::size_t{0}, sources_.size(), [&](std::size_t i) { blur(sources_[i]); });
     spread_lamps_from_all_over();
     for (const Source& s : sources_)
-      if (!(singular_values(s.map).large <= largest_radius_px))
+      if (!(singular_values(s.map).large <= largest_blur_radius_px))
         throw std::invalid_argument("layers: a blur ellipse exceeds 16384 pixels");
     std::stable_sort(sources_.begin(), sources_.end(), [&](const Source& a, const Source& b) {
       return std::tuple(a.layer, output(a.y), output(a.x)) < std::tuple(b.layer, output(b.y), output(b.x));

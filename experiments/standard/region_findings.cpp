@@ -24,7 +24,7 @@ namespace sturm {
 
 namespace {
 
-constexpr std::uint64_t sharp_view_stream =
+constexpr std::uint64_t prediction_stream =
     0x41475245ull;                                     // the predictions' noise is independent of the path tracer's
 constexpr std::uint64_t fewer_stream = 0x46455745ull;  // and so is that of its pictures of fewer samples
 constexpr std::uint64_t fewer_divisor = 8;
@@ -91,7 +91,7 @@ class RegionStudy {
     settings.samples_per_pixel = static_cast<int>(spec_.sharp_samples_per_pixel);
     settings.max_bounces = spec_.max_bounces;
     for (int r = 0; r < spec_.replicates; ++r) {
-      settings.seed = replicate_seed(seed_ ^ sharp_view_stream, r);
+      settings.seed = replicate_seed(seed_ ^ prediction_stream, r);
       if (prediction.kind == PredictionKind::Ellipses) {
         PredictedImage image =
             predict(scene_, camera_pose(spec_.camera), spec_.worn.eye, prediction.oversampling, settings);

@@ -19,7 +19,7 @@ constexpr double least_cylinder_D = 0.1;
 /// A true axis shorter than this share of the longer one has no meaningful ratio: a focal line.
 constexpr double least_axis_ratio = 0.01;
 
-Eigen::Vector2d arcminutes(const Ellipse& e) {
+Eigen::Vector2d semi_axes_arcmin(const Ellipse& e) {
   return {e.semi_major * arcminutes_per_radian, e.semi_minor * arcminutes_per_radian};
 }
 
@@ -39,14 +39,14 @@ struct AxisVariances {
 
 Sin2Case semi_axes_of(const TracedCase& c, const PrincipalValues& vergences, const Ellipse& sin2) {
   const Eigen::Matrix2d closed_form = sin2_closed_form_covariance(c.footprint.angular, c.eye.pupil_radius_m);
-  const Eigen::Vector2d axes = arcminutes(sin2);
-  const Eigen::Vector2d truth = arcminutes(Ellipse::image_of_disc(c.footprint.angular, c.eye.pupil_radius_m));
+  const Eigen::Vector2d axes = semi_axes_arcmin(sin2);
+  const Eigen::Vector2d truth = semi_axes_arcmin(Ellipse::image_of_disc(c.footprint.angular, c.eye.pupil_radius_m));
   return {.id = c.id,
           .high_D = vergences.high,
           .low_D = vergences.low,
           .true_semi_axes_arcmin = truth,
           .sin2_semi_axes_arcmin = axes,
-          .closed_form_semi_axes_arcmin = arcminutes(Ellipse::of_second_moments(closed_form)),
+          .closed_form_semi_axes_arcmin = semi_axes_arcmin(Ellipse::of_second_moments(closed_form)),
           .ratio_major = axes.x() / truth.x(),
           .ratio_minor = truth.y() > least_axis_ratio * truth.x() ? Number(axes.y() / truth.y()) : std::nullopt};
 }

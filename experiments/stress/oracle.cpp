@@ -176,11 +176,9 @@ ExtendedTrace trace_extended(const Spectacles& lens, const Eigen::Vector3d& gaze
 
 namespace {
 
-using Matrix = std::array<std::array<Extended, 2>, 2>;
-
 /// Of a bundle whose slopes at the pupil are S p.
-Matrix for_slopes(const std::array<std::array<Extended, 4>, 2>& m, const Eigen::Matrix2d& s) {
-  Matrix r;
+ExtendedMatrix for_slopes(const std::array<std::array<Extended, 4>, 2>& m, const Eigen::Matrix2d& s) {
+  ExtendedMatrix r;
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 2; ++j) {
       const auto column = static_cast<Eigen::Index>(j);
@@ -191,23 +189,23 @@ Matrix for_slopes(const std::array<std::array<Extended, 4>, 2>& m, const Eigen::
 
 }  // namespace
 
-Matrix ExtendedTrace::angular_footprint(const Eigen::Matrix2d& slopes, double vergence_D) const {
-  const Matrix a = for_slopes(offset, slopes), b = for_slopes(slope, slopes);
-  Matrix r;
+ExtendedMatrix ExtendedTrace::angular_footprint(const Eigen::Matrix2d& slopes, double vergence_D) const {
+  const ExtendedMatrix a = for_slopes(offset, slopes), b = for_slopes(slope, slopes);
+  ExtendedMatrix r;
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 2; ++j) r[i][j] = static_cast<Extended>(vergence_D) * a[i][j] + b[i][j];
   return r;
 }
 
-std::optional<Matrix> ExtendedTrace::exit_curvature(const Eigen::Matrix2d& slopes) const {
-  const Matrix a = for_slopes(offset, slopes), b = for_slopes(slope, slopes);
+std::optional<ExtendedMatrix> ExtendedTrace::exit_curvature(const Eigen::Matrix2d& slopes) const {
+  const ExtendedMatrix a = for_slopes(offset, slopes), b = for_slopes(slope, slopes);
   const Extended det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
   if (det == 0.0L) return std::nullopt;
   const auto row = [&](std::size_t i) {
     return std::array<Extended, 2>{-(b[i][0] * a[1][1] - b[i][1] * a[1][0]) / det,
                                    -(b[i][1] * a[0][0] - b[i][0] * a[0][1]) / det};
   };
-  return Matrix{row(0), row(1)};
+  return ExtendedMatrix{row(0), row(1)};
 }
 
 }  // namespace sturm::stress

@@ -20,6 +20,8 @@ struct Crossing {
   double offset_p_out = 0.0, offset_q_out = 0.0, slope_p_out = 0.0, slope_q_out = 0.0;
 };
 
+using ExtendedMatrix = std::array<std::array<Extended, 2>, 2>;
+
 /// The chief ray and its neighbourhood in extended precision: real rays, differentiated. It shares the description of
 /// lens and eye with the program, no formula of surfaces, of ray transfer or of waves.
 struct ExtendedTrace {
@@ -32,10 +34,10 @@ struct ExtendedTrace {
   std::array<std::array<Extended, 4>, 2> offset{}, slope{};
 
   /// X(d)/d for the slopes S at 1/d.
-  std::array<std::array<Extended, 2>, 2> angular_footprint(const Eigen::Matrix2d& slopes, double vergence_D) const;
+  ExtendedMatrix angular_footprint(const Eigen::Matrix2d& slopes, double vergence_D) const;
 
   /// K = −B A⁻¹ of a bundle with the slopes S; none where A is singular.
-  std::optional<std::array<std::array<Extended, 2>, 2>> exit_curvature(const Eigen::Matrix2d& slopes) const;
+  std::optional<ExtendedMatrix> exit_curvature(const Eigen::Matrix2d& slopes) const;
 };
 
 /// Points where the ray is known to meet back and front, to start Newton's iteration from; their accuracy does not

@@ -13,10 +13,8 @@ namespace sturm::stress {
 
 namespace {
 
-using Matrix = std::array<std::array<Extended, 2>, 2>;
-
 /// Frobenius norm of the difference, taken in extended precision.
-double difference(const Eigen::Matrix2d& a, const Matrix& b) {
+double difference(const Eigen::Matrix2d& a, const ExtendedMatrix& b) {
   Extended sum = 0.0L;
   for (Eigen::Index i = 0; i < 2; ++i)
     for (Eigen::Index j = 0; j < 2; ++j) {
@@ -26,11 +24,11 @@ double difference(const Eigen::Matrix2d& a, const Matrix& b) {
   return static_cast<double>(std::sqrt(sum));
 }
 
-Matrix block(const std::array<std::array<Extended, 4>, 2>& m, std::size_t first) {
+ExtendedMatrix block(const std::array<std::array<Extended, 4>, 2>& m, std::size_t first) {
   return {{{m[0][first], m[0][first + 1]}, {m[1][first], m[1][first + 1]}}};
 }
 
-double norm(const Matrix& m) {
+double norm(const ExtendedMatrix& m) {
   return static_cast<double>(std::sqrt(m[0][0] * m[0][0] + m[0][1] * m[0][1] + m[1][0] * m[1][0] + m[1][1] * m[1][1]));
 }
 
@@ -68,7 +66,7 @@ void check_against_oracle(Outcomes& outcomes, const SpectacleConoid& conoid, con
   outcomes.record(Check::exit_point, distance(conoid.chief_ray.origin, oracle.exit_point), bounds.exit_point, 1.0);
   outcomes.record(Check::exit_direction, distance(conoid.chief_ray.direction, oracle.direction), bounds.direction, 1.0);
   const RayTransfer& t = conoid.exit;
-  const auto compare = [&](const Eigen::Matrix2d& m, const Matrix& exact, double bound, double smallest) {
+  const auto compare = [&](const Eigen::Matrix2d& m, const ExtendedMatrix& exact, double bound, double smallest) {
     outcomes.record(Check::footprint, difference(m, exact), bound, std::max(smallest, norm(exact)));
   };
   compare(t.offset_from_offset, block(oracle.offset, 0), bounds.offset_p, 1.0);
@@ -182,7 +180,7 @@ void check_correction(Outcomes& outcomes, const Prescription& rx, const Eye* eye
   if (!eye) return outcomes.expect(Check::correction, det <= refused_below + rounding);
   if (!(det > refused_below - rounding)) return outcomes.expect(Check::correction, false);
   const PowerMatrix& got = eye->correction;
-  const Matrix expected{{{exact.xx, exact.xy}, {exact.xy, exact.yy}}};
+  const ExtendedMatrix expected{{{exact.xx, exact.xy}, {exact.xy, exact.yy}}};
   // Beyond first order the determinant's error must be small against itself.
   if (rounding / det > 0.01) return outcomes.skip(Check::correction, Skip::focal_line);
   outcomes.record(Check::correction, difference(got.matrix(), expected), 1.1 * correction_bound(rx), norm(expected));

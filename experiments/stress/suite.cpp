@@ -10,7 +10,7 @@ namespace sturm::stress {
 
 namespace {
 
-constexpr std::uint64_t block = 4096;
+constexpr std::uint64_t cases_per_block = 4096;
 
 void add(CheckSummary& to, const Outcome& o, std::uint64_t index) {
   if (!o.ran) {
@@ -68,12 +68,12 @@ void SuiteSummary::add(const SuiteSummary& later) {
 
 SuiteSummary run_suite(const SuiteOptions& options, const std::function<void(double)>& progress,
                        const ConoidTracer& tracer) {
-  const std::uint64_t blocks = (options.cases + block - 1) / block;
+  const std::uint64_t blocks = (options.cases + cases_per_block - 1) / cases_per_block;
   const FreeFormLenses free_forms;
   std::vector<SuiteSummary> parts(blocks);
   std::atomic<std::uint64_t> done = 0;
   tbb::parallel_for(std::uint64_t{0}, blocks, [&](std::uint64_t b) {
-    for (std::uint64_t i = b * block; i < std::min(options.cases, (b + 1) * block); ++i)
+    for (std::uint64_t i = b * cases_per_block; i < std::min(options.cases, (b + 1) * cases_per_block); ++i)
       parts[b].add(i, run_case(options.seed, i, free_forms, tracer));
     progress(static_cast<double>(++done) / static_cast<double>(blocks));
   });

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::uint32_t replacement = 0xFFFD;  // stands for what is no character
+constexpr std::uint32_t replacement_code = 0xFFFD;  // stands for what is no character
 
 void append_utf8(std::string& text, std::uint32_t code) {
   const auto byte = [&](std::uint32_t bits) { text += static_cast<char>(bits); };
@@ -40,7 +40,7 @@ std::string from_utf16(std::string_view bytes, bool little_endian) {
       code = 0x10000 + ((code - 0xD800) << 10) + (unit(at + 2) - 0xDC00);
       at += 2;
     } else if (code >= 0xD800 && code < 0xE000) {
-      code = replacement;
+      code = replacement_code;
     }
     append_utf8(text, code);
   }

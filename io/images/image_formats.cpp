@@ -21,8 +21,6 @@ namespace sturm {
 
 namespace {
 
-constexpr std::size_t max_pixels = std::size_t{1} << 28;
-
 /// The functions of the module. Never closed: OpenImageIO keeps threads and thread-local memory.
 struct Module {
   decltype(&sturm_imageformats_read) read;
@@ -101,7 +99,7 @@ StoredImage read_stored_image(const std::filesystem::path& path) {
   require_plain_file(path, "an image");
   int bits = 0;
   Image stored = decoded(path.string(), [&](Image& image, float** pixels, char* error, std::size_t error_size) {
-    return module().read(path.c_str(), max_pixels, &image.width, &image.height, &image.channels, &bits, pixels, error,
+    return module().read(path.c_str(), most_pixels, &image.width, &image.height, &image.channels, &bits, pixels, error,
                          error_size);
   });
   return {std::move(stored), bits};
@@ -113,7 +111,7 @@ Image read_image(const std::filesystem::path& path) {
 
 Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {
   return decoded(name, [&](Image& image, float** pixels, char* error, std::size_t error_size) {
-    return module().read_memory(bytes.data(), bytes.size(), max_pixels, &image.width, &image.height, &image.channels,
+    return module().read_memory(bytes.data(), bytes.size(), most_pixels, &image.width, &image.height, &image.channels,
                                 pixels, error, error_size);
   });
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -7,6 +8,9 @@
 #include "io/images/image.h"
 
 namespace sturm {
+
+/// Beyond them a picture is refused, whatever its format.
+inline constexpr std::size_t most_pixels = std::size_t{1} << 28;
 
 /// What OpenImageIO has read.
 struct StoredImage {

@@ -20,7 +20,6 @@ namespace sturm {
 
 namespace {
 
-constexpr std::size_t max_pixels = std::size_t{1} << 28;
 constexpr std::string_view exr_magic("\x76\x2f\x31\x01", 4);
 
 std::string first_bytes(const std::filesystem::path& path) {
@@ -55,7 +54,7 @@ PictureFile linear_picture(Image image, std::vector<std::string> notes) {
 }
 
 PictureFile read_radiance_hdr(const std::string& bytes) {
-  RadianceHdr hdr = decode_radiance_hdr(bytes, max_pixels);
+  RadianceHdr hdr = decode_radiance_hdr(bytes, most_pixels);
   if (hdr.primaries && !hdr.primaries->is_rec709()) {
     transform_colours(hdr.image, rec709_from(*hdr.primaries));
     hdr.notes.push_back("converted to Rec. 709 from the file's PRIMARIES: " + hdr.primaries->text());
@@ -101,7 +100,7 @@ PictureFile read_picture_file(const std::filesystem::path& path, const std::opti
   if (is_radiance_hdr(start)) return decoded(path, "Radiance", read_radiance_hdr);
   if (is_portable_float_map(start))
     return decoded(path, "PFM", [](const std::string& bytes) {
-      return linear_picture(decode_portable_float_map(bytes, max_pixels), {});
+      return linear_picture(decode_portable_float_map(bytes, most_pixels), {});
     });
   StoredImage stored = read_stored_image(path);
   PictureFile file = linear_picture(std::move(stored.image), {});

@@ -33,7 +33,7 @@ const CsvColumn vertex_column{"vertex_distance_mm",
 
 /// Words for "none" in cells of cylinder and axis, and the sphere's unit, which opticians write there.
 constexpr std::array<std::string_view, 9> nothings{"-", "--", "---", "/", "DS", "SPH", "sph", "ds", "Sph"};
-constexpr std::array<std::string_view, 6> planos{"PL", "pl", "Pl", "Plano", "plano", "PLANO"};
+constexpr std::array<std::string_view, 6> plano_cells{"PL", "pl", "Pl", "Plano", "plano", "PLANO"};
 
 bool is_one_of(std::string_view cell, const auto& list) {
   return std::ranges::find(list, cell) != list.end();
@@ -98,7 +98,7 @@ class Rows {
 
   /// "+1.25", "1,25", "PL", "-2.00 D", "-2.00 DS".
   double dioptres(std::string cell, const CsvColumn& column) const {
-    if (is_one_of(cell, planos)) return 0.0;
+    if (is_one_of(cell, plano_cells)) return 0.0;
     for (const std::string_view unit : {"DS", "DC", "D", "dpt"})
       if (cell.ends_with(unit)) {
         cell.erase(cell.size() - unit.size());

@@ -12,7 +12,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int tile_size = 16;
+constexpr int pass_tile_size = 16;
 
 /// What all pixels hold between passes.
 class Film {
@@ -48,7 +48,7 @@ class Film {
 }  // namespace
 
 RenderResult render_in_passes(const PixelSource& source, const RenderSettings& settings) {
-  const TileGrid tiles{source.width(), source.height(), tile_size};
+  const TileGrid tiles{source.width(), source.height(), pass_tile_size};
   const auto samples = static_cast<std::uint32_t>(settings.samples_per_pixel);
   Film film(tiles.width, tiles.height, settings.guide_layers);
   RenderResult result = empty_result(tiles.width, tiles.height, settings);

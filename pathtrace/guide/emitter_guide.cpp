@@ -12,10 +12,10 @@ namespace {
 
 /// The bounding sphere and a little more: rays are not parallel to the line of sight, so they meet the sphere up to
 /// 1/cos of the angle off the centre. What lies outside all the same is left to plain sampling.
-constexpr float margin = 1.5f;
+constexpr float sphere_margin = 1.5f;
 
 /// Emitters that are seen from more than this share of the pupil at a time are left to plain sampling.
-constexpr float largest_share = 0.9f;
+constexpr float largest_pupil_share = 0.9f;
 
 /// More than what single precision loses in a distance across the line of sight.
 constexpr float rounding = 1.0f + 1e-4f;
@@ -42,7 +42,7 @@ EmitterGuide::EmitterGuide(const Scene& scene, const EyeCamera& camera)
     Lens lens{static_cast<int>(k),
               local.head<2>(),
               local.z(),
-              margin * cluster.radius,
+              sphere_margin * cluster.radius,
               0.0f,
               cluster.luminance,
               svd.matrixU().col(0),
@@ -53,7 +53,7 @@ EmitterGuide::EmitterGuide(const Scene& scene, const EyeCamera& camera)
     lens.farthest = rounding * (lens.sigma.norm() * radius_ + std::numbers::sqrt2_v<float> * lens.reach);
     // Seen from straight behind it.
     const PupilRectangle seen = rectangle(lens, lens.lateral.x() / lens.distance, lens.lateral.y() / lens.distance);
-    if (!(seen.area() < largest_share * pupil_area)) continue;
+    if (!(seen.area() < largest_pupil_share * pupil_area)) continue;
     lens_of_cluster_[k] = static_cast<int>(lenses_.size());
     lenses_.push_back(lens);
   }

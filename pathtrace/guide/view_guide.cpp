@@ -14,10 +14,10 @@ namespace {
 
 /// The bounding sphere and a little more: for what the interpolated conoid does not know. What lies outside all the
 /// same is left to plain sampling.
-constexpr double margin = 1.15;
+constexpr double conoid_margin = 1.15;
 
 /// Emitters that are seen from more than this share of the pupil at a time are left to plain sampling.
-constexpr double largest_share = 0.9;
+constexpr double largest_guided_share = 0.9;
 
 Eigen::Vector2d quarter_turned(const Eigen::Vector2d& v) {
   return {-v.y(), v.x()};
@@ -67,7 +67,7 @@ std::optional<ViewGuide::Aspect> ViewGuide::aspect(int index, const Place& place
   const Eigen::Matrix2d by_slope = place.conoid.by_slope(distance);
   return Aspect{place.conoid.by_point(distance) + by_slope * place.slope_matrix,
                 place.across * way - place.conoid.constant(distance) - by_slope * slopes_.constant, distance,
-                margin * radius + place.conoid.offset_residual_m + distance * place.conoid.direction_residual +
+                conoid_margin * radius + place.conoid.offset_residual_m + distance * place.conoid.direction_residual +
                     singular_values(by_slope).large * slopes_.residual};
 }
 
@@ -102,7 +102,7 @@ std::optional<PupilRegion> ViewGuide::region_within(const Aspect& aspect, double
 
 bool ViewGuide::worth_it(const Aspect& aspect) const {
   const double area = static_cast<double>(region_of(aspect, Eigen::Vector2d::Zero(), aspect.reach).rectangle.area());
-  return area < largest_share * std::numbers::pi * radius_ * radius_;
+  return area < largest_guided_share * std::numbers::pi * radius_ * radius_;
 }
 
 /// Looks along the chief rays of the conoids' corners, with an eye that seeks focus relaxed and tense, at each
@@ -119,7 +119,7 @@ bool ViewGuide::worth_it_somewhere() const {
         if (worth_it({conoid->by_point(distance) + conoid->by_slope(distance) * slopes,
                       {},
                       distance,
-                      margin * static_cast<double>(cluster.radius)}))
+                      conoid_margin * static_cast<double>(cluster.radius)}))
           return true;
       }
     }

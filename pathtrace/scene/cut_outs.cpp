@@ -28,7 +28,7 @@ class NumberOfWords {
   std::uint32_t state_ = 0x5354524du;
 };
 
-float number_of(RTCRayN* rays, unsigned count, unsigned lane, std::uint32_t triangle) {
+float drawn_number(RTCRayN* rays, unsigned count, unsigned lane, std::uint32_t triangle) {
   NumberOfWords words;
   for (const float value :
        {RTCRayN_org_x(rays, count, lane), RTCRayN_org_y(rays, count, lane), RTCRayN_org_z(rays, count, lane),
@@ -63,7 +63,7 @@ void CutOuts::pass_rays(const RTCFilterFunctionNArguments* arguments) {
         part.alpha(triangle, RTCHitN_u(arguments->hit, count, lane), RTCHitN_v(arguments->hit, count, lane));
     const Opacity& opacity = part.surfaces[triangle.surface].opacity;
     const bool stops = opacity.mode == Opacity::Mode::mask ? rounded_up * alpha >= opacity.cutoff
-                                                           : number_of(arguments->ray, count, lane, number) < alpha;
+                                                           : drawn_number(arguments->ray, count, lane, number) < alpha;
     if (!stops) arguments->valid[lane] = 0;
   }
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
-#include "pathtrace/scene/message_text.h"
+#include "pathtrace/scene/surface_checks.h"
 #include "pathtrace/scene/texture.h"
 
 namespace sturm {
@@ -19,14 +19,6 @@ constexpr RTCBuildQuality build_quality = RTC_BUILD_QUALITY_MEDIUM;
 constexpr unsigned triangle_geometry = 0, sphere_geometry = 1, cut_out_geometry = 2, first_instance = 3;
 constexpr float least_squared_area =
     1e-36f;  // [m⁴], of the doubled area; below, its square root is lost in single precision
-constexpr float largest_coordinate = 1e6f;  // [m]; beyond it single precision cannot resolve a millimetre
-
-void require_usable(const Eigen::Vector3f& p, const std::string& where) {
-  if (!(p.array().abs() <= largest_coordinate).all())
-    throw InputError("", where,
-                     "(" + exact_number(p.x()) + ", " + exact_number(p.y()) + ", " + exact_number(p.z()) + ")",
-                     "finite coordinates within ±1e6 m");
-}
 
 /// Of a scene that reaches as far from the origin [m]. A power of two: scenes that differ by one look alike to the bit.
 float offset_unit_of(float reach) {
@@ -61,42 +53,6 @@ Eigen::Vector3f mean_emission(const Mesh& mesh, const std::array<std::uint32_t, 
     }
   const Eigen::Vector3f mean = sum / static_cast<float>(points);
   return material.emission.cwiseProduct(mean.cwiseMax(0.01f));
-}
-
-void require_material(int material, std::size_t count, const std::string& where) {
-  if (material < 0 || static_cast<std::size_t>(material) >= count)
-    throw InputError("", where, "material " + std::to_string(material),
-                     "0 to " + std::to_string(static_cast<long long>(count) - 1));
-}
-
-void validate(const Mesh& mesh, std::size_t material_count) {
-  const std::string where = "mesh '" + mesh.name + "'";
-  require_material(mesh.material, material_count, where);
-  for (const Eigen::Vector3f& p : mesh.positions) require_usable(p, where);
-  for (const auto& triangle : mesh.triangles)
-    for (std::uint32_t v : triangle)
-      if (v >= mesh.positions.size())
-        throw InputError("", where, "vertex index " + std::to_string(v),
-                         "less than " + std::to_string(mesh.positions.size()));
-  if (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != mesh.positions.size())
-    throw InputError("", where, std::to_string(mesh.texture_coordinates.size()) + " texture coordinates",
-                     "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
-  if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
-    throw InputError("", where, std::to_string(mesh.normals.size()) + " normals",
-                     "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
-  if (!mesh.vertex_colours.empty() && mesh.vertex_colours.size() != mesh.positions.size())
-    throw InputError("", where, std::to_string(mesh.vertex_colours.size()) + " vertex colours",
-                     "one for each of " + std::to_string(mesh.positions.size()) + " positions, or none");
-  for (const Eigen::Vector3f& n : mesh.normals)
-    if (!(std::abs(n.squaredNorm() - 1.0f) < 1e-3f))
-      throw InputError("", where, "a normal of length " + exact_number(n.norm()), "unit normals");
-}
-
-void validate(const Sphere& sphere, std::size_t material_count) {
-  require_material(sphere.material, material_count, "sphere");
-  require_usable(sphere.center, "sphere");
-  if (!(sphere.radius > 0.0f && sphere.radius <= largest_coordinate))
-    throw InputError("", "sphere", "radius " + exact_number(sphere.radius) + " m", "a radius above 0");
 }
 
 }  // namespace
@@ -152,7 +108,7 @@ Scene::Scene(const SceneDescription& description, const std::string& isa)
 
 void Scene::validate_meshes(const SceneDescription& description) {
   const auto check = [&](const Mesh& mesh) {
-    validate(mesh, materials_.size());
+    require_usable(mesh, materials_.size());
     const Material& material = materials_[mesh.material];
     const bool wants_texture = material.albedo_texture || material.emission_texture || material.opacity.texture;
     if (wants_texture && mesh.texture_coordinates.empty())
@@ -285,7 +241,7 @@ void Scene::add_instances(const SceneDescription& description) {
 
 void Scene::add_spheres(const SceneDescription& description) {
   if (description.spheres.empty()) return;
-  for (const Sphere& sphere : description.spheres) validate(sphere, materials_.size());
+  for (const Sphere& sphere : description.spheres) require_usable(sphere, materials_.size());
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* data = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
                                                            4 * sizeof(float), description.spheres.size()));

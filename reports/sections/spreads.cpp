@@ -14,7 +14,7 @@ namespace {
 
 /// Bytes of the page that the numbers of a section may take; each takes 2 bytes in base64.
 constexpr double byte_budget = 3e6;
-constexpr double bytes_per_number = 2.0 * 4.0 / 3.0;
+constexpr double bytes_per_pixel = 2.0 * 4.0 / 3.0;
 
 struct Loaded {
   SpreadGroup::Spread spread;
@@ -107,7 +107,7 @@ std::vector<Html> spread_viewers(const std::vector<SpreadGroup>& groups, const s
     all.push_back(loaded(group, run_folder));
     numbers += all.back().numbers();
   }
-  const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(numbers * bytes_per_number / byte_budget))));
+  const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(numbers * bytes_per_pixel / byte_budget))));
   std::vector<Html> places;
   for (std::size_t i = 0; i < groups.size(); ++i) places.push_back(place_of(groups[i], all[i], factor, payload));
   return places;

@@ -58,11 +58,13 @@ class WavefrontFit(FolderTest):
             "image": ("x_mm,y_mm,slope_x_rad,slope_y_rad", lambda r: [r[0], -r[1], r[2], -r[3]], ("--frame", "image")),
             "negative": ("x_um,y_um,slope_x_mrad,slope_y_mrad", lambda r: [1e3 * r[0], 1e3 * r[1], -1e3 * r[2], -1e3 * r[3]], ("--negative-slopes",)),
             "semicolons": ("X_mm; Y_mm; Slope_x_rad; Slope_y_rad", lambda r: r, ()),
+            "decimal commas": ("x_mm;y_mm;slope_x_rad;slope_y_rad", lambda r: r, ()),
             "moved": ("slope_x_arcmin,slope_y_arcmin,x_mm,y_mm", lambda r: [r[2] * arcmin, r[3] * arcmin, r[0] + 7, r[1] - 2], ("--center", 7, -2)),
         }
         for name, (heading, change, more) in variants.items():
             rows = [change(list(row)) for row in case["inputs"]["spots"]]
-            file = self.write(name + ".csv", heading + "\n" + "".join((";" if ";" in heading else ",").join(map(repr, row)) + "\n" for row in rows))
+            numbers = [[repr(x).replace(".", "," if "commas" in name else ".") for x in row] for row in rows]
+            file = self.write(name + ".csv", heading + "\n" + "".join((";" if ";" in heading else ",").join(row) + "\n" for row in numbers))
             _, c, _ = self.fit(file, *options, *more)
             for j, value in enumerate(expected, 1):
                 self.assertAlmostEqual(c[j], value, delta=1e-9, msg=f"{name} {j}")

@@ -12,7 +12,7 @@ namespace sturm {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of a step between planes that counts as none
+constexpr double step_rounding = 1e-9;  // of a step between planes that counts as none
 
 /// All different vergences if they are few.
 std::vector<double> few_different(std::span<const double> vergences_D) {
@@ -31,7 +31,7 @@ bool evenly_spaced(const std::vector<double>& planes) {
   if (planes.size() < 2) return false;
   const double step = (planes.back() - planes.front()) / static_cast<double>(planes.size() - 1);
   for (std::size_t i = 0; i < planes.size(); ++i)
-    if (std::abs(planes[i] - planes.front() - step * static_cast<double>(i)) > rounding * step) return false;
+    if (std::abs(planes[i] - planes.front() - step * static_cast<double>(i)) > step_rounding * step) return false;
   return true;
 }
 

@@ -6,7 +6,7 @@ namespace sturm {
 
 namespace {
 
-constexpr float rounding = 1e-6f;  // of a coverage: transforms in single precision are ten times better
+constexpr float coverage_rounding = 1e-6f;  // of a coverage: transforms in single precision are ten times better
 
 }  // namespace
 
@@ -30,7 +30,7 @@ bool lay_behind(const TileLight& layer, const CellBox& cells, TileLight& total) 
         least = std::min(least, covered[x]);
       }
     }
-  return least >= 1.0f - rounding;
+  return least >= 1.0f - coverage_rounding;
 }
 
 void clear_rounding(const CellBox& cells, TileLight& layer) {
@@ -39,11 +39,12 @@ void clear_rounding(const CellBox& cells, TileLight& layer) {
     for (int c = 0; c < 3; ++c) {
       const float* const alpha = layer.planes[3 + (coverages == 1 ? 0 : c)].at(0, y);
       float* const light = layer.planes[c].at(0, y);
-      for (int x = cells.left; x < cells.right; ++x) light[x] = alpha[x] < rounding ? 0.0f : std::max(0.0f, light[x]);
+      for (int x = cells.left; x < cells.right; ++x)
+        light[x] = alpha[x] < coverage_rounding ? 0.0f : std::max(0.0f, light[x]);
     }
     for (int k = 0; k < coverages; ++k) {
       float* const alpha = layer.planes[3 + k].at(0, y);
-      for (int x = cells.left; x < cells.right; ++x) alpha[x] = alpha[x] < rounding ? 0.0f : alpha[x];
+      for (int x = cells.left; x < cells.right; ++x) alpha[x] = alpha[x] < coverage_rounding ? 0.0f : alpha[x];
     }
   }
 }

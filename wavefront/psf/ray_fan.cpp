@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "lensmodel/gauss_legendre.h"
+#include "wavefront/psf/pupil_wave.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 /// 1/φ and 1/φ² of the root φ of φ³ = φ + 1, which fill two dimensions most evenly.
 constexpr double step_of_radius = 0.7548776662466927, step_of_angle = 0.5698402909980532;
 

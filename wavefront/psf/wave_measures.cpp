@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "lensmodel/units.h"
+#include "wavefront/psf/pupil_wave.h"
 #include "wavefront/psf/transfer.h"
 
 namespace sturm {
 
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr int bins_per_step = 32;
 
 /// sin(πx)/(πx)

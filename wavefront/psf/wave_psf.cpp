@@ -10,13 +10,12 @@
 #include <vector>
 
 #include "wavefront/psf/disc_area.h"
+#include "wavefront/psf/pupil_wave.h"
 #include "wavefront/psf/transform.h"
 
 namespace sturm {
 
 namespace {
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 /// PSF of one wavelength [1/rad²] on the grid, X = 0 first, and what it would be there without aberration.
 struct Spread {

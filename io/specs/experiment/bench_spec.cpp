@@ -9,6 +9,7 @@
 #include "io/json/schema.h"
 #include "io/json/suggest.h"
 #include "io/json/unique_ids.h"
+#include "io/specs/experiment/input_files.h"
 #include "io/specs/words.h"
 
 namespace sturm {
@@ -61,11 +62,6 @@ RenderSpec read_patched(const ViewDocument& view, const std::vector<const Json*>
   } catch (const InputError& error) {
     throw InputError(where.file, where.pointer, "a view that cannot be read (" + std::string(error.what()) + ")", "");
   }
-}
-
-void add_files(std::vector<std::string>& files, const std::vector<std::string>& more) {
-  for (const std::string& file : more)
-    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
 }
 
 /// The patches of a method's sweep, in order; one that changes nothing where it has none.

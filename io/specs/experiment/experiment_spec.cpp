@@ -8,6 +8,7 @@
 #include "io/json/schema.h"
 #include "io/json/suggest.h"
 #include "io/json/unique_ids.h"
+#include "io/specs/experiment/input_files.h"
 #include "io/specs/words.h"
 #include "lensmodel/units.h"
 
@@ -108,12 +109,6 @@ Json resolved_experiment(const Json& document) {
     for (std::size_t i = 0; i < figures->size(); ++i)
       for (const auto& [key, given] : document["figures"][i].items()) (*figures)[i][key] = given;
   return resolved;
-}
-
-/// Adds the files of `more` that are not yet in `files`.
-void add_files(std::vector<std::string>& files, const std::vector<std::string>& more) {
-  for (const std::string& file : more)
-    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
 }
 
 /// A benchmark that stands in the experiment or in a file of its own, with the experiment's seed.

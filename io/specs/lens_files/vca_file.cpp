@@ -33,9 +33,9 @@ EyeSide eye_of(const VcaRecords& records, const LensFileRequest& request) {
 }
 
 /// The lens under construction.
-class Builder {
+class VcaBuilder {
  public:
-  Builder(const VcaRecords& records, const LensFileRequest& request)
+  VcaBuilder(const VcaRecords& records, const LensFileRequest& request)
       : records_(records), request_(request), eye_(eye_of(records, request)) {}
 
   LensFile run() {
@@ -215,7 +215,7 @@ class Builder {
 
 LensFile vca_lens(std::string_view text, const LensFileRequest& request) {
   const VcaRecords records(text, request.file);
-  return Builder(records, request).run();
+  return VcaBuilder(records, request).run();
 }
 
 }  // namespace sturm

@@ -198,7 +198,7 @@ class Reader {
 }
 
 /// The lens under construction.
-struct Builder {
+struct ZemaxBuilder {
   const ZemaxFile& zemax;
   const LensFileRequest& request;
   LensFile result{};
@@ -308,7 +308,7 @@ LensFile zemax_lens(std::string_view text, const LensFileRequest& request) {
   const ZemaxFile zemax = Reader(request.file).run(text);
   const std::size_t index = front_of(zemax, request.file);
   const ZemaxSurface &front = zemax.surfaces[index], &back = zemax.surfaces[index + 1];
-  Builder builder{zemax, request};
+  ZemaxBuilder builder{zemax, request};
   Spectacles& lens = builder.result.lens;
   const double smaller = std::min(front.semi_diameter > 0.0 ? front.semi_diameter : back.semi_diameter,
                                   back.semi_diameter > 0.0 ? back.semi_diameter : front.semi_diameter);
