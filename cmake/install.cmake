@@ -7,6 +7,7 @@ install(TARGETS ${sturm_libraries} EXPORT sturm_targets ARCHIVE DESTINATION ${CM
 foreach(module lensmodel io pathtrace conoid wavefront compare reports)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sturm/${module} FILES_MATCHING PATTERN "*.h")
 endforeach()
+include(cmake/install_help.cmake)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm)
 # The validation experiment names its independent numbers by a path relative to itself.
 install(FILES ${PROJECT_SOURCE_DIR}/tests/reference/naked_eye_blur.json DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm/tests/reference)
