@@ -17,10 +17,14 @@ constexpr double clear_semi_axis_arcmin = 0.5;  // as wide as the stroke of a le
 constexpr double alike_D = 0.01;                // powers are written in steps of 0.25 D
 constexpr const char* none = "–";
 
-/// Major and minor, in units of `scale`.
+/// Major and minor, in units of `scale`. What rounding leaves of a zero is one.
 std::string axes(const Json& pair, double scale = 1.0) {
   if (!pair.is_array() || !pair[0].is_number()) return none;
-  return plain_number(scale * pair[0].get<double>(), 4) + " x " + plain_number(scale * pair[1].get<double>(), 4);
+  const auto size = [&](const Json& axis) {
+    const double value = scale * axis.get<double>();
+    return plain_number(value < 1e-9 ? 0.0 : value, 4);
+  };
+  return size(pair[0]) + " x " + size(pair[1]);
 }
 
 /// A line's direction, (0°, 180°] in whole degrees.

@@ -60,8 +60,9 @@ SpectaclesSpec read_lens(const Json& document, const std::string& file) {
 
 /// The lens with what the options change; a single-vision lens where no file was given.
 Json lens_document(const CommonOptions& options, const LensOptions& lens) {
-  Json document =
-      load_configuration(options, {{"format", "sturm.spectacles/1"}, {"single_vision", {{"center_thickness_mm", 2}}}});
+  Json document = load_configuration(
+      options,
+      {{"format", "sturm.spectacles/1"}, {"single_vision", {{"center_thickness_mm", 2}, {"refractive_index", 1.5}}}});
   for (const auto& [key, value] :
        {std::pair("refractive_index", lens.refractive_index),
         std::pair("center_thickness_mm", lens.center_thickness_mm), std::pair("diameter_mm", lens.diameter_mm)}) {

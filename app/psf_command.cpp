@@ -14,7 +14,9 @@ int psf_command(const CommonOptions& given, const PsfOptions& files) {
   const std::filesystem::path exr(files.images);
   if (!files.images.empty() && exr.extension() != ".exr")
     throw InputError("", "--images", "\"" + files.images + "\"", "a name that ends in .exr");
-  const Json document = load_configuration(options, {{"format", "sturm.psf/1"}, {"eye", {{"pupil_diameter_mm", 4}}}});
+  const Json document = load_configuration(
+      options,
+      {{"format", "sturm.psf/1"}, {"eye", {{"pupil_diameter_mm", 4}}}, {"lights", {{{"wavelength_nm", 555}}}}});
   if (options.print_config) return print_configuration(document, options.file, files.output);
   const PsfSpec spec = read_psf_spec(document, options.file);
   if (!files.output.empty()) require_writable(files.output);

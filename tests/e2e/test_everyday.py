@@ -92,10 +92,11 @@ class ShippedThings(FolderTest):
         self.assertEqual(report["refractive_index"], 1.6)
         self.assertAlmostEqual(report["back_vertex"]["sphere_D"], -3.25, delta=1e-9)
         self.assertAlmostEqual(report["back_vertex"]["axis_deg"], 160, delta=1e-6)
+        self.assertEqual(strict_json(self.succeed("lens", "--rx", "-1.00 DS").stdout)["refractive_index"], 1.5)
 
     def test_what_a_line_stands_for(self):
         """--print-config gives a document that does the same, for every command that has it."""
-        for command in (["lens", "--rx", "-2.00 -1.00 x 20", "--index", "1.67"], ["psf", "--rx", "-2.00 DS", "--set", '/models=["rays"]'],
+        for command in (["lens", "--rx", "-2.00 -1.00 x 20", "--index", "1.67"], ["psf", "--rx", "-2.00 DS"], ["lens", "--rx", "+4.00 DS"],
                         ["render", "cornell", "--rx", "-3 -1 x 20", *self.SMALL[:4]], ["blurfield", "kakimoto_fig12", "--rx", "-1 DS"], ["run", "night", "--seed", "5"]):
             with self.subTest(command):
                 config = self.succeed(*command, "--print-config").stdout

@@ -158,6 +158,11 @@ class Table(unittest.TestCase):
             self.assertIn(f"{result['orientation_tabo_deg']:.4g}"[:3], line)
         self.assertEqual(text[4].split()[0], "inf")
 
+    def test_what_is_sharp(self):
+        line = answer("--rx", "-2.00 DS", "--lens", "glasses", "--distance", "inf").splitlines()[1]
+        self.assertIn("0 x 0", line)
+        self.assertIn("clear", line)
+
     def test_gazes_and_methods_have_columns_when_there_are_several(self):
         text = answer("--rx", RX, "--distance", 1, "--gaze", "0,0", "--gaze", "20,-10", "--method", "conoid,previous", "--lens", "glasses").splitlines()
         self.assertEqual(len(text), 1 + 4)
