@@ -9,7 +9,9 @@
 namespace sturm {
 
 int bench_command(const CommonOptions& options, const std::string& folder, bool resume) {
-  const BenchSpec spec = read_bench(load_configuration(options), options.file);
+  const Json document = load_configuration(options);
+  if (options.print_config) return print_configuration(document, options.file, "");
+  const BenchSpec spec = read_bench(document, options.file);
   RunOptions run;
   run.folder =
       !folder.empty()

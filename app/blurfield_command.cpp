@@ -17,10 +17,12 @@
 namespace sturm {
 
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files) {
+  const Json document = load_configuration(options);
+  if (options.print_config) return print_configuration(document, options.file, files.output);
   const std::filesystem::path exr(files.output);
   if (!has_suffix(exr, ".exr"))
     throw InputError("", "--output", "\"" + files.output + "\"", "a name that ends in .exr");
-  const BlurFieldSpec spec = read_blur_field_spec(load_configuration(options), options.file);
+  const BlurFieldSpec spec = read_blur_field_spec(document, options.file);
   require_writable(exr);
   if (!files.layers.empty()) require_writable(files.layers);
 
@@ -45,7 +47,7 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
   Json summary = {{"format", "sturm.blurfield_result/1"}};
   summary.update(field.summary);
   summary["seconds"] = facts.seconds;
-  std::cout << json_text(summary, 2) << "\n";
+  write_result(summary, "");
   return 0;
 }
 

@@ -8,6 +8,8 @@
 #include <memory>
 #include <sstream>
 
+#include "app/command_help.h"
+#include "app/command_hints.h"
 #include "app/command_options.h"
 #include "io/files/error.h"
 #include "io/files/readable_text.h"
@@ -24,16 +26,28 @@ void print_error(const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", readable_lines(error.what()).c_str());
 }
 
+/// Help goes to standard output. Of what is wrong, a mistyped name explains more than what follows from it.
+int answer_parse_error(const CLI::App& app, const std::vector<std::string>& arguments, const CLI::ParseError& error) {
+  std::ostringstream help, complaint;
+  const int code = app.exit(error, help, complaint);
+  std::cout << help.str();
+  if (code == 0) return passed;
+  const CommandHelp program = command_help(app);
+  std::string mistake = unknown_command(program, arguments);
+  if (mistake.empty()) mistake = unknown_option(program, arguments, app.remaining(true));
+  if (arguments.empty())
+    std::cerr << app.help();
+  else
+    std::cerr << readable_lines(mistake.empty() ? complaint.str() : "error: " + mistake + "\n");
+  return wrong_input;
+}
+
 int run_action(int argc, char** argv) {
   CommandLine line;
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    std::ostringstream help, complaint;
-    const int code = line.app.exit(error, help, complaint);
-    std::cout << help.str();
-    std::cerr << readable_lines(complaint.str());
-    return code == 0 ? passed : wrong_input;
+    return answer_parse_error(line.app, {argv + 1, argv + argc}, error);
   }
   try {
     std::unique_ptr<tbb::global_control> limit;

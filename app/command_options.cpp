@@ -2,11 +2,21 @@
 
 #include "io/files/build_info.h"
 #include "io/files/sandbox.h"
+#include "io/files/shipped_files.h"
 #include "io/json/manifest.h"
+#include "io/json/named_file.h"
 
 namespace sturm {
 
 namespace {
+
+/// The shipped document that a plain name means; anything else as it stands.
+std::string file_of_name(const std::string& kind, const std::string& name) {
+  std::error_code code;
+  if (kind.empty() || std::filesystem::exists(name, code)) return name;
+  const auto shipped = shipped_document(kind, name);
+  return shipped ? shipped->string() : name;
+}
 
 std::string version_text() {
   const BuildInfo& b = build_info();
@@ -17,15 +27,44 @@ std::string version_text() {
 
 }  // namespace
 
-void add_document(CLI::App& command, CommonOptions& options, const char* what) {
-  command.add_option("file", options.file, std::string(what) + " (- is standard input)")->required();
+CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema) {
+  const std::string kind = shipped_kind(schema);
+  auto* file = command.add_option(
+      "file", options.file,
+      std::string(what) + (kind.empty() ? "" : ", or the name of a shipped one") + " (- is standard input)");
+  file->required()->transform([kind](const std::string& name) { return file_of_name(kind, name); }, "");
+  command.preparse_callback([&options, schema](std::size_t) { options.schema = schema; });
   command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")
       ->allow_extra_args(false);
+  command.add_flag("--print-config", options.print_config,
+                   "print the document that the command line stands for, and do nothing else");
+  return file;
 }
 
 void add_prescription(CLI::App& command, CommonOptions& options, const char* whose) {
   command.add_option("--rx", options.prescription,
                      std::string("prescription of ") + whose + ", in place of the document's: \"-2.00 -1.50 x 30\"");
+  command
+      .add_option("--vertex", options.worn.vertex_mm,
+                  "distance from the lens that it is written for to the cornea [mm]")
+      ->check(CLI::Range(0.0, 50.0));
+}
+
+void add_wearer(CLI::App& command, CommonOptions& options) {
+  add_prescription(command, options, "the eye");
+  WearerOptions& w = options.worn;
+  command.add_option("--pupil", w.pupil_mm, "diameter of the pupil [mm]")->check(CLI::Range(0.0, 100.0));
+  auto* age = command.add_option("--age", w.age_years, "the eye accommodates as well as it can at this age [years]");
+  age->check(CLI::Range(0.0, 150.0));
+  auto* amplitude = command.add_option("--amplitude", w.amplitude_D, "or by at most so much [D]");
+  amplitude->check(CLI::Range(0.0, 100.0))->excludes(age);
+  command.add_option("--focus", w.focus_m, "or is set for one distance [m]; inf = relaxed")
+      ->excludes(age)
+      ->excludes(amplitude);
+}
+
+void add_spectacles(CLI::App& command, CommonOptions& options) {
+  command.add_option("--lens", options.worn.lens, "spectacles: a file, or the name of a shipped lens");
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
@@ -34,13 +73,21 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
 }
 
-void add_common_options(CLI::App& command, CommonOptions& options, const char* what) {
-  add_document(command, options, what);
+CLI::Option* add_common_options(CLI::App& command, CommonOptions& options, const char* what, const char* schema) {
+  auto* file = add_document(command, options, what, schema);
   add_run_options(command, options);
+  return file;
 }
 
 CommandLine::CommandLine() {
   app.require_subcommand(1);
+  app.footer(
+      "First steps:\n"
+      "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --pupil 5 --distance 0.4,1,6,inf\n"
+      "  sturm render cornell --rx \"-3.25 -1.75 x 160\" --pupil 5 -o seen.png\n"
+      "  sturm init view\n"
+      "  sturm doctor\n"
+      "sturm COMMAND --help explains a command.");
   app.set_version_flag("--version", version_text());
   app.add_flag_callback("--sandbox", enter_sandbox,
                         "for files that are not trusted: each may name only files in its own folder and below");
@@ -63,13 +110,17 @@ CommandLine::CommandLine() {
   add_report();
   add_validate();
   add_schema();
+  add_init();
+  add_doctor();
+  add_completion();
+  add_man();
   for (CLI::App* command : app.get_subcommands({})) command->fallthrough();
 }
 
 void CommandLine::add_validate() {
   auto* validate = app.add_subcommand("validate", "check a configuration without running it");
-  validate->add_option("file", file, "any document of Sturm (- is standard input)")->required();
-  validate->callback([this] { action = [this] { return validate_command(file); }; });
+  validate->add_option("file", files, "documents of Sturm of any kind (- is standard input)")->required();
+  validate->callback([this] { action = [this] { return validate_command(files); }; });
 }
 
 void CommandLine::add_schema() {

@@ -11,6 +11,7 @@ namespace sturm {
 struct CommandLine {
   CLI::App app{"Sturm: the blur of an astigmatic eye, path traced and predicted, and whether the two agree.", "sturm"};
   CommonOptions common;
+  EllipseOptions ellipse;
   LensOptions lens;
   BlurFieldOptions blurfield;
   PreviewOptions preview;
@@ -23,7 +24,9 @@ struct CommandLine {
   GateOptions gate;
   PsfOptions psf;
   WavefrontOptions wavefront;
-  std::string output, folder, file, schema, page_template;
+  InitOptions init;
+  std::vector<std::string> files;
+  std::string output, folder, schema, shell, page_template;
   bool resume = false, explain = false;
   std::function<int()> action;
 
@@ -55,12 +58,22 @@ struct CommandLine {
   void add_report();
   void add_validate();
   void add_schema();
+  // command_options_of_help.cpp
+  void add_init();
+  void add_doctor();
+  void add_completion();
+  void add_man();
 };
 
 // What several commands share.
-void add_document(CLI::App& command, CommonOptions& options, const char* what);
+/// `schema` is the kind of document, whose shipped ones may be named. Returns the option of the file, which must be
+/// given.
+CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
 void add_prescription(CLI::App& command, CommonOptions& options, const char* whose);
+/// Prescription, vertex distance, pupil and accommodation of the eye.
+void add_wearer(CLI::App& command, CommonOptions& options);
+void add_spectacles(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
-void add_common_options(CLI::App& command, CommonOptions& options, const char* what);
+CLI::Option* add_common_options(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
 
 }  // namespace sturm

@@ -4,18 +4,40 @@
 namespace sturm {
 
 void CommandLine::add_ellipse() {
-  auto* ellipse = app.add_subcommand("ellipse", "blur ellipses for a list of targets: JSON in, JSON out");
-  add_common_options(*ellipse, common, "query (sturm.ellipse/1)");
-  add_prescription(*ellipse, common, "the eye");
-  ellipse->add_option("-o,--output", output, "file instead of standard output");
-  ellipse->callback([this] { action = [this] { return ellipse_command(common, output); }; });
+  auto* e = app.add_subcommand("ellipse", "blur ellipses at a list of targets, from a query or from --rx");
+  add_common_options(*e, common, "query (sturm.ellipse/1)", "ellipse")->required(false);
+  add_wearer(*e, common);
+  add_spectacles(*e, common);
+  e->add_option("--distance", ellipse.distances_m, "of the targets [m], with commas between: 0.4,1,6,inf")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  e->add_option("--gaze", ellipse.gazes_deg, "AZIMUTH,ELEVATION to the wearer's right and up [deg]; may be repeated")
+      ->allow_extra_args(false);
+  e->add_option("--method", ellipse.methods,
+                "how it is computed: conoid (default), rays:power_matrix, …; may be repeated")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  auto* table = e->add_flag("--table", ellipse.table, "a table (default without a query)");
+  auto* csv = e->add_flag("--csv", ellipse.csv, "a table for programs")->excludes(table);
+  e->add_flag("--json", ellipse.json, "all numbers as JSON (default with a query)")->excludes(table)->excludes(csv);
+  e->add_option("-o,--output", ellipse.output, "file instead of standard output");
+  e->footer(
+      "Examples:\n"
+      "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --vertex 12 --pupil 5 --age 52 --distance 0.4,1,6,inf\n"
+      "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --lens glasses --gaze 0,0 --gaze 20,-10 --distance 1 --csv\n"
+      "  sturm ellipse query.json --pupil 6");
+  e->callback([this] { action = [this] { return ellipse_command(common, ellipse); }; });
 }
 
 void CommandLine::add_lens() {
-  auto* l =
-      app.add_subcommand("lens", "powers, thickness and as-worn power map of a spectacle lens: JSON in, JSON out");
-  add_document(*l, common, "lens (sturm.spectacles/1, .oma, .vca, .sdf or .zmx)");
+  auto* l = app.add_subcommand("lens",
+                               "powers, thickness and as-worn power map of a spectacle lens, from a file or from --rx");
+  add_document(*l, common, "lens (sturm.spectacles/1, .oma, .vca, .sdf or .zmx)", "spectacles")->required(false);
   add_prescription(*l, common, "a single-vision or progressive lens");
+  l->add_option("--index", lens.refractive_index, "its refractive index")->check(CLI::Range(1.0, 4.0));
+  l->add_option("--thickness", lens.center_thickness_mm, "its thickness at the centre [mm]")
+      ->check(CLI::PositiveNumber);
+  l->add_option("--diameter", lens.diameter_mm, "its diameter [mm]")->check(CLI::PositiveNumber);
   l->add_option("--azimuth-deg", lens.azimuths_deg, "gazes to the wearer's right [deg]: FIRST:LAST:STEP or one angle")
       ->capture_default_str();
   l->add_option("--elevation-deg", lens.elevations_deg, "gazes up [deg]: FIRST:LAST:STEP or one angle")
@@ -34,22 +56,31 @@ void CommandLine::add_lens() {
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   l->add_option("-o,--output", output, "file instead of standard output");
+  l->footer(
+      "Examples:\n"
+      "  sturm lens --rx \"-3.25 -1.75 x 160\" --index 1.6 --map map.svg\n"
+      "  sturm lens progressive_regular --azimuth-deg 0 --elevation-deg -40:40:10");
   l->callback([this] { action = [this] { return lens_command(common, lens, output); }; });
 }
 
 void CommandLine::add_blurfield() {
   auto* b =
       app.add_subcommand("blurfield", "blur ellipses over the whole field of view and all distances: a multi-part EXR");
-  add_common_options(*b, common, "blur field (sturm.blurfield/1)");
-  add_prescription(*b, common, "the eye");
-  b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it")->required();
+  add_common_options(*b, common, "blur field (sturm.blurfield/1)", "blurfield");
+  add_wearer(*b, common);
+  add_spectacles(*b, common);
+  auto* output_option = b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it");
   b->add_option("--layers", blurfield.layers, "SVG file: the ellipses at the distances layers_m");
-  b->callback([this] { action = [this] { return blurfield_command(common, blurfield); }; });
+  b->callback([this, output_option] {
+    if (!common.print_config && output_option->empty()) throw CLI::RequiredError("--output");
+    action = [this] { return blurfield_command(common, blurfield); };
+  });
 }
 
 void CommandLine::add_psf() {
   auto* p = app.add_subcommand("psf", "point spreads of an eye over distance, by rays and by waves: JSON in, JSON out");
-  add_document(*p, common, "point spreads (sturm.psf/1)");
+  add_document(*p, common, "point spreads (sturm.psf/1)", "psf")->required(false);
+  add_wearer(*p, common);
   p->add_option("--threads", common.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
   p->add_option("-o,--output", psf.output, "file instead of standard output");
   p->add_option("--images", psf.images, "EXR file with a picture of each point spread; a PNG of all appears beside it");

@@ -4,25 +4,34 @@ namespace sturm {
 
 void CommandLine::add_render() {
   auto* render = app.add_subcommand("render", "one image, path traced or predicted");
-  add_common_options(*render, common, "view (sturm.render/1)");
-  add_prescription(*render, common, "the eye");
-  auto* file_option = render->add_option("-o,--output", output, "EXR file; a PNG and a manifest appear beside it");
+  add_common_options(*render, common, "view (sturm.render/1)", "render");
+  add_wearer(*render, common);
+  add_spectacles(*render, common);
+  render->add_option("--samples", preview.samples_per_pixel, "samples per pixel")->check(CLI::Range(1, 16777216));
+  render->add_option("--size", preview.size, "WIDTHxHEIGHT of the picture [px]");
+  auto* file_option =
+      render->add_option("-o,--output", output, "EXR file, with a PNG beside it, or PNG file alone; and a manifest");
   render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
   render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
       ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str();
   render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")
       ->excludes(file_option);
+  render->footer(
+      "Examples:\n"
+      "  sturm render cornell --rx \"-3.25 -1.75 x 160\" --pupil 5 -o seen.png\n"
+      "  sturm render desk --rx \"-3.25 -1.75 x 160\" --lens glasses --samples 256 -o corrected.exr");
   render->callback([this, file_option] {
-    if (!explain && file_option->empty()) throw CLI::RequiredError("--output");
-    action = [this] { return explain ? explain_command(common) : render_command(common, preview, output); };
+    if (!explain && !common.print_config && file_option->empty()) throw CLI::RequiredError("--output");
+    action = [this] { return explain ? explain_command(common, preview) : render_command(common, preview, output); };
   });
 }
 
 void CommandLine::add_serve() {
   auto* s = app.add_subcommand("serve", "show a view in a browser, and render what its page shows");
-  add_common_options(*s, common, "view (sturm.render/1)");
-  add_prescription(*s, common, "the eye");
+  add_common_options(*s, common, "view (sturm.render/1)", "render");
+  add_wearer(*s, common);
+  add_spectacles(*s, common);
   s->add_option("--template", serve.page_template, "the page without data (default: the one that was built)");
   s->add_option("--port", serve.port, "on 127.0.0.1; 0 = any that is free")->check(CLI::Range(0, 65535));
   s->callback([this] { action = [this] { return serve_command(common, serve); }; });
@@ -30,8 +39,9 @@ void CommandLine::add_serve() {
 
 void CommandLine::add_view() {
   auto* view = app.add_subcommand("view", "a view as a page that a browser shows, with its own optics");
-  add_common_options(*view, common, "view (sturm.render/1)");
-  add_prescription(*view, common, "the eye");
+  add_common_options(*view, common, "view (sturm.render/1)", "render");
+  add_wearer(*view, common);
+  add_spectacles(*view, common);
   view->add_option("-o,--output", output, "HTML file")->required();
   view->add_option("--template", page_template, "the page without data (default: the one that was built)");
   view->callback([this] { action = [this] { return view_command(common, page_template, output); }; });
@@ -40,7 +50,8 @@ void CommandLine::add_view() {
 void CommandLine::add_see() {
   auto* s = app.add_subcommand("see", "any picture with a depth map, as an eye sees it");
   s->add_option("picture", see.picture, "sharp picture: EXR, HDR, PFM (linear), PNG, JPEG … (sRGB)")->required();
-  s->add_option("--eye", see.eye, "eye (sturm.eye/1)")->required();
+  s->add_option("--eye", see.eye, "eye (sturm.eye/1), or the name of a shipped one");
+  add_prescription(*s, common, "the eye");
   auto* output_option = s->add_option("-o,--output", see.output, "PNG or EXR file; a manifest appears beside it");
   add_see_depth(*s);
   add_see_view(*s);
@@ -78,7 +89,7 @@ void CommandLine::add_see_view(CLI::App& s) {
   s.add_option("--hfov-deg", see.hfov_deg, "or from left to right [deg]")
       ->check(CLI::Range(1e-3, 175.0))
       ->excludes(vfov);
-  s.add_option("--pupil-mm", see.pupil_mm, "pupil diameter in place of the eye's own [mm]")
+  s.add_option("--pupil,--pupil-mm", see.pupil_mm, "pupil diameter in place of the eye's own [mm]")
       ->check(CLI::Range(0.0, 100.0));
   auto* focus_m = s.add_option("--focus-m", see.focus_m, "accommodation as a distance [m]; inf = relaxed");
   s.add_option("--focus-D", see.focus_D, "accommodation as a power [D]")

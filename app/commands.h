@@ -7,11 +7,27 @@
 
 namespace sturm {
 
+/// What options say of the wearer in place of the document, besides the prescription; "" and none are what was not
+/// given.
+struct WearerOptions {
+  std::optional<double> vertex_mm;  ///< distance of the lens that the prescription is written for
+  std::optional<double> pupil_mm;
+  std::optional<double> age_years, amplitude_D;  ///< accommodation as good as it can be; at most one of three
+  std::string focus_m;                           ///< accommodation at one distance: > 0 or "inf"
+  std::string lens;                              ///< spectacles: a file, or the name of a shipped lens
+};
+
+/// The name in messages of what options alone say, without a file. Paths in it start at the working directory.
+inline constexpr const char* command_line_source = "command line";
+
 /// What several commands take.
 struct CommonOptions {
-  std::string file;                      ///< the configuration; "-" is standard input
+  std::string file;                      ///< the configuration; "-" is standard input, "" = none was given
+  std::string schema;                    ///< of the configuration: "ellipse" for sturm.ellipse/1; "" = any
   std::vector<std::string> assignments;  ///< --set /pointer=value
   std::string prescription;              ///< --rx, in optical notation; "" = as in the configuration
+  WearerOptions worn;
+  bool print_config = false;  ///< print the configuration with all that the options change, and do nothing
   std::optional<std::uint64_t> seed;
   int threads = 0;  ///< 0: one per processor
   bool quiet = false;
@@ -43,13 +59,21 @@ struct PlanOptions {
   std::optional<double> coefficient_of_variation;  ///< of single samples of a mean; none: a semi-axis
 };
 
+/// What `sturm ellipse` is asked for beside the query.
+struct EllipseOptions {
+  std::vector<std::string> distances_m, gazes_deg, methods;  ///< in place of the query's; empty = as there
+  bool table = false, csv = false, json = false;             ///< at most one; else JSON for a file, a table for a line
+  std::string output;                                        ///< file; "" = standard output
+};
+
 /// What `sturm lens` is asked for.
 struct LensOptions {
-  std::string azimuths_deg = "-40:40:10", elevations_deg = "-40:40:10";  ///< FIRST:LAST:STEP, or one angle
-  double rotation_center_mm = 1e3 * mean_rotation_center_m;              ///< behind the pupil
-  std::string map_file, defocus_map_file;                                ///< .svg or .png; "" = none
-  std::vector<std::string> target_distances_m{"0.4"};                    ///< of the defocus map: > 0 or "inf"
-  double amplitude_D = 0.0;                                              ///< of accommodation, for the defocus map
+  std::optional<double> refractive_index, center_thickness_mm, diameter_mm;  ///< of a lens that is made
+  std::string azimuths_deg = "-40:40:10", elevations_deg = "-40:40:10";      ///< FIRST:LAST:STEP, or one angle
+  double rotation_center_mm = 1e3 * mean_rotation_center_m;                  ///< behind the pupil
+  std::string map_file, defocus_map_file;                                    ///< .svg or .png; "" = none
+  std::vector<std::string> target_distances_m{"0.4"};                        ///< of the defocus map: > 0 or "inf"
+  double amplitude_D = 0.0;                                                  ///< of accommodation, for the defocus map
 };
 
 /// What `sturm blurfield` writes.
@@ -91,8 +115,10 @@ struct ServeOptions {
   int port = 0;               ///< 0: any that is free
 };
 
-/// What `sturm render` writes beside its picture.
+/// What `sturm render` changes in its view, and writes beside its picture.
 struct PreviewOptions {
+  std::optional<std::uint64_t> samples_per_pixel;
+  std::string size;  ///< "480x320" [px]; "" = as in the view
   std::string file;  ///< PNG that is replaced while the picture grows; "" = none
   double interval_s = 2.0;
 };
@@ -135,14 +161,20 @@ struct CompareRunsOptions {
   bool gate = false;          ///< exit status 1 where something is worse
 };
 
+/// What `sturm init` writes.
+struct InitOptions {
+  std::string kind;    ///< "experiment", "view", "lens", …
+  std::string folder;  ///< that it is written into
+};
+
 // Each command returns the exit status; errors are thrown as InputError (2) or RuntimeFailure (3).
-int ellipse_command(const CommonOptions& options, const std::string& output);
+int ellipse_command(const CommonOptions& common, const EllipseOptions& options);
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
 int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
 int view_command(const CommonOptions& options, const std::string& template_file, const std::string& output);
-int explain_command(const CommonOptions& options);  ///< sturm render --explain
 int serve_command(const CommonOptions& options, const ServeOptions& serve);
+int explain_command(const CommonOptions& options, const PreviewOptions& preview);  ///< sturm render --explain
 int see_command(const CommonOptions& common, const SeeOptions& options);
 int run_command(const CommonOptions& options, const std::string& folder, bool resume);
 int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
@@ -154,7 +186,9 @@ int wavefront_command(const WavefrontOptions& options);
 int plan_samples_command(const PlanOptions& options);
 int gate_command(const GateOptions& options);
 int report_command(const std::string& run, const std::string& output);
-int validate_command(const std::string& file);
+int validate_command(const std::vector<std::string>& files);
 int schema_command(const std::string& name);
+int init_command(const InitOptions& options);
+int doctor_command();
 
 }  // namespace sturm

@@ -1,14 +1,73 @@
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/ellipse_table.h"
+#include "app/option_values.h"
+#include "io/json/values.h"
 #include "stages/ellipse_stage.h"
 
 namespace sturm {
 
-int ellipse_command(const CommonOptions& options, const std::string& output) {
-  const EllipseQuery query = read_ellipse_query(load_configuration(options), options.file);
-  write_result(blur_ellipses(query), output);
+namespace {
+
+/// What is asked where no document says more.
+Json usual_query() {
+  return {{"format", "sturm.ellipse/1"},
+          {"eye", {{"pupil_diameter_mm", 4}}},
+          {"targets", {{{"distance_m", 0.4}}, {{"distance_m", 1}}, {{"distance_m", 6}}, {{"distance_m", "inf"}}}},
+          {"methods", {"conoid"}}};
+}
+
+/// The targets that the options name, each distance for each gaze; distances of the document where they name none.
+void apply_targets(Json& document, const EllipseOptions& options) {
+  Json distances = Json::array();
+  for (const std::string& text : options.distances_m)
+    distances.push_back(distance_json(distance_option(text, "--distance")));
+  if (distances.empty() && document.is_object() && document.value("targets", Json()).is_array())
+    for (const Json& target : document["targets"])
+      if (target.is_object() && target.contains("distance_m")) distances.push_back(target["distance_m"]);
+  std::vector<Json> targets{Json::object()};
+  if (!options.gazes_deg.empty()) targets.clear();
+  for (const std::string& text : options.gazes_deg) {
+    const auto [azimuth, elevation] =
+        pair_option(text, ',', "--gaze", "AZIMUTH,ELEVATION [deg], to the wearer's right and up");
+    targets.push_back({{"gaze_deg", {azimuth, elevation}}});
+  }
+  document["targets"] = Json::array();
+  for (Json target : targets)
+    for (const Json& distance : distances) {
+      target["distance_m"] = distance;
+      document["targets"].push_back(target);
+    }
+}
+
+Json asked_for(const CommonOptions& common, const EllipseOptions& options) {
+  Json document = load_configuration(common, usual_query());
+  if (!document.is_object()) return document;  // the reader says what is wrong
+  if (!options.distances_m.empty() || !options.gazes_deg.empty()) apply_targets(document, options);
+  if (!options.methods.empty()) document["methods"] = options.methods;
+  return document;
+}
+
+}  // namespace
+
+int ellipse_command(const CommonOptions& given, const EllipseOptions& options) {
+  const CommonOptions common = with_source(given);
+  const bool as_table = options.table || (given.file.empty() && !options.json && !options.csv);
+  const Json document = asked_for(common, options);
+  const EllipseQuery query = read_ellipse_query(document, common.file);
+  if (common.print_config) return print_configuration(document, common.file, options.output);
+  const Json answer = blur_ellipses(query);
+  if (options.csv)
+    write_text(ellipse_csv(answer, query), options.output);
+  else if (as_table)
+    write_text(ellipse_table(answer, query), options.output);
+  else
+    write_result(answer, options.output);
+  if (options.csv || as_table)
+    for (const std::string& note : query.notes) std::cerr << "note: " << note << "\n";
   return 0;
 }
 

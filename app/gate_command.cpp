@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/document_kinds.h"
 #include "compare/findings/judged_report.h"
 #include "compare/gates/gate_result.h"
 #include "compare/gates/verdict.h"
@@ -42,7 +43,7 @@ void keep_stored_baseline_results(std::vector<GateResult>& results, const std::v
 
 void print_results(const std::vector<GateResult>& results) {
   for (const GateResult& r : results) {
-    const std::string value = r.value ? Json(*r.value).dump() : "no value";
+    const std::string value = r.value ? Json(*r.value).dump() : r.cases == 0u ? "no case" : "no value";
     std::printf("%s  %-36s %s %s (bound %s)\n", r.has_passed() ? "pass" : "FAIL", r.id.c_str(), value.c_str(),
                 r.unit.c_str(), Json(r.bound.value_or(0.0)).dump().c_str());
   }
@@ -68,10 +69,12 @@ Json baseline_of(const Json& report) {
 
 int gate_command(const GateOptions& options) {
   const Json report = load_json(options.report);
+  require_kind(report, "report", options.report);
   validate(report, "report", options.report);
   const std::vector<GateResult> stored = read_gate_results(report);
   const std::vector<GateSpec> gates = options.gates.empty() ? gates_of(stored, report, options.report)
                                                             : read_gates(load_json(options.gates), options.gates);
+  if (gates.empty()) throw InputError(options.report, "/gates", "no gates", "--gates FILE for a run without any");
   const Json baseline = options.baseline.empty() ? Json(nullptr) : load_json(options.baseline);
   std::vector<GateResult> results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   if (baseline.is_null() && options.gates.empty()) keep_stored_baseline_results(results, stored);

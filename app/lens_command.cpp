@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/distance_option.h"
+#include "app/option_values.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
@@ -58,6 +58,24 @@ SpectaclesSpec read_lens(const Json& document, const std::string& file) {
   return read_lens_alone(document, {file, ""});
 }
 
+/// The lens with what the options change; a single-vision lens where no file was given.
+Json lens_document(const CommonOptions& options, const LensOptions& lens) {
+  Json document = load_configuration(
+      options,
+      {{"format", "sturm.spectacles/1"}, {"single_vision", {{"center_thickness_mm", 2}, {"refractive_index", 1.5}}}});
+  for (const auto& [key, value] :
+       {std::pair("refractive_index", lens.refractive_index),
+        std::pair("center_thickness_mm", lens.center_thickness_mm), std::pair("diameter_mm", lens.diameter_mm)}) {
+    if (!value || !document.is_object()) continue;
+    Json* made = &document;
+    for (const char* maker : {"single_vision", "progressive", "lens_file"})
+      if (document.contains(maker)) made = &document[maker];
+    if (made->is_object()) (*made)[key] = *value;
+    if (made->is_object() && std::string_view(key) == "refractive_index") made->erase("material");
+  }
+  return document;
+}
+
 /// Throws where a picture could not be written as named.
 void check_picture_name(const std::string& name, const char* option) {
   if (!name.empty() && !has_suffix(name, ".svg") && !has_suffix(name, ".png"))
@@ -76,7 +94,10 @@ void write_picture(const std::string& name, const std::vector<LensMap>& maps) {
 
 }  // namespace
 
-int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output) {
+int lens_command(const CommonOptions& given, const LensOptions& lens, const std::string& output) {
+  const CommonOptions options = with_source(given);
+  const Json document = lens_document(options, lens);
+  if (options.print_config) return print_configuration(document, options.file, output);
   LensQuery query;
   query.azimuths_deg = angles(lens.azimuths_deg, "--azimuth-deg");
   query.elevations_deg = angles(lens.elevations_deg, "--elevation-deg");
@@ -84,7 +105,7 @@ int lens_command(const CommonOptions& options, const LensOptions& lens, const st
   check_picture_name(lens.map_file, "--map");
   check_picture_name(lens.defocus_map_file, "--defocus-map");
   const std::vector<double> targets = distances(lens.target_distances_m);
-  const SpectaclesSpec spec = read_lens(load_configuration(options), options.file);
+  const SpectaclesSpec spec = read_lens(document, options.file);
   for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
   query.lens = spec.lens.value();
   query.material = spec.material;

@@ -10,11 +10,16 @@
 
 namespace sturm {
 
-int psf_command(const CommonOptions& options, const PsfOptions& files) {
+int psf_command(const CommonOptions& given, const PsfOptions& files) {
+  const CommonOptions options = with_source(given);
   const std::filesystem::path exr(files.images);
   if (!files.images.empty() && !has_suffix(exr, ".exr"))
     throw InputError("", "--images", "\"" + files.images + "\"", "a name that ends in .exr");
-  const PsfSpec spec = read_psf_spec(load_configuration(options), options.file);
+  const Json document = load_configuration(
+      options,
+      {{"format", "sturm.psf/1"}, {"eye", {{"pupil_diameter_mm", 4}}}, {"lights", {{{"wavelength_nm", 555}}}}});
+  if (options.print_config) return print_configuration(document, options.file, files.output);
+  const PsfSpec spec = read_psf_spec(document, options.file);
   if (!files.output.empty()) require_writable(files.output);
   if (!files.images.empty()) require_writable(exr);
   const PointSpreads spreads = point_spreads(spec, options.file);

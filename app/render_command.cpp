@@ -5,12 +5,15 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/option_values.h"
 #include "experiments/run/progress.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "io/files/output_target.h"
 #include "io/files/plain_file.h"
 #include "io/images/exr.h"
+#include "io/json/json_pointer_set.h"
 #include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "stages/image_files.h"
@@ -37,19 +40,34 @@ Preview preview_to(const PreviewOptions& options, const RenderSpec& spec) {
   return preview;
 }
 
+/// The view with what the options change.
+Json view_document(const CommonOptions& options, const PreviewOptions& changes) {
+  Json document = load_configuration(options);
+  if (changes.samples_per_pixel)
+    apply_set(document, "/method/samples_per_pixel=" + std::to_string(*changes.samples_per_pixel));
+  if (changes.size.empty()) return document;
+  const auto [width, height] = pair_option(changes.size, 'x', "--size", "WIDTHxHEIGHT [px], like 480x320");
+  apply_set(document, "/camera/resolution=[" + plain_number(width, 9) + "," + plain_number(height, 9) + "]");
+  return document;
+}
+
 }  // namespace
 
-int explain_command(const CommonOptions& options) {
-  const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
+int explain_command(const CommonOptions& options, const PreviewOptions& changes) {
+  const RenderSpec spec = read_render_spec(view_document(options, changes), options.file);
   std::fputs(explain_view(spec).c_str(), stdout);
   return 0;
 }
 
 int render_command(const CommonOptions& options, const PreviewOptions& preview_options, const std::string& output) {
-  const std::filesystem::path exr(output);
-  if (!has_suffix(exr, ".exr")) throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .exr");
-  const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
-  require_writable(exr);
+  const std::filesystem::path file(output);
+  const bool png_alone = has_suffix(file, ".png");
+  const Json document = view_document(options, preview_options);
+  if (options.print_config) return print_configuration(document, options.file, output);
+  if (!png_alone && !has_suffix(file, ".exr"))
+    throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .exr or .png");
+  const RenderSpec spec = read_render_spec(document, options.file);
+  require_writable(file);
   const Preview preview = preview_to(preview_options, spec);
 
   RunFacts facts;
@@ -68,14 +86,15 @@ int render_command(const CommonOptions& options, const PreviewOptions& preview_o
 
   std::vector<std::string> notes = spec.notes;
   notes.insert(notes.end(), result.notes.begin(), result.notes.end());
-  std::filesystem::path beside = exr;
-  write_exr(exr, result.image);
+  std::filesystem::path beside = file;
+  if (!png_alone) write_exr(file, result.image);
   const Image& raw = result.image.layers.at("");
   if (preview.show) preview.show(raw);
   const auto filtered = result.image.layers.find("denoised");
   write_png(beside.replace_extension(".png"), filtered == result.image.layers.end() ? raw : filtered->second, 1.0);
   write_file_atomically(beside.replace_extension(".manifest.json"),
                         json_text(manifest(facts, *spec.resolved, result.counters, notes), 1) + "\n");
+  if (!result.warning.empty()) std::fprintf(stderr, "warning: %s\n", result.warning.c_str());
   return 0;
 }
 

@@ -9,7 +9,9 @@
 namespace sturm {
 
 int run_command(const CommonOptions& options, const std::string& folder, bool resume) {
-  const ExperimentSpec spec = read_experiment(load_configuration(options), options.file);
+  const Json document = load_configuration(options);
+  if (options.print_config) return print_configuration(document, options.file, "");
+  const ExperimentSpec spec = read_experiment(document, options.file);
   RunOptions run;
   run.folder =
       !folder.empty()

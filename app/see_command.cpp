@@ -6,8 +6,9 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/distance_option.h"
+#include "app/eye_options.h"
 #include "app/film.h"
+#include "app/option_values.h"
 #include "app/see_inputs.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
@@ -15,6 +16,7 @@
 #include "io/images/exr.h"
 #include "io/json/json_text.h"
 #include "io/json/manifest.h"
+#include "io/json/named_file.h"
 #include "io/json/schema.h"
 #include "io/specs/eye_spec.h"
 #include "stages/image_files.h"
@@ -78,14 +80,13 @@ Json eye_document(const SeeOptions& options, const Frame& frame, const Json& wri
     const Json distance_m = distance_json(distance_option(options.focus_m, "--focus-m"));
     eye["accommodation"] = {{"mode", "fixed"}, {"focus_distance_m", distance_m}};
   }
-  validate(eye, "eye", options.eye);
   return eye;
 }
 
 /// An eye that accommodates as well as it can needs one distance to do so for.
-double accommodation_of(const Eye& eye, const SeeOptions& options, const SeeInputs& inputs) {
+double accommodation_of(const Eye& eye, const std::string& file, const SeeOptions& options, const SeeInputs& inputs) {
   if (options.distance_m.empty())
-    require_camera_accommodation(eye.accommodation, std::nullopt, {options.eye, "/accommodation"});
+    require_camera_accommodation(eye.accommodation, std::nullopt, {file, "/accommodation"});
   return eye.accommodation_for(inputs.picture.vergence_D.front());
 }
 
@@ -125,14 +126,31 @@ Json spec_of(const SeeOptions& options, const SeeInputs& inputs, const Json& eye
   return spec;
 }
 
+/// Where the eye is written.
+std::string eye_file(const SeeOptions& options) {
+  return options.eye.empty() ? command_line_source : named_document_file(options.eye, {"", "--eye"}, "eye").string();
+}
+
+Json eye_of(const CommonOptions& common, const std::string& file) {
+  const bool alone = file == command_line_source;
+  if (alone && common.prescription.empty())
+    throw InputError("", "--eye", "nothing", "the file of an eye, or --rx \"-2.00 -1.50 x 30\"");
+  Json eye = alone ? Json{{"format", "sturm.eye/1"}, {"pupil_diameter_mm", 4}} : eye_object(file, {});
+  apply_eye_options_to(eye, common, {file, ""});
+  return eye;
+}
+
 class SeeRun {
  public:
   SeeRun(const CommonOptions& common, const SeeOptions& options)
-      : options_(options), inputs_(read_see_inputs(options)), eye_(eye_object(Json(options.eye), {})) {
+      : options_(options),
+        inputs_(read_see_inputs(options)),
+        eye_file_(eye_file(options)),
+        eye_(eye_of(common, eye_file_)) {
     facts_.threads = thread_count(common);
     facts_.started_utc = utc_now();
     facts_.input_files = inputs_.files;
-    facts_.input_files.push_back(options.eye);
+    if (eye_file_ != command_line_source) facts_.input_files.push_back(eye_file_);
     parts_ = options.parts.value_or(options.error ? parts_for_error(*options.error) : default_parts);
     for (const Frame& frame : frames_of(options)) frames_.emplace_back(frame, settings_of(frame));
   }
@@ -163,11 +181,13 @@ class SeeRun {
 
  private:
   SeeSettings settings_of(const Frame& frame) {
-    const EyeSpec spec = read_eye_spec(eye_document(options_, frame, eye_), {options_.eye, ""});
+    const Json document = eye_document(options_, frame, eye_);
+    validate(document, "eye", eye_file_);
+    const EyeSpec spec = read_eye_spec(document, {eye_file_, ""});
     if (frames_.empty()) inputs_.notes.insert(inputs_.notes.end(), spec.notes.begin(), spec.notes.end());
     SeeSettings settings;
     settings.eye = spec.eye;
-    settings.accommodation_D = accommodation_of(spec.eye, options_, inputs_);
+    settings.accommodation_D = accommodation_of(spec.eye, eye_file_, options_, inputs_);
     settings.pixel_slope = inputs_.pixel_slope;
     settings.psf = *seen_psf_words.value_of(options_.psf);
     settings.chromatic = options_.chromatic;
@@ -184,6 +204,7 @@ class SeeRun {
   const SeeOptions& options_;
   Stopwatch total_;
   SeeInputs inputs_;
+  std::string eye_file_;
   Json eye_;
   RunFacts facts_;
   int parts_ = default_parts;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/distance_option.h"
+#include "app/option_values.h"
 #include "io/files/error.h"
 #include "io/images/picture_file.h"
 #include "io/images/tone_map.h"

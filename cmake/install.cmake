@@ -7,6 +7,7 @@ install(TARGETS sturm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS sturm_imageformats LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/sturm)
 # The viewer's page without data, if it was built (scripts/viewer).
 install(FILES ${PROJECT_SOURCE_DIR}/build/viewer/viewer.html DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm/viewer OPTIONAL)
+include(cmake/install_help.cmake)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm)
 # The validation experiment names its independent numbers by a path relative to itself.
 install(FILES ${PROJECT_SOURCE_DIR}/tests/reference/naked_eye_blur.json DESTINATION ${CMAKE_INSTALL_DATADIR}/sturm/tests/reference)

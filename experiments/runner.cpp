@@ -58,7 +58,8 @@ RunFolder::Layout layout_of(std::span<const ExperimentSection> sections, const s
 
 /// A benchmark's own requirements count as one gate more.
 std::vector<GateSpec> gates_of(const ExperimentSpec& spec) {
-  std::vector<GateSpec> gates = read_gates(load_json(spec.gates.string()), spec.gates.string());
+  std::vector<GateSpec> gates;
+  if (!spec.gates.empty()) gates = read_gates(load_json(spec.gates.string()), spec.gates.string());
   if (spec.bench && !spec.bench->requirements.empty())
     gates.push_back({"bench_requirements", "The benchmark's own requirements hold", "bench/broken_requirements",
                      GateKind::AtMost, 0.0, "", "Each has its own bound and reason in the benchmark."});
@@ -140,7 +141,7 @@ void write_reports(const Json& report, const Judgement& judgement, double second
 
 RunOutcome outcome_of(const Verdict& verdict, const std::filesystem::path& folder,
                       std::span<const ExperimentSection> sections) {
-  RunOutcome outcome{verdict.has_passed(), verdict.sentence, {}, folder / "report.html"};
+  RunOutcome outcome{!verdict.has_failed(), verdict.sentence, {}, folder / "report.html"};
   for (const ExperimentSection& section : sections)
     if (section.sentence_key)
       if (std::string sentence = verdict.finding(section.sentence_key); !sentence.empty())

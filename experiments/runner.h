@@ -13,7 +13,7 @@
 namespace sturm {
 
 struct RunOutcome {
-  bool passed = false;
+  bool passed = false;                ///< no gate failed
   std::string verdict;                ///< a sentence
   std::vector<std::string> findings;  ///< further sentences: what was measured
   std::filesystem::path report_html;

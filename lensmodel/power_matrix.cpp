@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lensmodel/symmetric2.h"
+#include "lensmodel/tabo.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -42,7 +43,7 @@ Prescription PowerMatrix::as_prescription() const {
   if (p.isotropic) return {spherical_equivalent(), 0.0, 180.0, 0.0};
   // Minus-cylinder form: the AXIS lies along the meridian of the higher power (wearer frame, so 180° − angle).
   const double meridian_deg = line_direction_deg(std::atan2(p.high_direction.y(), p.high_direction.x()));
-  return {p.high, p.low - p.high, folded_axis_deg(180.0 - meridian_deg), 0.0};
+  return {p.high, p.low - p.high, tabo_deg(meridian_deg), 0.0};
 }
 
 PowerMatrix power_at_cornea(const Prescription& rx) {

@@ -7,7 +7,9 @@
 #include "conoid/tracing/published.h"
 #include "conoid/tracing/turned_eye.h"
 #include "io/json/values.h"
+#include "lensmodel/focal_lines.h"
 #include "lensmodel/gaze.h"
+#include "lensmodel/tabo.h"
 #include "lensmodel/units.h"
 #include "pathtrace/sampling/pupil_sampler.h"
 #include "stages/ray_bundle.h"
@@ -45,14 +47,20 @@ View view_of(const Target& target, const EllipseQuery& query) {
 /// Nothing could be computed: all numbers are null.
 void write_failure(Json& result, const std::string& status) {
   result["status"] = status;
-  for (const char* key : {"semi_axes_m", "semi_axes_rad", "orientation_deg", "covariance_m2", "covariance_rad2",
-                          "centroid_m", "centroid_rad"})
+  for (const char* key : {"semi_axes_m", "semi_axes_rad", "semi_axes_arcmin", "semi_axes_D", "orientation_deg",
+                          "orientation_tabo_deg", "covariance_m2", "covariance_rad2", "centroid_m", "centroid_rad"})
     result[key] = nullptr;
 }
 
-/// Quantities at the target: in metres only where it is at a finite distance.
+/// A direction in the wearer frame as an examiner writes it.
+Json tabo_json(const std::optional<double>& wearer_deg) {
+  return wearer_deg ? number_or_null(tabo_deg(*wearer_deg)) : Json(nullptr);
+}
+
+/// Quantities at the target: in metres only where it is at a finite distance, as defocus only of a pupil with a size.
 struct AtTarget {
   const View& view;
+  double pupil_radius_m;
 
   bool finite() const { return !std::isinf(view.distance_m); }
   Json metres(Json (*write)(const Eigen::Matrix2d&), const Eigen::Matrix2d& angular, int power) const {
@@ -65,27 +73,47 @@ struct AtTarget {
   Json semi_axes(const Ellipse& angular) const {
     return finite() ? semi_axes_json(angular, view.distance_m) : Json(nullptr);
   }
+  Json defocus(const Ellipse& angular) const {
+    return pupil_radius_m > 0.0 ? semi_axes_json(angular, 1.0 / pupil_radius_m) : Json(nullptr);
+  }
 };
 
 void write_ellipse(Json& result, const AtTarget& at, const Ellipse& ellipse, const Eigen::Matrix2d& covariance,
                    const Eigen::Vector2d& centroid) {
   result["semi_axes_m"] = at.semi_axes(ellipse);
   result["semi_axes_rad"] = semi_axes_json(ellipse);
+  result["semi_axes_arcmin"] = semi_axes_json(ellipse, arcminutes_per_radian);
+  result["semi_axes_D"] = at.defocus(ellipse);
   result["orientation_deg"] = number_or_null(ellipse.orientation_deg);
+  result["orientation_tabo_deg"] = tabo_json(ellipse.orientation_deg);
   result["covariance_m2"] = at.metres(symmetric_json, covariance, 2);
   result["covariance_rad2"] = symmetric_json(covariance);
   result["centroid_m"] = at.metres(centroid);
   result["centroid_rad"] = json_of(centroid);
 }
 
+/// Where the wave that leaves the eye has no width, nearest first.
+Json focal_lines_json(const Eigen::Matrix2d& wavefront_curvature) {
+  Json lines = Json::array();
+  for (const FocalLine& line : focal_lines(wavefront_curvature)) {
+    const std::optional<double> distance_m = line.distance_m();
+    lines.push_back({{"vergence_D", number_or_null(line.vergence_D)},
+                     {"distance_m", distance_m ? distance_json(*distance_m) : Json(nullptr)},
+                     {"orientation_deg", number_or_null(line.direction_deg)},
+                     {"orientation_tabo_deg", tabo_json(line.direction_deg)}});
+  }
+  return lines;
+}
+
 void write_conoid(Json& result, const View& view, const Eye& eye) {
-  const AtTarget at{view};
+  const AtTarget at{view, eye.pupil_radius_m};
   const Footprint f = view.eye.footprint(view.distance_m, *view.accommodation_D);
   result["status"] = "ok";
   result["footprint"] = rows_json(at.finite() ? f.transverse() : f.angular);
   write_ellipse(result, at, Ellipse::image_of_disc(f.angular, eye.pupil_radius_m),
                 covariance_of_disc_image(f.angular, eye.pupil_radius_m), Eigen::Vector2d::Zero());
   result["wavefront_curvature_D"] = f.wavefront_curvature ? symmetric_json(*f.wavefront_curvature) : Json(nullptr);
+  result["focal_lines"] = f.wavefront_curvature ? focal_lines_json(*f.wavefront_curvature) : Json(nullptr);
 }
 
 /// A method that knows only an ellipse, as a map of the pupil divided by the distance [rad/m].
@@ -95,7 +123,7 @@ void write_map(Json& result, const View& view, const std::optional<Eigen::Matrix
     return;
   }
   result["status"] = "ok";
-  write_ellipse(result, AtTarget{view}, Ellipse::image_of_disc(*map, pupil_radius_m),
+  write_ellipse(result, AtTarget{view, pupil_radius_m}, Ellipse::image_of_disc(*map, pupil_radius_m),
                 covariance_of_disc_image(*map, pupil_radius_m), Eigen::Vector2d::Zero());
 }
 
@@ -175,7 +203,7 @@ std::string status_without_ellipse(const MeasuredBundle& bundle) {
 }
 
 void write_rays(Json& result, const View& view, const EllipseQuery& query, RayModel model) {
-  const AtTarget at{view};
+  const AtTarget at{view, query.eye.pupil_radius_m};
   const auto rays = eye_rays_for(model, query.eye, *view.accommodation_D);
   const MeasuredBundle bundle =
       rays ? measure_bundle(*rays, view.vergence_D, query.rays, query.seed, view.lens ? &*view.lens : nullptr,
@@ -202,7 +230,8 @@ Json result_of(const View& view, const EllipseMethod& method, const EllipseQuery
   if (view.eye.status() != LensStatus::ok) {
     write_failure(result, name_of(view.eye.status()));
     result["chief_ray"] = nullptr;
-    if (method == EllipseMethod(ConoidMethod::conoid)) result["footprint"] = result["wavefront_curvature_D"] = nullptr;
+    if (method == EllipseMethod(ConoidMethod::conoid))
+      result["footprint"] = result["wavefront_curvature_D"] = result["focal_lines"] = nullptr;
     return result;
   }
   result["chief_ray"] = {{"origin_m", json_of(view.eye.chief_ray().origin)},

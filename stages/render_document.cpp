@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pathtrace/scene/scene_import.h"
+#include "stages/dark_picture.h"
 #include "stages/path_traced_layers.h"
 #include "stages/plan/camera_pose.h"
 #include "stages/prediction_stage.h"
@@ -206,6 +207,10 @@ RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progres
   else
     renderer.render_one(progress, preview);
   if (spec.denoise) output.notes.push_back(denoised_note);
+  if (const auto reason = reason_of_darkness(scene, output.image.layers.at(""))) {
+    output.warning = *reason;
+    output.notes.push_back(*reason);
+  }
   output.counters["triangles"] = scene.triangle_count();
   output.counters["embree_isa"] = scene.instruction_set();
   output.counters["plan"] = plan_json(plan.items);

@@ -46,11 +46,12 @@ PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& ey
 Json counters_json(const RenderCounters& counters);
 
 /// What `sturm render` writes: the layers, the counters, the seconds of each part, and what was left out of model
-/// files.
+/// files. `warning` says what is wrong with the picture as a whole, "" if nothing is; it is one of the notes, too.
 struct RenderOutput {
   LayeredImage image;
   Json counters;
   std::vector<std::string> notes;
+  std::string warning;
   std::map<std::string, double> seconds;
 };
 

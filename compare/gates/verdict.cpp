@@ -18,16 +18,17 @@ std::string Verdict::finding(const std::string& key) const {
 }
 
 Verdict verdict_of(std::span<const GateResult> results) {
+  if (results.empty()) return {.passed = std::nullopt, .sentence = "No gates: nothing was judged.", .findings = {}};
   std::size_t passed = 0;
   std::string failed;
   for (const GateResult& result : results) {
     if (result.has_passed())
       ++passed;
     else
-      failed += (failed.empty() ? "" : ", ") + result.id;
+      failed += (failed.empty() ? "" : ", ") + result.id + (result.cases == 0u ? " (no case)" : "");
   }
   const std::string total = std::to_string(passed) + " of " + std::to_string(results.size()) + " gates passed";
-  return {.passed = !results.empty() && passed == results.size(),
+  return {.passed = passed == results.size(),
           .sentence = total + (failed.empty() ? "." : "; failed: " + failed + "."),
           .findings = {}};
 }

@@ -69,10 +69,11 @@ LensFindings mutated_lens_study(LensFindings found, const std::string& mutation)
 Json lens_study_sentence(const LensFindings& found) {
   if (found.views.empty()) return nullptr;
   const std::vector<double> orders = oblique_orders(found);
-  char order_text[64] = "–";
+  char order_text[96] = "";  // a single pupil has no order
   if (!orders.empty()) {
     const auto [lowest, highest] = std::minmax_element(orders.begin(), orders.end());
-    std::snprintf(order_text, sizeof order_text, "%.2f to %.2f", *lowest, *highest);
+    std::snprintf(order_text, sizeof order_text, "falls with the pupil to the power %.2f to %.2f and ", *lowest,
+                  *highest);
   }
   std::size_t traced = 0, failed = 0;
   for (const LensGaze& gaze : found.gazes) {
@@ -83,9 +84,8 @@ Json lens_study_sentence(const LensFindings& found) {
   char text[768];
   std::snprintf(text, sizeof text,
                 "Through %zu lenses in %zu views, exact first order (ray transfer) differs from real rays by its "
-                "truncation alone, which falls with "
-                "the pupil to the "
-                "power %s and is at most %.2g D at the widest pupil; at every pupil alike, eq. 11 as published errs by "
+                "truncation alone, which %sis at most %.2g D at the widest pupil; at every pupil alike, eq. 11 as "
+                "published errs by "
                 "up to %.2g D in first order "
                 "(no solution in %zu of %zu gazes) and the previous method by up to %.2g D.",
                 found.lenses.size(), found.views.size(), order_text, worst_defocus(found),

@@ -1,24 +1,74 @@
 #include "io/json/named_file.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "io/files/error.h"
+#include "io/files/shipped_files.h"
 #include "io/json/schema.h"
+#include "io/json/suggest.h"
 
 namespace sturm {
 
-std::filesystem::path existing_file(const Json& value, const Source& where, const char* what) {
-  const std::filesystem::path path = path_beside(value.get<std::string>(), where.file);
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> shipped_kinds{{{"scene", "scenes"},
+                                                                                      {"spectacles", "lenses"},
+                                                                                      {"eye", "eyes"},
+                                                                                      {"render", "views"},
+                                                                                      {"experiment", "experiments"},
+                                                                                      {"gates", "gates"},
+                                                                                      {"bench", "benchmarks"},
+                                                                                      {"blurfield", "blurfields"}}};
+
+bool is_file(const fs::path& path) {
   std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code))
-    where.fail(value, std::string(what) + "; there is no file " + path.string());
-  return path;
+  return fs::is_regular_file(path, code);
+}
+
+[[noreturn]] void fail_missing(const Json& value, const Source& where, const std::string& what, const fs::path& path,
+                               const std::string& shipped = "") {
+  where.fail(value, what + "; there is no file " + path.string() + shipped);
+}
+
+}  // namespace
+
+std::string shipped_kind(std::string_view schema_name) {
+  for (const auto& [schema, folder] : shipped_kinds)
+    if (schema == schema_name) return std::string(folder);
+  return "";
+}
+
+fs::path existing_file(const Json& value, const Source& where, const char* what) {
+  const std::string name = value.get<std::string>();
+  const fs::path path = path_beside(name, where.file);
+  if (is_file(path)) return path;
+  if (const auto shipped = shipped_counterpart(name)) return *shipped;
+  fail_missing(value, where, what, path);
+}
+
+fs::path existing_document(const Json& value, const Source& where, const char* schema_name, const char* what) {
+  const std::string name = value.get<std::string>();
+  const fs::path path = path_beside(name, where.file);
+  if (is_file(path)) return path;
+  const std::string kind = shipped_kind(schema_name);
+  if (const auto shipped = shipped_document(kind, name)) return *shipped;
+  if (const auto shipped = shipped_counterpart(name)) return *shipped;
+  const std::vector<std::string> known = kind.empty() ? std::vector<std::string>() : shipped_names(kind);
+  fail_missing(value, where, what, path,
+               known.empty() ? "" : ", nor is it the name of a shipped one" + did_you_mean(name, known));
+}
+
+fs::path named_document_file(const Json& value, const Source& where, const char* schema_name) {
+  const std::string what = std::string("the path of a sturm.") + schema_name + "/1 file";
+  return existing_document(value, where, schema_name, what.c_str());
 }
 
 Json load_named_document(const Json& value, const Source& where, const char* schema_name) {
-  const std::string what = std::string("the path of a sturm.") + schema_name + "/1 file";
-  const std::string file = existing_file(value, where, what.c_str()).string();
+  const std::string file = named_document_file(value, where, schema_name).string();
   Json document = load_json(file);
   if (!document.is_object())
     Source{file, ""}.fail(document, std::string("an object of format sturm.") + schema_name + "/1");

@@ -143,7 +143,7 @@ EyeSpec read_eye_spec(const Json& value, const Source& where) {
   const Json written = eye_object(value, where), object = with_defaults(written, "eye");
   Source place = where;
   if (value.is_string()) {
-    place = {path_beside(value.get<std::string>(), where.file).string(), ""};
+    place = {named_document_file(value, where, "eye").string(), ""};
     spec.input_files.push_back(place.file);
   }
   if (!object.contains("prescription") && !object.contains("wavefront"))

@@ -25,7 +25,7 @@ void read_changed_eye(const Json& document, const Source& root, PsfSpec& spec) {
   Source where = root / "eye";
   Json eye = eye_object(given, where);
   if (given.is_string()) {
-    where = {path_beside(given.get<std::string>(), root.file).string(), ""};
+    where = {named_document_file(given, where, "eye").string(), ""};
     spec.input_files.push_back(where.file);
   }
   for (const char* key : {"pupil_diameter_mm", "stiles_crawford_per_mm2"})

@@ -124,7 +124,7 @@ MeshSpec read_mesh(const Json& value, const Source& where, const std::vector<Mat
 SceneSpec read_scene(const Json& value, const Source& where) {
   SceneSpec scene;
   if (value.is_string()) {
-    const std::filesystem::path file = existing_file(value, where, "the path of a scene or model file");
+    const std::filesystem::path file = existing_document(value, where, "scene", "the path of a scene or model file");
     if (file.extension() != ".json") {
       refuse_usd(file, value, where);
       scene.models.push_back({.file = file});

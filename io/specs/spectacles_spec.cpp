@@ -253,7 +253,8 @@ std::pair<Json, Source> lens_document(const Json& value, const Source& where) {
     existing_file(value, where, "the path of a lens file");
     return {Json{{"lens_file", {{"file", name}}}}, where};
   }
-  return {load_named_document(value, where, "spectacles"), {path_beside(name, where.file).string(), ""}};
+  return {load_named_document(value, where, "spectacles"),
+          {named_document_file(value, where, "spectacles").string(), ""}};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Html bound_html(const GateResult& gate) {
 
 Html worst_case_html(const GateResult& gate) {
   Html html = text_or_dash(gate.worst_case);
-  if (gate.cases)
+  if (gate.cases && *gate.cases > 0)
     html += small_html("of "_html + count_html(gate.cases) + (*gate.cases == 1 ? " case"_html : " cases"_html));
   return html;
 }

@@ -57,6 +57,15 @@ class Installed(unittest.TestCase):
             with self.subTest(path.name):  # an experiment names files: each must have been installed where the experiment expects it
                 self.sturm("validate", path, cwd="/")
 
+    def test_shipped_things_by_name_manual_pages_and_completion(self):
+        self.sturm("ellipse", "--rx", "-2.00 -1.50 x 30", "--lens", "progressive_regular", cwd="/")
+        self.assertIn(f"shipped data       {self.prefix}/share/sturm/configs", self.sturm("doctor", cwd="/"))
+        page = self.prefix / "share/man/man1/sturm-ellipse.1"
+        self.assertIn("\\-\\-distance", page.read_text())
+        self.assertTrue((page.parent / "sturm.1").exists())
+        for place in ("bash-completion/completions/sturm", "zsh/site-functions/_sturm", "fish/vendor_completions.d/sturm.fish"):
+            self.assertIn("ellipse", (self.prefix / "share" / place).read_text())
+
     def test_public_headers_alone_are_installed(self):
         include = self.prefix / "include"
         self.assertEqual([path.name for path in include.iterdir()], ["sturm"])  # nothing lies bare on the include path

@@ -206,7 +206,7 @@ class View(Malformed):
 
     def test_output_names(self):
         self.write("view.json", documents.view())
-        self.reject(["render", "view.json", "-o", "picture.png"], "--output", "picture.png", ".exr")
+        self.reject(["render", "view.json", "-o", "picture.jpg"], "--output", "picture.jpg", ".exr", ".png")
 
     def test_inline_scenes(self):
         for pointer, value, *named in [

@@ -45,7 +45,7 @@ struct ViewDocument {
 
 ViewDocument view_document(const Json& value, const Source& where) {
   if (value.is_object()) return {value, where.file};
-  const std::string path = existing_file(value, where, "the path of a view (sturm.render/1)").string();
+  const std::string path = existing_document(value, where, "render", "the path of a view (sturm.render/1)").string();
   return {load_json(path), path};
 }
 

@@ -131,8 +131,10 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
   ExperimentSpec spec;
   spec.title = document["title"].get<std::string>();
   spec.seed = document.value("seed", spec.seed);
-  spec.gates = existing_file(document["gates"], root / "gates", "the path of a gates file");
-  spec.input_files.push_back(spec.gates.string());
+  if (document.contains("gates")) {
+    spec.gates = existing_document(document["gates"], root / "gates", "gates", "the path of a gates file");
+    spec.input_files.push_back(spec.gates.string());
+  }
   if (document.contains("reference")) {
     spec.reference = existing_file(document["reference"], root / "reference", "the path of a reference file");
     add_files(spec.input_files, {spec.reference->string()});
@@ -142,6 +144,8 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     if (std::filesystem::is_regular_file(*spec.baseline)) add_files(spec.input_files, {spec.baseline->string()});
   }
   spec.mutations = document.value("mutations", spec.mutations);
+  if (!spec.mutations.empty() && spec.gates.empty())
+    (root / "mutations").fail(document["mutations"], "\"gates\" beside them, which might notice");
   if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
   if (document.contains("lens_study")) {
     require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");

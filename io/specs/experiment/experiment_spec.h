@@ -58,7 +58,7 @@ struct ExperimentSpec {
   std::optional<BenchSpec> bench;                 ///< its seed is that of the experiment
   std::vector<FigureSpec> figures;                ///< ids are unique
   std::vector<std::string> mutations;             ///< errors that the gates are shown, by name
-  std::filesystem::path gates;                    ///< absolute
+  std::filesystem::path gates;                    ///< absolute; empty: nothing is judged
   std::optional<std::filesystem::path> baseline;  ///< absolute; need not exist yet
   std::vector<std::string> input_files;           ///< absolute paths of all further files that are named and exist
   std::shared_ptr<const Json> resolved;           ///< the document with every default spelt out, paths as given

@@ -372,7 +372,7 @@ TEST(Verdict, CountsAndNames) {
   EXPECT_EQ(to_json(verdict_of(good)), (Json{{"passed", true}, {"sentence", "2 of 2 gates passed."}}));
   const std::vector<GateResult> bad = {outcome("a", false), outcome("b", true), outcome("c", std::nullopt)};
   EXPECT_EQ(to_json(verdict_of(bad)), (Json{{"passed", false}, {"sentence", "1 of 3 gates passed; failed: a, c."}}));
-  EXPECT_EQ(verdict_of({}).passed, false);
+  EXPECT_EQ(verdict_of({}).passed, std::nullopt);
 }
 
 }  // namespace

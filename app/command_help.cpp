@@ -1,0 +1,45 @@
+#include "app/command_help.h"
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+namespace sturm {
+
+namespace {
+
+/// The words of a type name like "TEXT:{right,left}".
+std::vector<std::string> words_of(const std::string& type) {
+  const std::size_t open = type.find('{'), close = type.rfind('}');
+  std::vector<std::string> words;
+  if (open == std::string::npos || close == std::string::npos || close < open) return words;
+  std::istringstream list(type.substr(open + 1, close - open - 1));
+  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+  return words;
+}
+
+OptionHelp option_help(const CLI::Option& option) {
+  OptionHelp help;
+  const std::string type = option.get_type_name();
+  help.text = option.get_description();
+  help.positional = option.get_positional();
+  help.words = words_of(type);
+  if (option.get_items_expected_max() > 0) help.value = type.substr(0, type.find(':'));
+  if (help.positional) {
+    help.names = {option.get_single_name()};
+    return help;
+  }
+  for (const std::string& name : option.get_snames()) help.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) help.names.push_back("--" + name);
+  return help;
+}
+
+}  // namespace
+
+CommandHelp command_help(const CLI::App& app) {
+  CommandHelp help{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+  for (const CLI::Option* option : app.get_options({})) help.options.push_back(option_help(*option));
+  for (const CLI::App* command : app.get_subcommands({})) help.commands.push_back(command_help(*command));
+  return help;
+}
+
+}  // namespace sturm

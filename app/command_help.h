@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace sturm {
+
+/// An option or a positional argument, as `--help` has it.
+struct OptionHelp {
+  std::vector<std::string> names;  ///< "-o", "--output"; of a positional argument its only name, without dashes
+  std::string value;               ///< what stands behind it, "TEXT"; "" for a flag
+  std::string text;                ///< what it is for
+  std::vector<std::string> words;  ///< all values that it may have; empty: any
+  bool positional = false;
+};
+
+/// A command with all that it takes.
+struct CommandHelp {
+  std::string name, text, footer;
+  std::vector<OptionHelp> options;
+  std::vector<CommandHelp> commands;
+};
+
+/// What was defined for the command line, for pages and completions.
+CommandHelp command_help(const CLI::App& app);
+
+}  // namespace sturm

@@ -1,0 +1,162 @@
+#include "app/completion.h"
+
+#include <functional>
+
+namespace sturm {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::vector<std::string> command_names(const CommandHelp& program) {
+  std::vector<std::string> names;
+  for (const CommandHelp& command : program.commands) names.push_back(command.name);
+  return names;
+}
+
+std::vector<std::string> option_names(const CommandHelp& command) {
+  std::vector<std::string> names;
+  for (const OptionHelp& option : command.options)
+    if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
+  return names;
+}
+
+std::vector<std::string> positional_words(const CommandHelp& command) {
+  std::vector<std::string> words;
+  for (const OptionHelp& option : command.options)
+    if (option.positional) words.insert(words.end(), option.words.begin(), option.words.end());
+  return words;
+}
+
+/// Text between single quotes of a shell.
+std::string shell_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+/// Calls with each option that may have one of a few words: "render|--psf" and the words.
+void for_each_choice(const CommandHelp& program,
+                     const std::function<void(const CommandHelp&, const OptionHelp&)>& put) {
+  for (const CommandHelp& command : program.commands)
+    for (const OptionHelp& option : command.options)
+      if (!option.positional && !option.words.empty()) put(command, option);
+}
+
+std::string bash_script(const CommandHelp& program) {
+  std::string text =
+      "# Completion of sturm for bash.\n"
+      "_sturm() {\n"
+      "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command='' word words='' "
+      "options='' chosen=''\n"
+      "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n"
+      "    case $word in\n"
+      "      " +
+      joined(command_names(program), "|") +
+      ") command=$word; break ;;\n"
+      "    esac\n"
+      "  done\n"
+      "  case \"$command $previous\" in\n";
+  for_each_choice(program, [&](const CommandHelp& command, const OptionHelp& option) {
+    for (const std::string& name : option.names)
+      text += "    \"" + command.name + " " + name + "\") words=\"" + joined(option.words, " ") + "\" chosen=1 ;;\n";
+  });
+  text += "  esac\n  case $command in\n";
+  const auto put_words = [&](const std::string& command, const std::vector<std::string>& words,
+                             const std::vector<std::string>& options) {
+    text += "    " + command + ") options=\"" + joined(options, " ") + "\"";
+    if (!words.empty()) text += "; words=${words:-" + joined(words, " ") + "}";
+    text += " ;;\n";
+  };
+  put_words("\"\"", command_names(program), option_names(program));
+  for (const CommandHelp& command : program.commands)
+    put_words(command.name, positional_words(command), option_names(command));
+  return text +
+         "  esac\n"
+         "  [[ $current == -* && -z $chosen ]] && words=$options\n"
+         "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n"
+         "}\n"
+         "complete -o default -F _sturm sturm\n";
+}
+
+std::string zsh_option(const OptionHelp& option, const std::string& name) {
+  std::string text;
+  for (const char c : option.text) text += c == '[' || c == ']' ? ' ' : c;
+  std::string spec = "*" + name + "[" + text + "]";
+  if (!option.words.empty())
+    spec += ":value:(" + joined(option.words, " ") + ")";
+  else if (!option.value.empty())
+    spec += ":value:_files";
+  return shell_quoted(spec);
+}
+
+std::string zsh_script(const CommandHelp& program) {
+  std::string text =
+      "#compdef sturm\n"
+      "# Completion of sturm for zsh.\n"
+      "_sturm() {\n"
+      "  local -a commands=(\n";
+  for (const CommandHelp& command : program.commands)
+    text += "    " + shell_quoted(command.name + ":" + command.text) + "\n";
+  text +=
+      "  )\n"
+      "  if (( CURRENT == 2 )); then\n"
+      "    _describe command commands\n"
+      "    return\n"
+      "  fi\n"
+      "  case $words[2] in\n";
+  for (const CommandHelp& command : program.commands) {
+    text += "    " + command.name + ")\n      _arguments";
+    for (const OptionHelp& option : command.options)
+      if (!option.positional)
+        for (const std::string& name : option.names) text += " \\\n        " + zsh_option(option, name);
+    const std::vector<std::string> words = positional_words(command);
+    text += " \\\n        " + shell_quoted(words.empty() ? "*:file:_files" : "*:name:(" + joined(words, " ") + ")") +
+            " ;;\n";
+  }
+  return text +
+         "  esac\n"
+         "}\n"
+         "if [[ $funcstack[1] == _sturm ]]; then\n"
+         "  _sturm \"$@\"\n"
+         "else\n"
+         "  compdef _sturm sturm\n"
+         "fi\n";
+}
+
+std::string fish_script(const CommandHelp& program) {
+  std::string text = "# Completion of sturm for fish.\n";
+  for (const CommandHelp& command : program.commands)
+    text +=
+        "complete -c sturm -n __fish_use_subcommand -f -a " + command.name + " -d " + shell_quoted(command.text) + "\n";
+  for (const CommandHelp& command : program.commands)
+    for (const OptionHelp& option : command.options) {
+      text += "complete -c sturm -n '__fish_seen_subcommand_from " + command.name + "'";
+      for (const std::string& name : option.names)
+        if (!option.positional) text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+      if (!option.words.empty())
+        text += (option.positional ? " -f -a " : " -x -a ") + shell_quoted(joined(option.words, " "));
+      else if (!option.value.empty() && !option.positional)
+        text += " -r";
+      text += " -d " + shell_quoted(option.text) + "\n";
+    }
+  return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& completion_shells() {
+  static const std::vector<std::string> shells = {"bash", "zsh", "fish"};
+  return shells;
+}
+
+std::string completion_script(const CommandHelp& program, const std::string& shell) {
+  if (shell == "zsh") return zsh_script(program);
+  return shell == "fish" ? fish_script(program) : bash_script(program);
+}
+
+}  // namespace sturm

@@ -1,0 +1,39 @@
+#include "app/option_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "io/files/error.h"
+
+namespace sturm {
+
+namespace {
+
+std::optional<double> number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+double distance_option(const std::string& text, const char* option) {
+  if (text == "inf") return std::numeric_limits<double>::infinity();
+  const std::optional<double> value = number(text);
+  if (!value || !(*value > 0.0))
+    throw InputError("", option, "\"" + text + "\"", "a number > 0 or \"inf\" (distance [m])");
+  return *value;
+}
+
+std::array<double, 2> pair_option(const std::string& text, char mark, const char* option, const std::string& expected) {
+  const std::size_t at = std::min(text.find(mark), text.size());
+  const std::optional<double> first = number(std::string_view(text).substr(0, at)),
+                              second = number(std::string_view(text).substr(std::min(at + 1, text.size())));
+  if (!first || !second) throw InputError("", option, "\"" + text + "\"", expected);
+  return {*first, *second};
+}
+
+}  // namespace sturm

@@ -1,0 +1,14 @@
+#pragma once
+#include <array>
+#include <string>
+
+namespace sturm {
+
+/// A distance on the command line: a number > 0 or "inf". Throws InputError that names the option.
+double distance_option(const std::string& text, const char* option);
+
+/// Two numbers with a mark between them: "20,-10", "480x320". Throws InputError that names the option and says what was
+/// expected.
+std::array<double, 2> pair_option(const std::string& text, char mark, const char* option, const std::string& expected);
+
+}  // namespace sturm

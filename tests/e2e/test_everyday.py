@@ -1,0 +1,175 @@
+"""What people got stuck on in their first minutes: names mistyped, documents given to the wrong command, shipped things by name, silence."""
+import json
+import shutil
+import unittest
+
+import documents
+from sturm_process import FAILED, SOURCE, WRONG_INPUT, FolderTest, strict_json, sturm
+
+
+class Mistyped(unittest.TestCase):
+    def refused(self, *arguments):
+        process = sturm(*arguments)
+        self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""))
+        return process.stderr
+
+    def test_commands(self):
+        for typed, meant in (("elipse", "ellipse"), ("rendr", "render"), ("Ellipse", "ellipse"), ("blur-field", "blurfield"), ("comp-runs", None)):
+            message = self.refused(typed, "x.json")
+            self.assertIn(f'"{typed}"', message)
+            if meant:
+                self.assertIn(f'did you mean "{meant}"', message)
+
+    def test_options(self):
+        for arguments, typed, meant in ((["ellipse", "--rx", "-1", "--pupill", "4"], "--pupill", "--pupil"), (["render", "desk", "--outptu", "x.exr"], "--outptu", "--output"),
+                                        (["ellipse", "--dist=1", "--rx", "-1"], "--dist", "--distance"), (["lens", "--pupil-mm", "3"], "--pupil-mm", None)):
+            message = self.refused(*arguments)
+            self.assertIn(f'"{typed}" is no option of sturm {arguments[0]}', message)
+            if meant:
+                self.assertIn(f'did you mean "{meant}"', message)
+
+    def test_no_command_says_what_can_be_done(self):
+        message = self.refused()
+        for command in ("ellipse", "render", "lens", "see", "compare", "init", "doctor"):
+            self.assertRegex(message, rf"(?m)^  {command} ")
+        self.assertIn("--rx", message)
+
+    def test_names_of_shipped_documents(self):
+        message = self.refused("render", "cornel", "-o", "x.png")
+        for text in ("cornel", 'did you mean "cornell"', '"desk"'):
+            self.assertIn(text, message)
+
+
+class OtherKinds(FolderTest):
+    def test_each_kind_is_told_its_command(self):
+        view = self.write("view.json", documents.view())
+        query = self.write("query.json", documents.query())
+        eye = SOURCE / "configs/eyes/oblique_astigmat.json"
+        for command, file, kind, use in ((["ellipse"], view, "sturm.render/1", "sturm render"), (["render", "-o", "x.exr"], query, "sturm.ellipse/1", "sturm ellipse"),
+                                         (["run"], view, "sturm.render/1", "sturm render"), (["lens"], query, "sturm.ellipse/1", "sturm ellipse"),
+                                         (["ellipse"], eye, "sturm.eye/1", "sturm see --eye"), (["gate"], query, "sturm.ellipse/1", "sturm ellipse"),
+                                         (["render", "-o", "x.exr"], SOURCE / "configs/scenes/cornell_box.json", "sturm.scene/1", "sturm render, with a view"),
+                                         (["psf"], SOURCE / "configs/gates/validation.json", "sturm.gates/1", "sturm gate")):
+            with self.subTest(command=command, kind=kind):
+                process = sturm(command[0], file, *command[1:], cwd=self.folder)
+                self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""))
+                for text in (str(file), "/format", kind, use):
+                    self.assertIn(text, process.stderr)
+
+
+class ShippedThings(FolderTest):
+    SMALL = ["--size", "24x16", "--samples", "4", "--quiet"]
+
+    def test_a_view_by_name(self):
+        self.succeed("render", "cornell", "--rx", "-3 -1 x 20", *self.SMALL, "-o", "seen.png", cwd=self.folder)
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"seen.png", "seen.manifest.json"})
+        manifest = strict_json((self.folder / "seen.manifest.json").read_text())
+        self.assertEqual(manifest["spec"]["camera"]["resolution"], [24, 16])
+        self.assertEqual(manifest["spec"]["eye"]["prescription"], "-3 -1 x 20")
+
+    def test_a_view_that_was_copied_elsewhere(self):
+        shutil.copy(SOURCE / "configs/views/street.json", self.folder / "mine.json")
+        self.succeed("render", "mine.json", *self.SMALL, "-o", "a.exr", cwd=self.folder)
+        self.succeed("render", SOURCE / "configs/views/street.json", *self.SMALL, "-o", "b.exr", cwd=self.folder)
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_a_file_beside_the_document_comes_before_a_shipped_one(self):
+        self.write("scenes/cornell_box.json", documents.two_triangles())
+        self.write("views/v.json", documents.changed(documents.view(), "/scene", "../scenes/cornell_box.json"))
+        self.succeed("render", "views/v.json", *self.SMALL, "-o", "a.exr", cwd=self.folder)
+        inputs = strict_json((self.folder / "a.manifest.json").read_text())["provenance"]["inputs"]
+        self.assertIn(str(self.folder.resolve() / "scenes/cornell_box.json"), [entry["file"] for entry in inputs])
+
+    def test_names_within_documents(self):
+        document = {**documents.query(), "eye": "oblique_astigmat", "spectacles": "glasses"}
+        self.succeed("ellipse", self.write("query.json", document))
+        process = sturm("ellipse", self.write("query.json", {**document, "eye": "oblique_astigmta"}))
+        self.assertEqual(process.returncode, WRONG_INPUT)
+        self.assertIn('did you mean "oblique_astigmat"', process.stderr)
+
+    def test_a_lens_on_one_line(self):
+        report = strict_json(self.succeed("lens", "--rx", "-3.25 -1.75 x 160", "--index", 1.6, "--azimuth-deg", 0, "--elevation-deg", 0).stdout)
+        self.assertEqual(report["refractive_index"], 1.6)
+        self.assertAlmostEqual(report["back_vertex"]["sphere_D"], -3.25, delta=1e-9)
+        self.assertAlmostEqual(report["back_vertex"]["axis_deg"], 160, delta=1e-6)
+        self.assertEqual(strict_json(self.succeed("lens", "--rx", "-1.00 DS").stdout)["refractive_index"], 1.5)
+
+    def test_what_a_line_stands_for(self):
+        """--print-config gives a document that does the same, for every command that has it."""
+        for command in (["lens", "--rx", "-2.00 -1.00 x 20", "--index", "1.67"], ["psf", "--rx", "-2.00 DS"], ["lens", "--rx", "+4.00 DS"],
+                        ["render", "cornell", "--rx", "-3 -1 x 20", *self.SMALL[:4]], ["blurfield", "kakimoto_fig12", "--rx", "-1 DS"], ["run", "night", "--seed", "5"]):
+            with self.subTest(command):
+                config = self.succeed(*command, "--print-config").stdout
+                self.write("config.json", config)
+                self.assertIn("a valid sturm.", self.succeed("validate", "config.json", cwd=self.folder).stdout)
+                self.assertEqual(self.succeed(command[0], "config.json", "--print-config", cwd=self.folder).stdout, config)
+
+    def test_several_documents_are_validated_at_once(self):
+        views = sorted((SOURCE / "configs/views").glob("*.json"))
+        self.assertEqual(len(self.succeed("validate", *views).stdout.splitlines()), len(views))
+        process = sturm("validate", views[0], self.write("broken.json", "{"), views[1])
+        self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""))
+        self.assertIn("broken.json", process.stderr)
+
+
+class Silence(FolderTest):
+    def picture(self, scene, **camera):
+        self.write("view.json", {**documents.view(), "scene": scene, "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 40, "resolution": [16, 12], **camera}})
+        process = self.succeed("render", "view.json", "-o", "a.exr", "--quiet", cwd=self.folder)
+        return process.stderr, strict_json((self.folder / "a.manifest.json").read_text())["notes"]
+
+    def test_a_scene_without_light(self):
+        scene = documents.without(documents.two_triangles(), "/lights")
+        stderr, notes = self.picture(scene)
+        self.assertIn("warning: the picture is black: the scene has no light", stderr)
+        self.assertTrue(any("no light" in note for note in notes))
+
+    def test_a_black_picture_of_a_lit_scene(self):
+        stderr, notes = self.picture(documents.two_triangles(), look_at_m=[0, 0, 1])
+        self.assertIn("warning: the picture is black: the camera sees no surface", stderr)
+        self.assertTrue(any("black" in note for note in notes))
+
+    def test_a_picture_with_light_says_nothing(self):
+        self.assertEqual(self.picture(documents.two_triangles()), ("", []))
+
+
+class Gates(FolderTest):
+    def small(self):
+        experiment = documents.without(documents.experiment(), "/images")
+        return documents.changed(experiment, "/ellipses/rays", {"count": 64, "replicates": 4})
+
+    def test_a_study_needs_none(self):
+        self.write("experiment.json", documents.without(self.small(), "/gates"))
+        process = self.succeed("run", "experiment.json", "--out", "report", "--quiet", cwd=self.folder)
+        self.assertIn("No gates: nothing was judged.", process.stdout)
+        report = strict_json((self.folder / "report/report.json").read_text())
+        self.assertEqual(report["verdict"]["passed"], None)
+        page = (self.folder / "report/report.html").read_text()
+        self.assertIn("No verdict", page)
+        self.assertNotIn("0 of 0", page)
+        self.assertNotIn('class="verdict fail"', page)
+        self.succeed("report", "report", cwd=self.folder)
+        process = sturm("gate", self.folder / "report/report.json")
+        self.assertEqual(process.returncode, WRONG_INPUT)
+        self.assertIn("--gates", process.stderr)
+
+    def test_a_gate_without_cases_says_so(self):
+        gates = documents.gates()
+        gates["gates"] = [{**gates["gates"][0], "statistic": "images/*/ssim"}]
+        self.write("gates.json", gates)
+        self.write("experiment.json", self.small())
+        process = sturm("run", "experiment.json", "--out", "report", "--quiet", cwd=self.folder)
+        self.assertEqual(process.returncode, FAILED, process.stderr)
+        self.assertIn("(no case)", process.stdout)
+        self.assertNotIn("0 of 0 cases", (self.folder / "report/report.html").read_text())
+        self.assertIn("no case", sturm("gate", self.folder / "report/report.json").stdout)
+
+    def test_mutations_need_gates(self):
+        self.write("experiment.json", {**documents.without(self.small(), "/gates"), "mutations": ["turned_axis"]})
+        process = sturm("run", "experiment.json", cwd=self.folder)
+        self.assertEqual(process.returncode, WRONG_INPUT)
+        self.assertIn("/mutations", process.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+"""`sturm doctor`, `sturm init`, completions and manual pages, which come from the definitions that --help shows."""
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+from sturm_process import RUNTIME_FAILURE, SOURCE, STURM, WRONG_INPUT, FolderTest, sturm
+
+COMMANDS = re.findall(r"(?m)^  ([a-z-]+) {2,}", sturm("--help").stdout.split("Subcommands:")[1])
+
+
+class Completion(FolderTest):
+    def complete(self, *words):
+        """What bash offers for the last of these words."""
+        script = self.write("completion.bash", sturm("completion", "bash").stdout)
+        line = " ".join(f"'{word}'" for word in words)
+        program = (f"source {script}; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _sturm; printf '%s\\n' \"${{COMPREPLY[@]}}\"; "
+                   "complete -p sturm >&2")
+        process = subprocess.run(["bash", "--norc", "-c", program], capture_output=True, text=True, check=True)
+        self.assertIn("-F _sturm sturm", process.stderr)
+        return process.stdout.split()
+
+    def test_bash(self):
+        self.assertGreater(len(COMMANDS), 20)
+        self.assertEqual(sorted(set(COMMANDS) - set(self.complete("sturm", ""))), [])
+        self.assertEqual(self.complete("sturm", "ell"), ["ellipse"])
+        self.assertEqual(self.complete("sturm", "ellipse", "--di"), ["--distance"])
+        self.assertEqual(self.complete("sturm", "--sandbox", "ellipse", "--print"), ["--print-config"])
+        self.assertEqual(sorted(self.complete("sturm", "see", "p.png", "--psf", "")), ["rays", "waves"])
+        self.assertEqual(sorted(self.complete("sturm", "init", "")), ["experiment", "lens", "sweep", "view"])
+        self.assertEqual(self.complete("sturm", "render", "de"), [])  # bash goes on with files
+
+    def test_every_option_of_the_help_is_there(self):
+        script = sturm("completion", "bash").stdout
+        for command in COMMANDS:
+            words = re.search(rf'(?m)^    {command}\) options="([^"]*)"', script)[1].split()
+            for option in re.findall(r"(?m)^  (?:-\w,)?(--[\w-]+)", sturm(command, "--help").stdout):
+                self.assertIn(option, words, command)
+
+    @unittest.skipUnless(shutil.which("shellcheck"), "no shellcheck")
+    def test_bash_is_clean(self):
+        script = self.write("completion.bash", "#!/bin/bash\n" + sturm("completion", "bash").stdout)
+        process = subprocess.run(["shellcheck", "-S", "warning", str(script)], capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 0, process.stdout)
+
+    @unittest.skipUnless(shutil.which("zsh"), "no zsh")
+    def test_zsh(self):
+        self.write("_sturm", sturm("completion", "zsh").stdout)
+        program = f"fpath=({self.folder} $fpath); autoload -Uz compinit; compinit -u -d {self.folder}/dump; print $_comps[sturm]; source {self.folder}/_sturm"
+        process = subprocess.run(["zsh", "-f", "-c", program], capture_output=True, text=True, check=False)
+        self.assertEqual((process.stdout, process.stderr), ("_sturm\n", ""))
+
+    @unittest.skipUnless(shutil.which("fish"), "no fish")
+    def test_fish(self):
+        script = self.write("sturm.fish", sturm("completion", "fish").stdout)
+        process = subprocess.run(["fish", "-c", f"source {script}; complete -C 'sturm ell'; complete -C 'sturm ellipse --dis'"],
+                                 capture_output=True, text=True, check=True)
+        self.assertIn("ellipse", process.stdout)
+        self.assertIn("--distance", process.stdout)
+
+    def test_unknown_shell(self):
+        self.assertEqual(sturm("completion", "tcsh").returncode, WRONG_INPUT)
+
+
+class Manual(FolderTest):
+    def formatted(self, page):
+        """The page as a terminal shows it; the formatter must not complain."""
+        process = subprocess.run(["groff", "-man", "-Tutf8", "-ww", "-Kutf8", "-P-cbou"], input=page, capture_output=True, text=True, check=True)
+        self.assertEqual(process.stderr, "")
+        return process.stdout
+
+    @unittest.skipUnless(shutil.which("groff"), "no groff")
+    def test_every_command_has_its_page_with_every_option(self):
+        program = self.formatted(sturm("man").stdout)
+        for command in COMMANDS:
+            self.assertIn(f"sturm-{command}(1)", program)
+            page = re.sub(r"\s+", " ", self.formatted(sturm("man", command).stdout))
+            for option in re.findall(r"(?m)^  (?:-\w,)?(--[\w-]+)", sturm(command, "--help").stdout):
+                self.assertIn(option, page, command)
+        self.assertIn('sturm ellipse --rx "-3.25 -1.75 x 160"', self.formatted(sturm("man", "ellipse").stdout))
+
+    def test_all_pages_in_a_folder(self):
+        self.succeed("man", "--folder", self.folder / "man1")
+        self.assertEqual({path.name for path in (self.folder / "man1").iterdir()}, {"sturm.1", *(f"sturm-{command}.1" for command in COMMANDS)})
+
+    def test_unknown_command(self):
+        process = sturm("man", "elipse")
+        self.assertEqual(process.returncode, WRONG_INPUT)
+        self.assertIn('did you mean "ellipse"', process.stderr)
+
+
+class Doctor(FolderTest):
+    def test_what_it_says(self):
+        text = self.succeed("doctor").stdout
+        for word in ("version", "instruction set", "threads", "shipped data", "cornell", "PNG", "working directory", "python3"):
+            self.assertIn(word, text)
+        self.assertIn(str(SOURCE / "configs"), text)
+        self.assertNotIn("FAIL", text)
+
+    def test_what_is_missing(self):
+        """The program alone, without its data and its module for pictures."""
+        lonely = self.folder / "some/where/else/bin/sturm"
+        lonely.parent.mkdir(parents=True)
+        shutil.copy(STURM, lonely)
+        process = subprocess.run([str(lonely), "doctor"], capture_output=True, text=True, check=False, cwd=self.folder)
+        self.assertEqual(process.returncode, RUNTIME_FAILURE, process.stdout)
+        self.assertRegex(process.stdout, "(?m)^FAIL +shipped data +not found; STURM_DATA")
+        environment = {**os.environ, "STURM_DATA": str(SOURCE / "configs")}
+        process = subprocess.run([str(lonely), "doctor"], capture_output=True, text=True, check=False, env=environment)
+        self.assertRegex(process.stdout, f"(?m)^ok +shipped data +{SOURCE}/configs")
+
+
+class Init(FolderTest):
+    def test_starters_are_valid_and_nothing_is_written_over(self):
+        for kind in ("experiment", "lens", "sweep", "view"):
+            with self.subTest(kind):
+                files = self.succeed("init", kind, cwd=self.folder).stdout.split()
+                self.assertEqual(files, [f"{kind}/{kind}.json", f"{kind}/{kind}.md"])
+                self.succeed("validate", files[0], cwd=self.folder)
+                process = sturm("init", kind, cwd=self.folder)
+                self.assertEqual(process.returncode, WRONG_INPUT)
+                self.assertIn(files[0], process.stderr)
+        self.succeed("init", "view", "a/b", cwd=self.folder)
+        self.succeed("init", "lens", "a/b", cwd=self.folder)
+        self.assertEqual(len(list((self.folder / "a/b").iterdir())), 4)
+
+    def test_unknown_kind(self):
+        process = sturm("init", "veiw", cwd=self.folder)
+        self.assertEqual((process.returncode, list(self.folder.iterdir())), (WRONG_INPUT, []))
+
+
+if __name__ == "__main__":
+    unittest.main()
