@@ -42,9 +42,12 @@ void CommandLine::add_view() {
   add_common_options(*view, common, "view (sturm.render/1)", "render");
   add_wearer(*view, common);
   add_spectacles(*view, common);
-  view->add_option("-o,--output", output, "HTML file")->required();
+  auto* file_option = view->add_option("-o,--output", output, "HTML file");
   view->add_option("--template", page_template, "the page without data (default: the one that was built)");
-  view->callback([this] { action = [this] { return view_command(common, page_template, output); }; });
+  view->callback([this, file_option] {
+    if (!common.print_config && file_option->empty()) throw CLI::RequiredError("--output");
+    action = [this] { return view_command(common, page_template, output); };
+  });
 }
 
 void CommandLine::add_see() {

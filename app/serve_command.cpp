@@ -11,6 +11,7 @@ namespace sturm {
 
 int serve_command(const CommonOptions& options, const ServeOptions& serve) {
   Json document = load_configuration(options);
+  if (options.print_config) return print_configuration(document, options.file, "");
   RenderSpec spec = read_render_spec(document, options.file);
   std::string page = filled_page(view_template(serve.page_template), page_data(spec, options.file));
   enter_sandbox();

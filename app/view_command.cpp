@@ -13,9 +13,11 @@
 namespace sturm {
 
 int view_command(const CommonOptions& options, const std::string& template_file, const std::string& output) {
+  const Json document = load_configuration(options);
+  if (options.print_config) return print_configuration(document, options.file, output);
   const std::filesystem::path html(output);
   if (!has_suffix(html, ".html")) throw InputError("", "--output", "\"" + output + "\"", "a name that ends in .html");
-  const RenderSpec spec = read_render_spec(load_configuration(options), options.file);
+  const RenderSpec spec = read_render_spec(document, options.file);
   require_writable(html);
   std::string page = view_template(template_file);
   const PageData data = page_data(spec, options.file);

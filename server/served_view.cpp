@@ -56,11 +56,11 @@ class OwnSpectacles {
 void require_moderate(const RenderSpec& spec) {
   const Source where{request_name, ""};
   const double pixels = static_cast<double>(spec.camera.width) * spec.camera.height;
-  if (pixels > most_pixels)
-    (where / "camera" / "resolution").fail(pixels, "at most " + std::to_string(int(most_pixels)) + " pixels");
-  if (static_cast<double>(spec.samples_per_pixel) > most_samples)
+  if (pixels > most_asked_pixels)
+    (where / "camera" / "resolution").fail(pixels, "at most " + std::to_string(int(most_asked_pixels)) + " pixels");
+  if (static_cast<double>(spec.samples_per_pixel) > most_asked_samples)
     (where / "method" / "samples_per_pixel")
-        .fail(spec.samples_per_pixel, "at most " + std::to_string(int(most_samples)) + " samples");
+        .fail(spec.samples_per_pixel, "at most " + std::to_string(int(most_asked_samples)) + " samples");
 }
 
 std::optional<Image> read_page_picture(const Json& value, const CameraSpec& camera) {

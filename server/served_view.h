@@ -21,8 +21,8 @@ struct RenderRequest {
 };
 
 /// Largest picture [px], and most samples of a pixel, that a page may ask for.
-inline constexpr double most_pixels = 4e6;
-inline constexpr double most_samples = 4096;
+inline constexpr double most_asked_pixels = 4e6;
+inline constexpr double most_asked_samples = 4096;
 
 /// Reads {"view": sturm.render/1, "picture": "data:image/png;base64,…" or null}. Eye, spectacles, camera, method and
 /// seed are those of the view; the scene is the server's whatever the view says, and so are spectacles that the view

@@ -10,7 +10,6 @@
 namespace sturm {
 
 inline constexpr double two_pi = 2.0 * std::numbers::pi;
-inline constexpr double metres_per_nanometre = 1e-9;
 
 /// The wave in an eye's pupil, from which its point spreads follow (docs/theory.md#142-point-spreads).
 /// With a vergence error V added it is W(p) − ½ V |p|² over |p| ≤ radius. The image of a point stands at X = +∇W
