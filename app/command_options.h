@@ -12,6 +12,9 @@ struct CommandLine {
   CLI::App app{"Sturm: the blur of an astigmatic eye, path traced and predicted, and whether the two agree.", "sturm"};
   CommonOptions common;
   LensOptions lens;
+  PlotOptions plot;
+  ValidateCameraOptions validate_camera;
+  WearersOptions wearers;
   BlurFieldOptions blurfield;
   PreviewOptions preview;
   SeeOptions see;
@@ -37,12 +40,17 @@ struct CommandLine {
   void add_wavefront();
   void add_stress();
   void add_plan_samples();
+  // command_options_of_plots.cpp
+  void add_plot();
+  void add_wearers();
+  void add_validate_camera();
   // command_options_of_pictures.cpp
   void add_render();
   void add_see();
   void add_see_depth(CLI::App& s);
   void add_see_view(CLI::App& s);
   void add_compare();
+  void add_compare_suite(CLI::App& c);
   // command_options_of_runs.cpp
   void add_run();
   void add_bench();

@@ -1,11 +1,11 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/distance_option.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
@@ -66,14 +66,7 @@ void check_picture_name(const std::string& name, const char* option) {
 
 std::vector<double> distances(const std::vector<std::string>& texts) {
   std::vector<double> result;
-  for (const std::string& text : texts) {
-    double value = std::numeric_limits<double>::infinity();
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text != "inf" &&
-        (error != std::errc() || stop != text.data() + text.size() || !(value >= 1e-3 && value <= 1e6)))
-      throw InputError("", "--target-distance-m", "\"" + text + "\"", "a distance from 0.001 to 1e6 m, or inf");
-    result.push_back(value);
-  }
+  for (const std::string& text : texts) result.push_back(distance_option(text, "--target-distance-m"));
   return result;
 }
 

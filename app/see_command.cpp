@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/distance_option.h"
 #include "app/see_inputs.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"

@@ -1,11 +1,10 @@
 #include "app/see_inputs.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
+#include "app/distance_option.h"
 #include "io/files/error.h"
 #include "io/files/plain_file.h"
 #include "io/images/exr.h"
@@ -167,15 +166,6 @@ double pixel_slope_of(const SeeOptions& options, const ColorFile& file) {
 }
 
 }  // namespace
-
-double distance_option(const std::string& text, const char* option) {
-  if (text == "inf") return std::numeric_limits<double>::infinity();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value > 0.0) || !std::isfinite(value))
-    throw InputError("", option, "\"" + text + "\"", "a number > 0 or \"inf\" (distance [m])");
-  return value;
-}
 
 SeeInputs read_see_inputs(const SeeOptions& options) {
   SeeInputs inputs;

@@ -23,7 +23,4 @@ struct SeeInputs {
 /// Reads picture, depth and layers. Throws InputError for what is missing, broken, or of another size.
 SeeInputs read_see_inputs(const SeeOptions& options);
 
-/// The distance of `--distance-m` and `--focus-m`: a number > 0 or "inf".
-double distance_option(const std::string& text, const char* option);
-
 }  // namespace sturm
