@@ -94,6 +94,9 @@ CommandLine::CommandLine() {
   add_run();
   add_ellipse();
   add_lens();
+  add_plot();
+  add_wearers();
+  add_validate_camera();
   add_blurfield();
   add_psf();
   add_wavefront();

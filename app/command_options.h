@@ -13,6 +13,9 @@ struct CommandLine {
   CommonOptions common;
   EllipseOptions ellipse;
   LensOptions lens;
+  PlotOptions plot;
+  ValidateCameraOptions validate_camera;
+  WearersOptions wearers;
   BlurFieldOptions blurfield;
   PreviewOptions preview;
   SeeOptions see;
@@ -41,6 +44,10 @@ struct CommandLine {
   void add_wavefront();
   void add_stress();
   void add_plan_samples();
+  // command_options_of_plots.cpp
+  void add_plot();
+  void add_wearers();
+  void add_validate_camera();
   // command_options_of_pictures.cpp
   void add_render();
   void add_serve();
@@ -50,6 +57,7 @@ struct CommandLine {
   void add_see_view(CLI::App& s);
   void add_see_sequences(CLI::App& s);
   void add_compare();
+  void add_compare_suite(CLI::App& c);
   // command_options_of_runs.cpp
   void add_run();
   void add_bench();

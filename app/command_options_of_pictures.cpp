@@ -129,8 +129,9 @@ void CommandLine::add_see_sequences(CLI::App& s) {
 
 void CommandLine::add_compare() {
   auto* c = app.add_subcommand("compare", "metrics of two pictures; bounds make it a gate");
-  c->add_option("test", compare.test, "EXR, HDR, PFM, PNG, JPEG, TIFF, …")->required();
-  c->add_option("reference", compare.reference, "the same")->required();
+  c->add_option("test", compare.test, "EXR, HDR, PFM, PNG, JPEG, TIFF, …");
+  c->add_option("reference", compare.reference, "the same");
+  add_compare_suite(*c);
   c->add_option("--layer", compare.layers,
                 "layer of EXR files with several: once for both, or for the test and again for the reference")
       ->allow_extra_args(false);
@@ -161,7 +162,19 @@ void CommandLine::add_compare() {
   c->add_option("--min-psnr", compare.min_psnr_dB, "fail below this PSNR [dB] (display space)");
   c->add_option("--max-rmse", compare.max_rmse, "fail above this RMSE (linear)");
   c->add_option("--max-relative-mse", compare.max_relative_mse, "fail above this relative MSE (linear)");
-  c->callback([this] { action = [this] { return compare_command(compare); }; });
+  c->callback([this] {
+    if (compare.suite.empty() && compare.reference.empty()) throw CLI::RequiredError("two pictures, or --suite");
+    action = [this] { return compare.suite.empty() ? compare_command(compare) : compare_suite_command(compare); };
+  });
+}
+
+void CommandLine::add_compare_suite(CLI::App& c) {
+  auto* suite = c.add_option("--suite", compare.suite, "folder of pairs: NAME/test.EXT and NAME/reference.EXT");
+  suite->excludes("test")->excludes("reference");
+  c.add_flag("--beyond-noise", compare.beyond_noise, "pairs with test_seed.EXT fail where seeds do not explain it")
+      ->needs(suite);
+  c.add_option("--junit", compare.junit, "write what became of each pair as JUnit XML")->needs(suite);
+  c.add_option("--markdown", compare.markdown, "write a short summary in Markdown, for a pull request")->needs(suite);
 }
 
 }  // namespace sturm

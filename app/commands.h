@@ -49,6 +49,9 @@ struct CompareOptions {
   std::string maps_folder;             ///< "" = no error maps
   std::vector<std::string> bounds;     ///< KEY=VALUE
   std::optional<double> min_ssim, min_psnr_dB, max_rmse, max_relative_mse;
+  std::string suite;            ///< folder of pairs instead of the two pictures; "" = none
+  bool beyond_noise = false;    ///< a pair of the suite fails where it differs by more than its seeds do
+  std::string junit, markdown;  ///< files; "" = none
 };
 
 /// What `sturm plan-samples` is asked for.
@@ -74,6 +77,43 @@ struct LensOptions {
   std::string map_file, defocus_map_file;                                    ///< .svg or .png; "" = none
   std::vector<std::string> target_distances_m{"0.4"};                        ///< of the defocus map: > 0 or "inf"
   double amplitude_D = 0.0;                                                  ///< of accommodation, for the defocus map
+};
+
+/// What `sturm plot` is asked for.
+struct PlotOptions {
+  std::string kind;
+  std::vector<std::string> files;        ///< eyes, lenses, or documents with an eye; empty: by `prescription`
+  std::string prescription, spectacles;  ///< --rx and --lens; "" = none
+  std::optional<double> pupil_mm, age, amplitude_D;  ///< in place of the eye's own
+  std::vector<std::string> distances_m;              ///< of targets: > 0 or "inf"; empty: as the kind has it
+  std::optional<double> range;                       ///< end of the scale
+  std::optional<double> focus_m;                     ///< of a fixed accommodation, in place of the eye's own
+  double nearest_m = 0.2, clear_D = 0.25;
+  std::string psf = "waves";  ///< or "rays", "both"
+  bool difference = false;    ///< of two lenses, beside them
+  double rotation_center_mm = 1e3 * mean_rotation_center_m;
+  std::string output, csv;  ///< "" = beside the picture
+};
+
+/// What `sturm validate-camera` is asked for.
+struct ValidateCameraOptions {
+  std::string folder;
+  bool write = false;                       ///< the scene, instead of judging a picture of it
+  std::string eye, prescription;            ///< that the camera has; "" = a thin lens in focus at `focus_m`
+  std::optional<double> pupil_mm, focus_m;  ///< of it
+  std::string picture;                      ///< "" = picture.exr in the folder
+  double relative = 0.02, absolute_px = 0.1, centroid_px = 0.15, orientation_deg = 2.0;  ///< tolerances
+  std::string junit, markdown;
+};
+
+/// What `sturm wearers` is asked for.
+struct WearersOptions {
+  std::string table;                            ///< CSV of prescriptions
+  std::vector<std::string> lenses;              ///< designs that each wearer tries
+  std::vector<std::string> distances_m{"inf"};  ///< of targets: > 0 or "inf"
+  std::optional<double> age, amplitude_D;       ///< of the eyes; none: they do not accommodate
+  double clear_D = 0.25, reach_deg = 30.0, step_deg = 5.0, vertex_mm = 12.0;
+  std::string output;  ///< CSV, "" = standard output
 };
 
 /// What `sturm blurfield` writes.
@@ -171,6 +211,9 @@ struct InitOptions {
 int ellipse_command(const CommonOptions& common, const EllipseOptions& options);
 int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files);
 int lens_command(const CommonOptions& options, const LensOptions& lens, const std::string& output);
+int plot_command(const PlotOptions& options);
+int wearers_command(const WearersOptions& options);
+int validate_camera_command(const ValidateCameraOptions& options);
 int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output);
 int view_command(const CommonOptions& options, const std::string& template_file, const std::string& output);
 int serve_command(const CommonOptions& options, const ServeOptions& serve);
@@ -180,6 +223,7 @@ int run_command(const CommonOptions& options, const std::string& folder, bool re
 int bench_command(const CommonOptions& options, const std::string& folder, bool resume);
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output);
 int compare_command(const CompareOptions& options);
+int compare_suite_command(const CompareOptions& options);  ///< sturm compare --suite
 int compare_runs_command(const CompareRunsOptions& options);
 int psf_command(const CommonOptions& options, const PsfOptions& files);
 int wavefront_command(const WavefrontOptions& options);

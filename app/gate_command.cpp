@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -6,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/document_kinds.h"
+#include "app/gate_lines.h"
 #include "compare/findings/judged_report.h"
 #include "compare/gates/gate_result.h"
 #include "compare/gates/verdict.h"
@@ -41,14 +41,6 @@ void keep_stored_baseline_results(std::vector<GateResult>& results, const std::v
       if (result.kind == GateKind::Baseline && before.id == result.id) result = before;
 }
 
-void print_results(const std::vector<GateResult>& results) {
-  for (const GateResult& r : results) {
-    const std::string value = r.value ? Json(*r.value).dump() : r.cases == 0u ? "no case" : "no value";
-    std::printf("%s  %-36s %s %s (bound %s)\n", r.has_passed() ? "pass" : "FAIL", r.id.c_str(), value.c_str(),
-                r.unit.c_str(), Json(r.bound.value_or(0.0)).dump().c_str());
-  }
-}
-
 /// A file below the current folder without the way there, which is nobody else's.
 std::string short_name(const std::filesystem::path& file) {
   const std::filesystem::path within = file.lexically_relative(std::filesystem::current_path());
@@ -79,8 +71,7 @@ int gate_command(const GateOptions& options) {
   std::vector<GateResult> results = evaluate_gates(gates, report, baseline.is_null() ? nullptr : &baseline);
   if (baseline.is_null() && options.gates.empty()) keep_stored_baseline_results(results, stored);
   const Verdict verdict = verdict_of(results);
-  print_results(results);
-  std::cout << verdict.sentence << "\n";
+  std::cout << gate_lines(results) << verdict.sentence << "\n";
   if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(results, report.at("title")));
   if (!options.markdown.empty()) write_file_atomically(options.markdown, report_markdown(report, results, verdict));
   if (!options.new_baseline.empty())

@@ -1,15 +1,14 @@
 #include "experiments/figures/lens_maps.h"
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "conoid/tracing/as_worn.h"
-#include "conoid/tracing/spectacle_conoid.h"
+#include "experiments/figures/defocus_as_worn.h"
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
-#include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
 #include "lensmodel/vertex_power.h"
 
@@ -66,6 +65,29 @@ double contour_step_for(const Eigen::MatrixXd& values) {
   return step;
 }
 
+std::optional<PowerMatrix> power_at(const Spectacles& lens, const Eigen::Vector3d& gaze, double rotation_center_m) {
+  const AsWorn worn = as_worn(lens, gaze, rotation_center_m);
+  return worn.status == LensStatus::ok ? worn.power : std::nullopt;
+}
+
+/// Mean and cylinder of an error over the places of a lens; `error_at(gaze)` has none where nothing comes through.
+template <class ErrorAt>
+std::vector<LensMap> maps_of_error(const Spectacles& lens, double rotation_center_m,
+                                   const std::array<const char*, 2>& titles, ErrorAt&& error_at) {
+  LensMap mean = empty_map(lens, rotation_center_m, titles[0]), cylinder = mean;
+  cylinder.title = titles[1];
+  cylinder.signed_scale = false;
+  for_places(lens, rotation_center_m, [&](int row, int column, const Eigen::Vector3d& gaze) {
+    const std::optional<PowerMatrix> error = error_at(gaze);
+    if (!error) return;
+    mean.values(row, column) = error->spherical_equivalent();
+    cylinder.values(row, column) = std::hypot(error->xx() - error->yy(), 2.0 * error->xy());
+  });
+  mean.contour_step = contour_step_for(mean.values);
+  cylinder.contour_step = contour_step_for(cylinder.values);
+  return {mean, cylinder};
+}
+
 }  // namespace
 
 PowerMatrix nominal_power(const SpectaclesSpec& spec, const Source& where) {
@@ -78,41 +100,33 @@ PowerMatrix nominal_power(const SpectaclesSpec& spec, const Source& where) {
 }
 
 std::vector<LensMap> as_worn_maps(const Spectacles& lens, const PowerMatrix& nominal, double rotation_center_m) {
-  LensMap mean = empty_map(lens, rotation_center_m, "mean power error, as worn"), cylinder = mean;
-  cylinder.title = "cylinder of the error, as worn";
-  cylinder.signed_scale = false;
-  for_places(lens, rotation_center_m, [&](int row, int column, const Eigen::Vector3d& gaze) {
-    const AsWorn worn = as_worn(lens, gaze, rotation_center_m);
-    if (worn.status != LensStatus::ok || !worn.power) return;
-    const PowerMatrix error = *worn.power - nominal;
-    mean.values(row, column) = error.spherical_equivalent();
-    cylinder.values(row, column) = std::hypot(error.xx() - error.yy(), 2.0 * error.xy());
-  });
-  mean.contour_step = contour_step_for(mean.values);
-  cylinder.contour_step = contour_step_for(cylinder.values);
-  return {mean, cylinder};
+  return maps_of_error(lens, rotation_center_m, {"mean power error, as worn", "cylinder of the error, as worn"},
+                       [&](const Eigen::Vector3d& gaze) -> std::optional<PowerMatrix> {
+                         const auto power = power_at(lens, gaze, rotation_center_m);
+                         return power ? std::optional(*power - nominal) : std::nullopt;
+                       });
+}
+
+std::vector<LensMap> as_worn_difference(const Spectacles& first, const Spectacles& second, double rotation_center_m) {
+  return maps_of_error(first, rotation_center_m, {"mean power: second less first", "cylinder of the difference"},
+                       [&](const Eigen::Vector3d& gaze) -> std::optional<PowerMatrix> {
+                         const auto before = power_at(first, gaze, rotation_center_m),
+                                    after = power_at(second, gaze, rotation_center_m);
+                         return before && after ? std::optional(*after - *before) : std::nullopt;
+                       });
 }
 
 LensMap defocus_map(const Spectacles& lens, const PowerMatrix& correction, double rotation_center_m, double distance_m,
                     double amplitude_D) {
-  const double vergence = 1.0 / distance_m;
   const std::string target = std::isinf(distance_m) ? "far away" : "at " + plain_number(distance_m, 4) + " m";
   LensMap map = empty_map(lens, rotation_center_m, "defocus for targets " + target + "\\ngreen line: blur of 0.5 D");
   map.limit_values = map.values;
   map.limit = clear_D;
   for_places(lens, rotation_center_m, [&](int row, int column, const Eigen::Vector3d& gaze) {
-    const SpectacleConoid conoid = trace_conoid(lens, gaze, rotation_center_m);
-    if (conoid.status != LensStatus::ok) return;
-    const Eigen::Matrix2d q = conoid.angular_q(vergence);
-    if (!(singular_values(q).small > SpectacleConoid::relative_singularity * singular_values(q).large)) return;
-    // Slopes of the rays that come from one point of the target: P + Q S = 0.
-    const Eigen::Matrix2d present = -q.inverse() * conoid.angular_p(vergence);
-    const Eigen::Matrix2d lack = correction.matrix() - present;
-    const double relaxed = 0.5 * lack.trace(),
-                 mean = relaxed - std::clamp(relaxed, 0.0, amplitude_D);  // exactly 0 within the range
-    const double half_difference = std::hypot(0.5 * (lack(0, 0) - lack(1, 1)), 0.5 * (lack(0, 1) + lack(1, 0)));
-    map.values(row, column) = mean;
-    (*map.limit_values)(row, column) = std::abs(mean) + half_difference;
+    const auto defocus = defocus_as_worn(lens, correction, gaze, rotation_center_m, distance_m, amplitude_D);
+    if (!defocus) return;
+    map.values(row, column) = defocus->mean_D;
+    (*map.limit_values)(row, column) = defocus->larger_D;
   });
   map.contour_step = contour_step_for(map.values);
   return map;

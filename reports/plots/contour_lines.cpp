@@ -1,8 +1,40 @@
 #include "reports/plots/contour_lines.h"
 
 #include <cmath>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace sturm {
+
+namespace {
+
+/// Both cells beside a side compute its crossing from the same two corners, though not in the same order: ends that
+/// meet agree to rounding, and no two lines of one level come as near as this.
+std::pair<long long, long long> place_of(const Eigen::Vector2d& p) {
+  constexpr double cells = 1e7;
+  return {std::llround(cells * p.x()), std::llround(cells * p.y())};
+}
+
+using Ends = std::multimap<std::pair<long long, long long>, std::size_t>;
+
+/// A piece that has not been used and has an end at `place`; it is used then.
+std::optional<std::size_t> take(const Ends& ends, const Eigen::Vector2d& place, std::vector<bool>& used) {
+  const auto [first, last] = ends.equal_range(place_of(place));
+  for (auto at = first; at != last; ++at)
+    if (!used[at->second]) {
+      used[at->second] = true;
+      return at->second;
+    }
+  return std::nullopt;
+}
+
+const Eigen::Vector2d& other_end(const ContourPiece& piece, const Eigen::Vector2d& end) {
+  return place_of(piece[0]) == place_of(end) ? piece[1] : piece[0];
+}
+
+}  // namespace
 
 std::vector<ContourPiece> contour_lines(const Eigen::MatrixXd& values, double level) {
   std::vector<ContourPiece> pieces;
@@ -32,6 +64,23 @@ std::vector<ContourPiece> contour_lines(const Eigen::MatrixXd& values, double le
       }
     }
   return pieces;
+}
+
+std::vector<ContourLine> joined(const std::vector<ContourPiece>& pieces) {
+  Ends ends;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (const Eigen::Vector2d& end : pieces[i]) ends.emplace(place_of(end), i);
+  std::vector<bool> used(pieces.size());
+  std::vector<ContourLine> lines;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (used[i]) continue;
+    used[i] = true;
+    std::deque<Eigen::Vector2d> line{pieces[i][0], pieces[i][1]};
+    while (const auto next = take(ends, line.back(), used)) line.push_back(other_end(pieces[*next], line.back()));
+    while (const auto next = take(ends, line.front(), used)) line.push_front(other_end(pieces[*next], line.front()));
+    lines.emplace_back(line.begin(), line.end());
+  }
+  return lines;
 }
 
 }  // namespace sturm

@@ -58,11 +58,27 @@ Html gnuplot_svg(std::string_view script, const PlotFrame& frame) {
   return for_inline_use(gnuplot_file(script, frame), frame);
 }
 
+std::string gnuplot_labelled_file(std::string_view script, const PlotFrame& frame) {
+  std::string svg = gnuplot_svg(script, frame).markup();
+  svg.insert(
+      4,
+      " xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" font-family=\"sans-serif\"");
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + svg;
+}
+
 std::string gnuplot_png(std::string_view script, const PlotFrame& frame) {
   const std::string setup = "set encoding utf8\nset terminal pngcairo size " + std::to_string(2 * frame.width) + "," +
                             std::to_string(2 * frame.height) +
                             " enhanced font \"sans-serif,13\" fontscale 1.5 linewidth 2 pointscale 2\n";
   return whole_picture(run_gnuplot(setup + std::string(script) + "\n"), "IEND");
+}
+
+std::string gnuplot_pdf(std::string_view script, const PlotFrame& frame) {
+  constexpr double pixels_per_inch = 96.0;
+  const std::string setup = "set encoding utf8\nset terminal pdfcairo size " +
+                            std::to_string(frame.width / pixels_per_inch) + "in," +
+                            std::to_string(frame.height / pixels_per_inch) + "in enhanced font \"sans-serif,9.75\"\n";
+  return whole_picture(run_gnuplot(setup + std::string(script) + "\n"), "%%EOF");
 }
 
 }  // namespace sturm

@@ -20,7 +20,13 @@ Html gnuplot_svg(std::string_view script, const PlotFrame& frame);
 /// The same picture as an SVG file of its own.
 std::string gnuplot_file(std::string_view script, const PlotFrame& frame);
 
+/// An SVG file that has the label and fonts of the page's pictures.
+std::string gnuplot_labelled_file(std::string_view script, const PlotFrame& frame);
+
 /// The same plot as a PNG file, at twice the natural size.
 std::string gnuplot_png(std::string_view script, const PlotFrame& frame);
+
+/// The same plot as a PDF file of its natural size, 96 px to the inch.
+std::string gnuplot_pdf(std::string_view script, const PlotFrame& frame);
 
 }  // namespace sturm

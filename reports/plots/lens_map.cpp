@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "io/files/csv.h"
 #include "io/files/formatted_text.h"
 #include "reports/markup/false_colour.h"
 #include "reports/plots/contour_lines.h"
 #include "reports/plots/gnuplot.h"
+#include "reports/plots/plot_style.h"
 
 namespace sturm {
 
@@ -54,22 +56,42 @@ struct Scale {
   }
 };
 
-std::string lines_at(const Eigen::MatrixXd& values, double level, const Scale& scale) {
-  std::string rows;
-  for (const ContourPiece& piece : contour_lines(values, level))
-    rows += scale.at(piece[0]) + "\n" + scale.at(piece[1]) + "\n\n";
-  return rows;
+/// The title in gnuplot's double quotes: nothing of it is a command but the two characters that begin a new line.
+std::string quoted_title(const std::string& title) {
+  std::string quoted;
+  for (std::size_t i = 0; i < title.size(); ++i) {
+    if (title.compare(i, 2, "\\n") == 0) {
+      quoted += title.substr(i++, 2);
+    } else if (title[i] == '"') {
+      quoted += "\\\"";
+    } else {
+      if (std::string_view("{}_^@&~").find(title[i]) != std::string_view::npos) quoted += "\\\\";
+      quoted += title[i];
+    }
+  }
+  return "\"" + quoted + "\"";
 }
 
-std::string block(const std::string& name, const std::string& rows) {
-  return "$" + name + " << END\n" + rows + "END\n";
-}
+/// Contours of one look: their points, and where their values stand.
+struct Contours {
+  std::string lines, labels;
+
+  void add(const Eigen::MatrixXd& values, double level, const Scale& scale, const std::string& label = "") {
+    constexpr std::size_t least_labelled = 24;  // a shorter line has no room for its value
+    for (const ContourLine& line : joined(contour_lines(values, level))) {
+      for (const Eigen::Vector2d& point : line) lines += scale.at(point) + "\n";
+      lines += "\n";
+      if (!label.empty() && line.size() > least_labelled)
+        labels += scale.at(line[line.size() / 2]) + " " + label + "\n";
+    }
+  }
+};
 
 std::string panel(const LensMap& map, double limit, int number) {
   const double rim = map.rim_radius_mm;
   const Scale scale{rim, 2.0 * rim / double(map.values.cols() - 1)};
   const std::string id = std::to_string(number);
-  std::string places, thin, thick;
+  std::string places;
   for (Eigen::Index row = 0; row < map.values.rows(); ++row)
     for (Eigen::Index column = 0; column < map.values.cols(); ++column) {
       const double value = map.values(row, column);
@@ -78,22 +100,26 @@ std::string panel(const LensMap& map, double limit, int number) {
     }
   const double step = map.contour_step * std::ceil(2.0 * limit / map.contour_step / most_contours);
   const int last = static_cast<int>(std::floor(limit / step + 1e-9));
+  Contours thin, thick, heavy;
   // No line at 0: the colour is white there, and whole regions may have that value.
   for (int k = map.signed_scale ? -last : 1; k <= last; ++k)
-    if (k != 0) (k % 4 == 0 ? thick : thin) += lines_at(map.values, k * step, scale);
-  std::string script = block("places" + id, places) + block("thin" + id, thin) + block("thick" + id, thick);
+    if (k % 4 != 0)
+      thin.add(map.values, k * step, scale);
+    else if (k != 0)
+      thick.add(map.values, k * step, scale, (k > 0 && map.signed_scale ? "+" : "") + plain_number(k * step, 4));
+  std::string script = data_block("places" + id, places);
   std::string curves = "$places" + id + " with image notitle";
-  const auto add = [&](const std::string& name, const std::string& rows, const char* look) {
-    if (!rows.empty()) curves += ", $" + name + id + " with lines " + look + " notitle";
+  const auto add = [&](const std::string& name, const std::string& rows, const std::string& look) {
+    if (rows.empty()) return;
+    script += data_block(name + id, rows);
+    curves += ", $" + name + id + " " + look + " notitle";
   };
-  add("thin", thin, "lw 0.7 lc rgb '#555555'");
-  add("thick", thick, "lw 1.6 lc rgb '#222222'");
-  if (map.limit_values) {
-    const std::string rows = lines_at(*map.limit_values, map.limit, scale);
-    script += block("limit" + id, rows);
-    add("limit", rows, "lw 3.2 lc rgb '#007a33'");
-  }
-  script += palette(map.signed_scale) + "set title \"" + map.title + "\"\nset cblabel \"" + map.unit +
+  add("thin", thin.lines, "with lines lw 0.7 lc rgb '#555555'");
+  add("thick", thick.lines, "with lines lw 1.6 lc rgb '#222222'");
+  if (map.limit_values) heavy.add(*map.limit_values, map.limit, scale);
+  add("limit", heavy.lines, "with lines lw 3.2 lc rgb '#007a33'");
+  add("labels", thick.labels, "using 1:2:3 with labels boxed font ',10' tc rgb '#222222'");
+  script += palette(map.signed_scale) + "set title " + quoted_title(map.title) + "\nset cblabel \"" + map.unit +
             "\"\nset cbrange [" + number_text(map.signed_scale ? -limit : 0.0) + ":" + number_text(limit) +
             "]\nset xrange [" + number_text(-1.05 * rim) + ":" + number_text(1.05 * rim) + "]\nset yrange [" +
             number_text(-1.05 * rim) + ":" + number_text(1.05 * rim) + "]\n";
@@ -103,16 +129,43 @@ std::string panel(const LensMap& map, double limit, int number) {
          ") every 1000 with points pt 1 ps 1.6 lw 2 lc rgb '#000000' notitle\n";
 }
 
-PlotFrame frame_of(std::span<const LensMap> maps, const std::string& id) {
+std::string one_line(std::string title) {
+  for (std::size_t at; (at = title.find("\\n")) != std::string::npos;) title.replace(at, 2, ", ");
+  return title;
+}
+
+PlotFrame frame_of(std::span<const LensMap> maps, const std::string& id, std::size_t rows = 1) {
   std::string label;
-  for (const LensMap& map : maps) label += (label.empty() ? "" : "; ") + map.title;
-  for (std::size_t at; (at = label.find("\\n")) != std::string::npos;) label.replace(at, 2, ", ");
-  return {.id = id, .label = label, .width = panel_width * static_cast<int>(maps.size()), .height = panel_height};
+  for (const LensMap& map : maps) label += (label.empty() ? "" : "; ") + one_line(map.title);
+  return {.id = id,
+          .label = label,
+          .width = panel_width * static_cast<int>(maps.size() / rows),
+          .height = panel_height * static_cast<int>(rows)};
+}
+
+std::string csv_of(std::span<const LensMap> maps) {
+  CsvWriter csv;
+  for (const char* heading : {"map", "unit", "x_mm", "y_mm", "value"}) csv.text(heading);
+  csv.end_row();
+  for (const LensMap& map : maps) {
+    const double rim = map.rim_radius_mm, step = 2.0 * rim / double(map.values.cols() - 1);
+    for (Eigen::Index row = 0; row < map.values.rows(); ++row)
+      for (Eigen::Index column = 0; column < map.values.cols(); ++column) {
+        if (!std::isfinite(map.values(row, column))) continue;
+        csv.text(one_line(map.title));
+        csv.text(map.unit);
+        csv.number(-rim + step * double(column));
+        csv.number(-rim + step * double(row));
+        csv.number(map.values(row, column));
+        csv.end_row();
+      }
+  }
+  return csv.table();
 }
 
 }  // namespace
 
-std::string lens_map_script(std::span<const LensMap> maps) {
+std::string lens_map_script(std::span<const LensMap> maps, const LensMapLayout& layout) {
   std::string script = R"(
 set size ratio -1
 set border 3 lc rgb '#666666'
@@ -122,11 +175,17 @@ set samples 361
 set trange [0:2*pi]
 set xlabel "to the wearer's right [mm]"
 set ylabel "up [mm]"
-set multiplot layout 1,)" +
-                       std::to_string(maps.size()) + "\n";
+set style textbox opaque noborder fillcolor rgb '#ffffff' margins 0.4,0.2
+set multiplot layout )" +
+                       std::to_string(layout.rows) + "," + std::to_string(maps.size() / layout.rows) + "\n";
   int number = 0;
-  for (const LensMap& map : maps) script += panel(map, scale_of(maps, map.signed_scale), ++number);
+  for (const LensMap& map : maps)
+    script += panel(map, layout.range ? *layout.range : scale_of(maps, map.signed_scale), ++number);
   return script + "unset multiplot\n";
+}
+
+Plot lens_map_plot(std::span<const LensMap> maps, const LensMapLayout& layout) {
+  return {lens_map_script(maps, layout), frame_of(maps, "map", layout.rows), csv_of(maps)};
 }
 
 Html lens_map_svg(std::span<const LensMap> maps, const std::string& id) {
@@ -134,11 +193,7 @@ Html lens_map_svg(std::span<const LensMap> maps, const std::string& id) {
 }
 
 std::string lens_map_svg_file(std::span<const LensMap> maps) {
-  std::string svg = lens_map_svg(maps, "map").markup();
-  svg.insert(
-      4,
-      " xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" font-family=\"sans-serif\"");
-  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + svg;
+  return gnuplot_labelled_file(lens_map_script(maps), frame_of(maps, "map"));
 }
 
 std::string lens_map_png_file(std::span<const LensMap> maps) {

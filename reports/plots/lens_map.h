@@ -5,11 +5,12 @@
 #include <string>
 
 #include "reports/markup/html.h"
+#include "reports/plots/plot.h"
 
 namespace sturm {
 
-/// A quantity over a lens, as the wearer looks through it. Coordinates: mm on the lens about its back vertex, x to the
-/// wearer's right, y up.
+/// A quantity over a lens, as the wearer looks through it, or over a pupil. Coordinates: mm on the lens about its back
+/// vertex, or about the pupil's centre, x to the wearer's right, y up. Red is more everywhere: too much power.
 struct LensMap {
   std::string title;       ///< plain text; \\n (two characters) begins a new line
   std::string unit = "D";  ///< of the values
@@ -23,8 +24,17 @@ struct LensMap {
   double limit = 0.0;                           ///< … whose contour at this value is drawn as a heavy line
 };
 
-/// gnuplot's commands for maps side by side (no terminal, no output).
-std::string lens_map_script(std::span<const LensMap> maps);
+/// How several maps are drawn.
+struct LensMapLayout {
+  std::size_t rows = 1;         ///< the maps fill the first row, then the next; their number is a multiple of it
+  std::optional<double> range;  ///< end of all scales; values beyond it have the colour of the end. None: the maps' own
+};
+
+/// gnuplot's commands for maps side by side (no terminal, no output). Thick contours have their values on them.
+std::string lens_map_script(std::span<const LensMap> maps, const LensMapLayout& layout = {});
+
+/// The maps as a figure; its table has a row for each place of each map that has a value: map, x_mm, y_mm, value.
+Plot lens_map_plot(std::span<const LensMap> maps, const LensMapLayout& layout = {});
 
 /// The maps as an <svg> element for an HTML page (reports/plots/gnuplot.h). `id`: unique on the page.
 Html lens_map_svg(std::span<const LensMap> maps, const std::string& id);

@@ -51,15 +51,20 @@ std::string table(std::span<const GateResult> gates, bool of_passed) {
 
 }  // namespace
 
-std::string report_markdown(const Json& report, std::span<const GateResult> results, const Verdict& verdict) {
+std::string gates_markdown(const std::string& title, std::span<const GateResult> results, const Verdict& verdict) {
   std::string text = "## " +
                      std::string(verdict.has_passed()   ? "✓ "
                                  : verdict.has_failed() ? "✗ "
                                                         : "") +
-                     cell(text_at(report, "title")) + "\n\n" + cell(verdict.sentence) + "\n";
+                     cell(title) + "\n\n" + cell(verdict.sentence) + "\n";
   if (const std::string failures = table(results, false); !failures.empty()) text += "\n" + failures;
   if (const std::string passes = table(results, true); !passes.empty())
     text += "\n<details><summary>Gates that passed</summary>\n\n" + passes + "\n</details>\n";
+  return text;
+}
+
+std::string report_markdown(const Json& report, std::span<const GateResult> results, const Verdict& verdict) {
+  std::string text = gates_markdown(text_at(report, "title"), results, verdict);
   const StoredRun run = read_stored_run(report);
   text += "\nSeed " + number(run.seed) + ", commit " + cell(run.commit) + ", " + number(run.total_seconds()) +
           " s with " + number(run.threads) + " threads. Values ± one standard error.\n";

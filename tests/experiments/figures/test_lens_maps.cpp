@@ -20,21 +20,20 @@ Spectacles pane() {
   return lens;
 }
 
-TEST(DefocusMap, BehindAPaneItIsTheTargetsVergence) {
+TEST(DefocusMap, BehindAPaneTheTargetsVergenceIsLacking) {
   // From the pupil a target 0.5 m before the front surface is 0.5 + 0.012 + 0.001/1.5 m away: 1.950585 D are lacking.
   const PowerMatrix none = PowerMatrix::scalar(0.0);
-  EXPECT_NEAR(defocus_map(pane(), none, center, 0.5, 0.0).values(middle, middle), 1.9505851755526658, 1e-12);
+  EXPECT_NEAR(defocus_map(pane(), none, center, 0.5, 0.0).values(middle, middle), -1.9505851755526658, 1e-12);
   EXPECT_EQ(defocus_map(pane(), none, center, 0.5, 3.0).values(middle, middle), 0.0);
-  EXPECT_NEAR(defocus_map(pane(), none, center, 0.5, 1.0).values(middle, middle), 0.9505851755526659, 1e-12);
+  EXPECT_NEAR(defocus_map(pane(), none, center, 0.5, 1.0).values(middle, middle), -0.9505851755526659, 1e-12);
   EXPECT_NEAR(defocus_map(pane(), none, center, far_away, 3.0).values(middle, middle), 0.0, 1e-12);
   // An uncorrected myope of 1 D has too much for what is far, and accommodation cannot help.
-  EXPECT_NEAR(defocus_map(pane(), PowerMatrix::scalar(-1.0), center, far_away, 3.0).values(middle, middle), -1.0,
-              1e-12);
+  EXPECT_NEAR(defocus_map(pane(), PowerMatrix::scalar(-1.0), center, far_away, 3.0).values(middle, middle), 1.0, 1e-12);
 }
 
 TEST(DefocusMap, TheLimitIsTheLargerPrincipalValue) {
   const LensMap map = defocus_map(pane(), PowerMatrix::from({-1.0, -2.0, 30.0}), center, far_away, 0.0);
-  EXPECT_NEAR(map.values(middle, middle), -2.0, 1e-12);
+  EXPECT_NEAR(map.values(middle, middle), 2.0, 1e-12);
   EXPECT_NEAR((*map.limit_values)(middle, middle), 3.0, 1e-12);
 }
 
@@ -76,6 +75,13 @@ TEST(LensMaps, RowsRunUpAndColumnsToTheWearersRight) {
   EXPECT_LT(std::abs(at(0, 15)), 0.2);  // far zone: the oblique error of a lens of −1 D
   EXPECT_GT(at(-4, -18), 1.6);          // near zone below, towards the nose of a right eye
   EXPECT_GT(at(-4, -18) - at(4, -18), 0.4);
+}
+
+TEST(LensMaps, TheDifferenceOfTwoLensesIsTheirPowersDifference) {
+  const Spectacles weak = single_vision({-2.0, -1.0, 30.0}, {}), strong = single_vision({-1.5, -1.0, 30.0}, {});
+  const auto maps = as_worn_difference(weak, strong, center);
+  EXPECT_NEAR(maps[0].values(middle, middle), 0.5, 1e-11);  // the second has half a dioptre more
+  EXPECT_NEAR(maps[1].values(middle, middle), 0.0, 1e-11);
 }
 
 TEST(LensMaps, ADecentredLensHasItsCrossAside) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +55,29 @@ TEST(ContourLines, ASaddleIsCutByItsMean) {
   }
 }
 
+TEST(ContourLines, PiecesOfACircleAreOneClosedLine) {
+  constexpr int n = 61;
+  Eigen::MatrixXd cone(n, n);
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) cone(row, column) = std::hypot(row - 30.3, column - 29.6);
+  const auto pieces = contour_lines(cone, 20.0);
+  const auto lines = joined(pieces);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].size(), pieces.size() + 1);
+  EXPECT_LT((lines[0].front() - lines[0].back()).norm(), 1e-9);
+  for (std::size_t i = 1; i < lines[0].size(); ++i) EXPECT_LT((lines[0][i] - lines[0][i - 1]).norm(), 1.5);
+}
+
+TEST(ContourLines, APlaneHasOneOpenLine) {
+  Eigen::MatrixXd plane(4, 9);
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 9; ++column) plane(row, column) = column;
+  const auto lines = joined(contour_lines(plane, 2.5));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].size(), 4u);
+  EXPECT_NEAR((lines[0].front() - lines[0].back()).norm(), 3.0, 1e-12);
+}
+
 LensMap map() {
   LensMap m;
   m.title = "mean power\\nof a test";
@@ -86,6 +110,27 @@ TEST(LensMap, MapsOfOneKindShareTheirScale) {
   EXPECT_NE(first, std::string::npos);
   EXPECT_NE(script.find("set cbrange [-3:3]", first + 1), std::string::npos);
   EXPECT_THAT(script, HasSubstr("set cbrange [0:1]"));
+}
+
+TEST(LensMap, AGivenRangeIsThatOfAllMaps) {
+  LensMap maps[] = {map(), map()};
+  maps[1].signed_scale = false;
+  const std::string script = lens_map_script(maps, {1, 2.5});
+  EXPECT_THAT(script, HasSubstr("set cbrange [-2.5:2.5]"));
+  EXPECT_THAT(script, HasSubstr("set cbrange [0:2.5]"));
+}
+
+TEST(LensMap, TitlesAreNoCommands) {
+  LensMap m = map();
+  m.title = "a_b \"c\"\\nd";
+  EXPECT_THAT(lens_map_script({&m, 1}), HasSubstr("set title \"a\\\\_b \\\"c\\\"\\nd\""));
+}
+
+TEST(LensMap, TheTableHasEveryPlaceWithAValue) {
+  const LensMap m = map();
+  const std::string csv = lens_map_plot({&m, 1}).csv;
+  EXPECT_TRUE(csv.starts_with("map,unit,x_mm,y_mm,value\r\n\"mean power, of a test\",D,-12.5,-12.5,-0.5\r\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 11 * 11);
 }
 
 TEST(LensMap, Pictures) {

@@ -1,0 +1,134 @@
+#include "app/plotted.h"
+
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/configuration.h"
+#include "experiments/figures/lens_maps.h"
+#include "io/files/error.h"
+#include "io/json/schema.h"
+#include "io/specs/prescription_notation.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double usual_pupil_mm = 4.0;
+
+Json load(const std::string& file, const std::string& prescription) {
+  CommonOptions common;
+  common.file = file;
+  common.prescription = prescription;
+  return load_configuration(common);
+}
+
+std::string name_of(const std::string& file) {
+  return file == "-" ? "standard input" : std::filesystem::path(file).stem().string();
+}
+
+/// The eye as the options change it.
+Json as_asked(Json eye, const PlotOptions& options) {
+  if (options.pupil_mm || !eye.contains("pupil_diameter_mm"))
+    eye["pupil_diameter_mm"] = options.pupil_mm.value_or(usual_pupil_mm);
+  if (options.age) eye["accommodation"] = {{"mode", "best"}, {"age_years", *options.age}};
+  if (options.amplitude_D) eye["accommodation"] = {{"mode", "best"}, {"amplitude_D", *options.amplitude_D}};
+  if (options.focus_m) eye["accommodation"] = {{"mode", "fixed"}, {"focus_distance_m", *options.focus_m}};
+  return eye;
+}
+
+PlottedLens read_plotted_lens(const Json& document, const std::string& file) {
+  validate(document, "spectacles", file);
+  const SpectaclesSpec spec = read_lens_alone(document, {file, ""});
+  for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
+  return {name_of(file), spec.lens.value(), nominal_power(spec, {file, ""})};
+}
+
+bool is_lens(const Json& document, const std::string& file) {
+  return format_of(document, file) == "spectacles";
+}
+
+/// The eye that a lens corrects.
+Json corrected_eye(const PlottedLens& lens) {
+  const Prescription rx = lens.nominal.as_prescription();
+  Json text = {{"sphere_D", rx.sphere_D}, {"vertex_distance_mm", 1e3 * lens.lens.vertex_distance_m}};
+  if (rx.cylinder_D != 0.0) {
+    text["cylinder_D"] = rx.cylinder_D;
+    text["axis_deg"] = rx.axis_deg;
+  }
+  return {{"format", "sturm.eye/1"}, {"prescription", text}};
+}
+
+PlottedEye with_eye(PlottedEye plotted, const PlotOptions& options) {
+  plotted.eye = as_asked(plotted.eye, options);
+  validate(plotted.eye, "eye", plotted.file);
+  const EyeSpec spec = read_eye_spec(plotted.eye, {plotted.file, ""});
+  for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
+  plotted.worn.eye = spec.eye;
+  return plotted;
+}
+
+PlottedEye eye_in(const Json& document, const std::string& file, const PlotOptions& options) {
+  PlottedEye plotted{name_of(file), {}, {}, file};
+  const std::string format = format_of(document, file);
+  if (format == "eye") {
+    plotted.eye = document;
+    return with_eye(plotted, options);
+  }
+  validate(document, format, file);
+  if (!document.contains("eye"))
+    throw InputError(file, "/format", document.at("format").dump(), "an eye, a lens, or a document with an \"eye\"");
+  plotted.eye = eye_object(document["eye"], {file, "/eye"});
+  plotted = with_eye(plotted, options);
+  if (document.contains("spectacles"))
+    plotted.worn.spectacles = read_spectacles(document["spectacles"], {file, "/spectacles"}, plotted.worn.eye).lens;
+  return plotted;
+}
+
+PlottedEye eye_behind(const PlottedLens& lens, const std::string& file, const PlotOptions& options) {
+  PlottedEye plotted{lens.name, {}, corrected_eye(lens), file};
+  plotted = with_eye(plotted, options);
+  plotted.worn.spectacles = lens.lens;
+  return plotted;
+}
+
+}  // namespace
+
+std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
+  std::vector<PlottedEye> eyes;
+  if (!options.prescription.empty()) read_notation(options.prescription, {"", "--rx"});
+  if (options.files.empty()) {
+    if (options.prescription.empty()) throw InputError("", "FILE", "nothing", "a file, or a prescription by --rx");
+    const Json eye = {{"format", "sturm.eye/1"}, {"prescription", options.prescription}};
+    eyes.push_back(with_eye({options.prescription, {}, eye, "--rx"}, options));
+  }
+  for (const std::string& file : options.files) {
+    const Json document = load(file, options.prescription);
+    eyes.push_back(is_lens(document, file) ? eye_behind(read_plotted_lens(document, file), file, options)
+                                           : eye_in(document, file, options));
+  }
+  if (options.spectacles.empty()) return eyes;
+  const Json document = load(options.spectacles, "");
+  if (!is_lens(document, options.spectacles))
+    throw InputError(options.spectacles, "/format", document.at("format").dump(), "\"sturm.spectacles/1\"");
+  validate(document, "spectacles", options.spectacles);
+  for (PlottedEye& eye : eyes) {
+    eye.worn.spectacles = read_spectacles(document, {options.spectacles, ""}, eye.worn.eye).lens;
+    eye.name += " behind " + name_of(options.spectacles);
+  }
+  return eyes;
+}
+
+std::vector<PlottedLens> plotted_lenses(const PlotOptions& options) {
+  if (options.files.empty()) throw InputError("", "FILE", "nothing", "at least one lens");
+  std::vector<PlottedLens> lenses;
+  for (const std::string& file : options.files) {
+    const Json document = load(file, options.prescription);
+    if (!is_lens(document, file))
+      throw InputError(file, "/format", document.at("format").dump(), "\"sturm.spectacles/1\"");
+    lenses.push_back(read_plotted_lens(document, file));
+  }
+  return lenses;
+}
+
+}  // namespace sturm

@@ -1,0 +1,41 @@
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/configuration.h"
+#include "app/option_values.h"
+#include "experiments/figures/wearer_table.h"
+#include "io/files/atomic_file.h"
+#include "io/json/schema.h"
+#include "lensmodel/units.h"
+
+namespace sturm {
+
+int wearers_command(const WearersOptions& options) {
+  WearerQuestion question;
+  for (const std::string& text : options.distances_m)
+    question.distances_m.push_back(distance_option(text, "--distance"));
+  question.amplitude_D = options.age ? hofstetter_amplitude(*options.age) : options.amplitude_D.value_or(0.0);
+  question.clear_D = options.clear_D;
+  question.reach_deg = options.reach_deg;
+  question.step_deg = options.step_deg;
+  std::vector<LensDesign> designs;
+  for (const std::string& file : options.lenses) {
+    const Json document = load_json(file);
+    if (format_of(document, file) != "spectacles")
+      Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");
+    validate(document, "spectacles", file);
+    designs.push_back({std::filesystem::path(file).stem().string(), file, document});
+  }
+  const auto wearers = read_prescription_table(options.table, metres_per_millimetre * options.vertex_mm);
+  if (!options.output.empty()) require_writable(options.output);
+  const std::string csv = wearer_csv(wearer_table(wearers, designs, question), options.clear_D);
+  if (options.output.empty())
+    std::cout << csv;
+  else
+    write_file_atomically(options.output, csv);
+  return 0;
+}
+
+}  // namespace sturm

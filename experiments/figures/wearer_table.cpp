@@ -1,0 +1,126 @@
+#include "experiments/figures/wearer_table.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/statistics/median.h"
+#include "experiments/figures/defocus_as_worn.h"
+#include "io/files/csv.h"
+#include "io/files/error.h"
+#include "io/files/formatted_text.h"
+#include "io/specs/spectacles_spec.h"
+#include "lensmodel/gaze.h"
+#include "lensmodel/units.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr double any_pupil_m = 4e-3;  // it has no part in a defocus
+
+/// The design without a prescription of its own, so that it is made for the eye.
+Json unmade(const LensDesign& design) {
+  Json document = design.document;
+  for (const char* maker : {"single_vision", "progressive"})
+    if (const auto made = document.find(maker); made != document.end() && made->is_object()) {
+      made->erase("prescription");
+      return document;
+    }
+  throw InputError(design.file, "", "a lens of given surfaces",
+                   "a single_vision or progressive lens, which can be made for each wearer");
+}
+
+WearerRow looked_through(const Spectacles& lens, const PowerMatrix& correction, const WearerQuestion& question,
+                         double distance_m) {
+  WearerRow row;
+  row.distance_m = distance_m;
+  std::vector<double> blur;
+  const int steps = static_cast<int>(std::floor(question.reach_deg / question.step_deg + 1e-9));
+  for (int up = -steps; up <= steps; ++up)
+    for (int right = -steps; right <= steps; ++right) {
+      const double azimuth = question.step_deg * right, elevation = question.step_deg * up;
+      if (std::hypot(azimuth, elevation) > question.reach_deg) continue;
+      ++row.gazes;
+      const auto defocus = defocus_as_worn(lens, correction,
+                                           gaze_direction(radians_per_degree * azimuth, radians_per_degree * elevation),
+                                           question.rotation_center_m, distance_m, question.amplitude_D);
+      if (!defocus) {
+        ++row.lost;
+        continue;
+      }
+      if (blur.empty() || defocus->larger_D > row.largest_D) {
+        row.largest_D = defocus->larger_D;
+        row.largest_azimuth_deg = azimuth;
+        row.largest_elevation_deg = elevation;
+      }
+      blur.push_back(defocus->larger_D);
+    }
+  if (blur.empty()) return row;
+  const auto blurred = std::count_if(blur.begin(), blur.end(), [&](double D) { return D > question.clear_D; });
+  row.share_blurred = static_cast<double>(blurred) / static_cast<double>(blur.size());
+  row.median_D = *median(blur);
+  return row;
+}
+
+}  // namespace
+
+std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& wearers,
+                                    const std::vector<LensDesign>& designs, const WearerQuestion& question) {
+  std::vector<Json> documents;
+  for (const LensDesign& design : designs) documents.push_back(unmade(design));
+  std::vector<std::vector<WearerRow>> rows(wearers.size());
+  tbb::parallel_for(std::size_t{0}, wearers.size(), [&](std::size_t w) {
+    const Eye eye = Eye::with(wearers[w].prescription, any_pupil_m);
+    for (std::size_t d = 0; d < designs.size(); ++d) {
+      const Spectacles lens = read_spectacles(documents[d], {designs[d].file, ""}, eye).lens.value();
+      for (const double distance : question.distances_m) {
+        rows[w].push_back(looked_through(lens, eye.correction, question, distance));
+        rows[w].back().wearer = wearers[w].id;
+        rows[w].back().lens = designs[d].name;
+        rows[w].back().prescription = wearers[w].prescription;
+      }
+    }
+  });
+  std::vector<WearerRow> table;
+  for (const std::vector<WearerRow>& some : rows) table.insert(table.end(), some.begin(), some.end());
+  return table;
+}
+
+std::string wearer_csv(const std::vector<WearerRow>& rows, double clear_D) {
+  CsvWriter csv;
+  for (const char* heading : {"wearer", "sphere_D", "cylinder_D", "axis_deg", "lens", "distance_m", "gazes", "lost"})
+    csv.text(heading);
+  csv.text("share_above_" + plain_number(clear_D) + "_D");
+  for (const char* heading : {"median_D", "largest_D", "largest_azimuth_deg", "largest_elevation_deg"})
+    csv.text(heading);
+  csv.end_row();
+  for (const WearerRow& row : rows) {
+    csv.text(row.wearer);
+    csv.number(row.prescription.sphere_D);
+    csv.number(row.prescription.cylinder_D);
+    csv.number(row.prescription.axis_deg);
+    csv.text(row.lens);
+    if (std::isinf(row.distance_m))
+      csv.text("inf");
+    else
+      csv.number(row.distance_m);
+    csv.number(row.gazes);
+    csv.number(row.lost);
+    if (row.lost == row.gazes) {
+      csv.empty(5);
+    } else {
+      csv.number(row.share_blurred, 6);
+      csv.number(row.median_D, 6);
+      csv.number(row.largest_D, 6);
+      csv.number(row.largest_azimuth_deg);
+      csv.number(row.largest_elevation_deg);
+    }
+    csv.end_row();
+  }
+  return csv.table();
+}
+
+}  // namespace sturm

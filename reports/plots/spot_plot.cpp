@@ -1,0 +1,75 @@
+#include "reports/plots/spot_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/files/csv.h"
+#include "io/files/formatted_text.h"
+#include "reports/plots/ellipse_outline.h"
+#include "reports/plots/plot_style.h"
+
+namespace sturm {
+
+namespace {
+
+constexpr int panel_width = 190, margin_width = 70, height = 280;
+
+double range_of(std::span<const SpotDiagram> spots) {
+  double largest = 0.0;
+  for (const SpotDiagram& spot : spots)
+    for (const Eigen::Vector2d& p : spot.points) largest = std::max({largest, std::abs(p.x()), std::abs(p.y())});
+  return largest > 0.0 ? 1.08 * largest : 1.0;
+}
+
+std::string panel(const SpotDiagram& spot, std::size_t number, std::size_t count) {
+  const std::string id = std::to_string(number);
+  std::string rows;
+  for (const Eigen::Vector2d& p : spot.points) rows += plain_number(p.x(), 6) + " " + plain_number(p.y(), 6) + "\n";
+  const double whole = margin_width + panel_width * double(count) + 10.0,
+               left = (margin_width + panel_width * double(number)) / whole,
+               right = (margin_width + panel_width * double(number + 1) - 12.0) / whole;
+  return data_block("rays" + id, rows) + data_block("ellipse" + id, ellipse_outline(spot.ellipse, spot.centroid, 1.0)) +
+         formatted("set lmargin at screen %.5f\nset rmargin at screen %.5f\n", left, right) + "set title " +
+         plot_string(distance_words(spot.distance_m)) + "\n" +
+         (number == 0 ? "set ylabel 'up [arcmin]'\nset format y\n" : "unset ylabel\nset format y ''\n") + "plot $rays" +
+         id + " with points pt 7 ps 0.13 lc rgb '" + plot_colour(0) + "' notitle, $ellipse" + id +
+         " with lines lw 1.8 lc rgb '" + plot_colour(1) + "' notitle\n";
+}
+
+std::string csv_of(std::span<const SpotDiagram> spots) {
+  CsvWriter csv;
+  for (const char* heading : {"distance_m", "x_arcmin", "y_arcmin"}) csv.text(heading);
+  csv.end_row();
+  for (const SpotDiagram& spot : spots)
+    for (const Eigen::Vector2d& p : spot.points) {
+      if (std::isinf(spot.distance_m))
+        csv.text("inf");
+      else
+        csv.number(spot.distance_m);
+      csv.number(p.x());
+      csv.number(p.y());
+      csv.end_row();
+    }
+  return csv.table();
+}
+
+}  // namespace
+
+Plot spot_plot(std::span<const SpotDiagram> spots, std::optional<double> range_arcmin) {
+  const double range = range_arcmin ? *range_arcmin : range_of(spots);
+  std::string script = plot_axes;
+  script += "set border 15 lc rgb '#888888'\nset size ratio 1\nset tmargin at screen 0.87\nset bmargin at screen 0.2\n";
+  script += formatted("set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n", -range, range, -range, range);
+  script +=
+      "set grid xtics ytics lc rgb '#e8e8e8' lw 1 lt 1\nset xtics autofreq\nset xlabel \"to the wearer's right "
+      "[arcmin]\" offset 0,0.4\nset multiplot\n";
+  for (std::size_t i = 0; i < spots.size(); ++i) script += panel(spots[i], i, spots.size());
+  return {script + "unset multiplot\n",
+          {.id = "spots",
+           .label = "Spot diagrams through focus, as the wearer sees a point of light",
+           .width = margin_width + panel_width * static_cast<int>(spots.size()) + 10,
+           .height = height},
+          csv_of(spots)};
+}
+
+}  // namespace sturm
