@@ -229,7 +229,6 @@ Json region_json(const PictureFinding& finding) {
   json.update({{"id", finding.id},
                {"note", finding.note},
                {"scene", finding.scene},
-               {"ray_model", finding.model()},
                {"gaze", finding.gaze},
                {"spectacles", finding.spectacles ? Json(*finding.spectacles) : Json(nullptr)},
                {"pupil_mm", number_or_null(finding.pupil_mm)},
@@ -241,13 +240,14 @@ Json region_json(const PictureFinding& finding) {
                {"seconds_path_traced", number_or_null(finding.seconds_path_traced)},
                {"path_tracing", json_of(finding.cost)},
                {"predictions", std::move(predictions)}});
+  if (finding.ray_model != RayModel::power_matrix) json["ray_model"] = finding.model();
   for (const auto& [mutation, mutated] : finding.mutated) json["mutated"][mutation] = region_json(mutated);
   return json;
 }
 
 void read_regions(const Json& entry, PictureFinding& finding) {
   finding.ray_model = ray_model_named(text_at(entry, "ray_model"));
-  if (!finding.ray_model) finding.ray_model = RayModel::power_matrix;  // of older reports
+  if (!finding.ray_model) finding.ray_model = RayModel::power_matrix;
   finding.note = text_at(entry, "note");
   finding.gaze = text_at(entry, "gaze");
   finding.spectacles = boolean_at(entry, "spectacles");

@@ -198,15 +198,19 @@ class Agreement(FolderTest):
     def test_point_spreads_are_predictions_like_others(self):
         experiment = self.experiment()
         experiment["agreement"][0].update({"ray_model": "zernike", "eye": COMATIC, "predictions": ["depth_psf", {"prediction": "depth_psf", "psf": "waves"}, "layered"]})
+        experiment["mutations"] = ["half_pixel", "mirrored_eye", "vertex_distance"]
         self.write("gates.json", {"format": "sturm.gates/1", "gates": [
             {"id": "similar", "title": "Similar", "statistic": "agreement_ssim_display/box/depth_psf_waves", "comparison": "at_least", "bound": 0.5,
-             "reason": "a picture of something else is below it"}]})
+             "reason": "a picture of something else is below it"},
+            {"id": "noticed", "title": "Noticed", "statistic": "mutation_min_gates", "comparison": "at_least", "bound": 0, "reason": "a count"}]})
         process = sturm("run", self.write("experiment.json", experiment), "--out", self.folder / "out", "--quiet")
         self.assertEqual(process.returncode, PASSED, process.stdout + process.stderr)
         report = strict_json((self.folder / "out/report.json").read_text())
         self.succeed("validate", self.folder / "out/report.json")
         box = report["agreement"][0]
         self.assertEqual(box["ray_model"], "zernike")
+        self.assertNotIn("mutated", box)
+        self.assertEqual([mutation["id"] for mutation in report["gate_power"]["mutations"]], experiment["mutations"])
         self.assertEqual([(p["kind"], p.get("psf")) for p in box["predictions"]], [("depth_psf", "rays"), ("depth_psf", "waves"), ("layered", None)])
         self.assertEqual(len({p["files"]["predicted"] for p in box["predictions"]}), 3)
         self.assertIn("depth_psf_waves", (self.folder / "out/report.html").read_text())
