@@ -9,7 +9,6 @@ export interface ViewData {
   document: Record<string, unknown>;
   camera: CameraNumbers;
   worn: { right: WornNumbers; left: WornNumbers };
-  interpupillary_m: number | null;
   rayModel: RayModel;
   /** Of paths, in reflections. */
   maxBounces: number;
@@ -26,7 +25,7 @@ export function viewOfPage(): ViewData | null {
   if (!view) return null;
   if (view.format !== 'sturm.viewer_view/1') throw new Error(`The view of this page has the format ${String(view.format)}, expected sturm.viewer_view/1.`);
   return {
-    title: view.title, document: view.view, camera: view.camera, worn: { right: view.right, left: view.left ?? view.right }, interpupillary_m: view.interpupillary_distance_m,
+    title: view.title, document: view.view, camera: view.camera, worn: { right: view.right, left: view.left ?? view.right },
     maxBounces: view.view?.method?.max_bounces ?? 16, rayModel: rayModels.includes(view.ray_model) ? view.ray_model : 'power_matrix', notDrawn: view.not_drawn,
   };
 }
