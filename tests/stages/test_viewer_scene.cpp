@@ -44,9 +44,17 @@ Mesh triangle(float depth) {
           .texture_coordinates = {}};
 }
 
+Material material_of(const char* name, const SurfaceModel& surface = Diffuse{}) {
+  Material material;
+  material.name = name;
+  material.surface = surface;
+  return material;
+}
+
 SceneDescription grey_triangle() {
   SceneDescription scene;
-  scene.materials.push_back({.name = "grey", .albedo = {0.1f, 0.5f, 0.5f}});
+  scene.materials.push_back(material_of("grey"));
+  scene.materials[0].albedo = {0.1f, 0.5f, 0.5f};
   scene.meshes.push_back(triangle(2.0f));
   return scene;
 }
@@ -101,7 +109,8 @@ TEST(ViewerScene, PicturesLoseNothing) {
   material.albedo_mapping.wrap_u = TextureWrap::Mirror;
   material.emission = {1, 1, 1};
   material.emission_texture = few;
-  material.opacity = {.mode = Opacity::Mode::mask, .texture = many, .mapping = {}};
+  material.opacity.mode = Opacity::Mode::mask;
+  material.opacity.texture = many;
   description.environment = Environment{.map = some};
   const ReadScene scene = written(description);
   const Json& textures = scene.header["textures"];
@@ -126,10 +135,11 @@ TEST(ViewerScene, PicturesLoseNothing) {
 
 TEST(ViewerScene, NamesWhatThePageDrawsOtherwise) {
   SceneDescription description = grey_triangle();
-  description.materials.push_back({.name = "shell", .surface = SeedMetal{0.5f}});
-  description.materials.push_back({.name = "frost", .surface = Dielectric{1.5f, 0.3f}});
-  description.materials.push_back({.name = "leaf", .opacity = {.mode = Opacity::Mode::blend}});
-  description.materials.push_back({.name = "unused", .surface = SeedDielectric{}});
+  description.materials.push_back(material_of("shell", SeedMetal{0.5f}));
+  description.materials.push_back(material_of("frost", Dielectric{1.5f, 0.3f}));
+  description.materials.push_back(material_of("leaf"));
+  description.materials.back().opacity.mode = Opacity::Mode::blend;
+  description.materials.push_back(material_of("unused", SeedDielectric{}));
   EXPECT_THAT(undrawn(description, {}), ElementsAre());
   for (int material = 1; material <= 3; ++material) description.spheres.push_back({{0, 0, -4}, 0.5f, material});
   RenderSpec spec;

@@ -54,7 +54,7 @@ class MeshBuilder {
 }
 
 /** Cuts every edge that is seen under more than the angle, from both of its sides alike, so that no gaps open. */
-function cut(corners: [Corner, Corner, Corner], material: number, isLong: (a: Corner, b: Corner) => boolean, depth: number, into: MeshBuilder): void {
+function cut(corners: [Corner, Corner, Corner], material: number, isLong: (a: Corner, b: Corner) => boolean, depth: number, into: Pick<MeshBuilder, 'add'>): void {
   const [a, b, c] = corners;
   const ab = depth > 0 && isLong(a, b), bc = depth > 0 && isLong(b, c), ca = depth > 0 && isLong(c, a);
   const again = (...next: [Corner, Corner, Corner]) => cut(next, material, isLong, depth - 1, into);
@@ -100,23 +100,37 @@ function ballTriangles(steps: number): Vec3[][] {
   return faces;
 }
 
-/** `angle_rad`: the largest that an edge may be seen under from the eye. */
+/** How many triangles an edge limit makes of one; stops counting beyond `most`. */
+function pieces(corners: [Corner, Corner, Corner], isLong: (a: Corner, b: Corner) => boolean, depth: number, most: number): number {
+  let count = 0;
+  cut(corners, 0, (a, b) => count < most && isLong(a, b), depth, { add: () => { ++count; } });
+  return count;
+}
+
+const depth = 12, mostTriangles = 150000;
+
+/** `angle_rad`: the largest that an edge may be seen under from the eye, unless that makes too many triangles; then it grows. */
 export function drawnMesh(scene: SceneData, eye: Vec3, angle_rad: number): DrawnMesh {
-  const into = new MeshBuilder(eye);
-  const isLong = (a: Corner, b: Corner) => {
+  const corners = Array.from({ length: scene.triangles.length / 3 }, (_, t) => [0, 1, 2].map((c) => cornerOf(scene, scene.triangles[3 * t + c] ?? 0)) as [Corner, Corner, Corner]);
+  const longer = (angle: number) => (a: Corner, b: Corner) => {
     const from = Math.hypot(...subtract(middle(a.position, b.position), eye));
-    return Math.hypot(...subtract(a.position, b.position)) > angle_rad * Math.max(0.2, from);
+    return Math.hypot(...subtract(a.position, b.position)) > angle * Math.max(0.2, from);
   };
-  for (let t = 0; t < scene.triangles.length / 3; ++t) {
-    const corners = [0, 1, 2].map((c) => cornerOf(scene, scene.triangles[3 * t + c] ?? 0)) as [Corner, Corner, Corner];
-    cut(corners, scene.triangleMaterials[t] ?? 0, isLong, 12, into);
+  const most = mostTriangles + corners.length;
+  let angle = angle_rad;
+  for (let sum = most + 1; sum > most; angle *= 1.5) {
+    sum = 0;
+    for (let t = 0; t < corners.length && sum <= most; ++t) sum += pieces(corners[t] as [Corner, Corner, Corner], longer(angle), depth, most);
+    if (sum <= most) break;
   }
+  const into = new MeshBuilder(eye), isLong = longer(angle);
+  corners.forEach((three, t) => cut(three, scene.triangleMaterials[t] ?? 0, isLong, depth, into));
   for (const ball of scene.spheres)
     for (const face of ballTriangles(3)) {
-      const corners = face.map((p): Corner => ({
+      const three = face.map((p): Corner => ({
         position: p.map((x, k) => (ball.center_m[k] ?? 0) + ball.radius_m * x) as Vec3, normal: p, coordinate: [0, 0], colour: [1, 1, 1],
       })) as [Corner, Corner, Corner];
-      into.add(corners, ball.material);
+      into.add(three, ball.material);
     }
   return { vertices: new Float32Array(into.vertices), places: new Float32Array(into.places), index: new Uint32Array(into.index), vertexCount: into.vertices.length / 9 };
 }
