@@ -30,7 +30,7 @@
 #include "pathtrace/scene/model_placement.h"
 #include "pathtrace/scene/named_files.h"
 #include "pathtrace/scene/obj/obj_import.h"
-#include "pathtrace/scene/ply_check.h"
+#include "pathtrace/scene/ply/ply_import.h"
 #include "pathtrace/scene/texture_file.h"
 #include "pathtrace/scene/vertex_colours.h"
 #include "pathtrace/scene/vertex_normals.h"
@@ -54,7 +54,6 @@ class ModelImport {
 
   SceneDescription run(const std::string& extension) {
     if (extension == ".dae") check_collada(file_);
-    if (extension == ".ply") check_ply(file_);
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // No JoinIdenticalVertices: positions stay exactly those of the file, and flat shading needs no shared vertices.
@@ -64,7 +63,7 @@ class ModelImport {
     if (AssimpPositions::are_far_from_the_origin(*scene)) scene = positions_.read(importer, *scene, file_, steps);
     if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
     if (extension == ".dae") specular_ = collada_materials_with_specular(file_);
-    has_materials_ = extension != ".ply" && extension != ".stl";
+    has_materials_ = extension != ".stl";
     // A library may define more than the model uses: textures nobody sees are not loaded.
     std::vector<bool> used(scene->mNumMaterials, false);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) used.at(scene->mMeshes[i]->mMaterialIndex) = true;
@@ -131,7 +130,7 @@ class ModelImport {
     result_.materials.push_back(std::move(material));
   }
 
-  /// A file without materials (PLY, STL) has Assimp's grey, which must not darken the colours of its vertices.
+  /// A file without materials (STL) has Assimp's grey, which must not darken the colours of its vertices.
   void whiten_under_colours(const aiScene& scene) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i)
       if (scene.mMeshes[i]->HasVertexColors(0)) result_.materials[scene.mMeshes[i]->mMaterialIndex].albedo.setOnes();
@@ -354,8 +353,9 @@ SceneDescription import_model(const ModelSpec& spec) {
   const std::string extension = lower_case(spec.file.extension().string());
   if (extension == ".gltf" || extension == ".glb" || extension == ".vrm") return import_gltf(spec);
   if (extension == ".obj") return import_obj(spec);
+  if (extension == ".ply") return import_ply(spec);
   // Of other formats Assimp opens whatever files they name.
-  if (sandbox_is_on() && extension != ".ply" && extension != ".stl" && extension != ".dae" && extension != ".fbx")
+  if (sandbox_is_on() && extension != ".stl" && extension != ".dae" && extension != ".fbx")
     throw InputError(spec.file.string(), "", extension, "with --sandbox .gltf, .glb, .obj, .dae, .fbx, .ply or .stl");
   return ModelImport(spec).run(extension);
 }

@@ -4,8 +4,8 @@
 
 namespace sturm {
 
-/// Reads a model file: glTF with gltf/gltf_import.h, others (OBJ + MTL, COLLADA, …) with Assimp. Every mesh of every
-/// node, in world coordinates, as triangles.
+/// Reads a model file: glTF with gltf/gltf_import.h, OBJ with obj/obj_import.h, PLY with ply/ply_import.h, others
+/// (COLLADA, STL, …) with Assimp. Every mesh of every node, in world coordinates, as triangles.
 ///
 /// - `scale` > 0: metres per unit of the file. Vertices are neither merged nor reordered; polygons become triangles
 /// with the same

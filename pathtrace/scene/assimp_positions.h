@@ -17,8 +17,8 @@ class AssimpPositions {
   /// Whether the shape of some mesh has suffered (pathtrace/scene/lost_precision.h).
   static bool are_far_from_the_origin(const aiScene& scene);
 
-  /// Reads text and double positions of COLLADA, PLY and STL files. Returns the scene to go on with, the same or read
-  /// anew by the importer (null where that fails); of files that state nothing better, positions stay as they are.
+  /// Reads the positions of COLLADA files and of STL files that are text. Returns the scene to go on with, the same or
+  /// read anew by the importer (null where that fails); of files that state nothing better, positions stay as they are.
   const aiScene* read(Assimp::Importer& importer, const aiScene& scene, const std::filesystem::path& file,
                       unsigned steps);
 

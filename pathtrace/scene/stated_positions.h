@@ -5,9 +5,8 @@
 
 namespace sturm {
 
-/// The positions of a PLY file's vertices (text, or binary with doubles), or of the corners of an STL file's facets
-/// (text), in their order and as precisely as the file states them; Assimp rounds them. Empty where the file states
-/// them in single precision or is none of these.
+/// The positions of the corners of an STL file's facets, in their order and as precisely as a text states them; Assimp
+/// rounds them. Empty where the file is none or is binary, with single precision.
 std::vector<Eigen::Vector3d> stated_positions(const std::filesystem::path& file);
 
 }  // namespace sturm

@@ -15,6 +15,7 @@
 #include "pathtrace/scene/obj/obj_materials.h"
 #include "pathtrace/scene/obj/obj_model.h"
 #include "pathtrace/scene/obj/obj_words.h"
+#include "pathtrace/scene/placed_position.h"
 #include "pathtrace/scene/vertex_colours.h"
 #include "pathtrace/scene/vertex_normals.h"
 
@@ -22,8 +23,6 @@ namespace sturm {
 namespace {
 
 using Eigen::Vector3f;
-
-constexpr double largest_coordinate = 1e6;  // [m], of a scene
 
 class ObjImport {
  public:
@@ -35,7 +34,7 @@ class ObjImport {
       fail("", "no triangles", "a model with at least one triangle");
     read_libraries();
     for (const std::string& what : model_.left_out) note(what + " are left out");
-    decode_colours();
+    if (!model_.colours.empty()) note(decode_stated_colours(model_.colours, spec_.texture_encoding, spec_.file));
     CornerNumbers numbers(model_.positions.size());
     for (const ObjModel::Part& part : model_.parts) add_mesh(part, numbers);
     for (const std::string& text : materials_.notes()) note(text);
@@ -80,21 +79,6 @@ class ObjImport {
         rest = trimmed(rest.substr(name.size()));
       }
     }
-  }
-
-  void decode_colours() {
-    if (model_.colours.empty()) return;
-    float largest = 0.0f;
-    for (const Vector3f& colour : model_.colours) largest = std::max(largest, colour.maxCoeff());
-    const float white = largest > 1.0f ? 255.0f : 1.0f;
-    for (Vector3f& colour : model_.colours) {
-      if (!(colour.minCoeff() >= 0.0f && colour.maxCoeff() <= white))
-        fail("vertex colours", exact_number(colour.minCoeff() < 0.0f ? colour.minCoeff() : colour.maxCoeff()),
-             "numbers from 0 to 1, or from 0 to 255");
-      colour /= white;
-    }
-    decode_vertex_colours(model_.colours, spec_.texture_encoding);
-    note(note_of_vertex_colours(spec_.texture_encoding) + (white > 1.0f ? ", with 255 as white" : ""));
   }
 
   Material made_material(int use) {
@@ -166,14 +150,8 @@ class ObjImport {
 
   void add_positions(Mesh& mesh, const std::vector<ObjModel::Corner>& corners) {
     mesh.positions.reserve(corners.size());
-    for (const auto& corner : corners) {
-      const Eigen::Vector3d world = placement_.point(model_.positions[corner.position]);
-      if (!(world.array().abs() <= largest_coordinate).all())
-        fail("mesh " + in_quotes(mesh.name),
-             "(" + exact_number(world.x()) + ", " + exact_number(world.y()) + ", " + exact_number(world.z()) + ")",
-             "coordinates within ±1e6 m; \"position_m\" of the model can bring it there");
-      mesh.positions.push_back(world.cast<float>());
-    }
+    for (const auto& corner : corners)
+      mesh.positions.push_back(placed_position(placement_, model_.positions[corner.position], spec_.file, mesh.name));
     if (const std::string lost = lost_precision(mesh, largest_coordinate_of(mesh)); !lost.empty()) note(lost);
   }
 

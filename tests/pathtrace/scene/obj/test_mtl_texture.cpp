@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "obj_folder.h"
+#include "pathtrace/scene/model_folder.h"
 #include "pathtrace/scene/obj/mtl_texture.h"
 
 namespace sturm {
@@ -9,7 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-class MtlTextures : public testing::ObjFolder {
+class MtlTextures : public testing::ModelFolder {
  protected:
   MtlTextures() {
     for (const char* name : {"t.png", "my pic.png", "1 a.png", "2.png", "-o.png", "sub/Deep.PNG"}) write(name, "");

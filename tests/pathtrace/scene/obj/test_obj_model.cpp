@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "obj_folder.h"
+#include "pathtrace/scene/model_folder.h"
 #include "pathtrace/scene/obj/obj_model.h"
 
 namespace sturm {
@@ -10,7 +10,7 @@ using ::testing::ElementsAre;
 using testing::error_of;
 using ::testing::HasSubstr;
 
-class ObjReading : public testing::ObjFolder {
+class ObjReading : public testing::ModelFolder {
  protected:
   ObjModel read(const std::string& text) const { return read_obj(write("a.obj", text)); }
   std::string error(const std::string& text) const {

@@ -11,15 +11,15 @@
 namespace sturm::testing {
 
 /// A test with a folder of small files that goes away with it.
-class ObjFolder : public ::testing::Test {
+class ModelFolder : public ::testing::Test {
  protected:
-  ObjFolder()
+  ModelFolder()
       : folder_(std::filesystem::temp_directory_path() /
-                ("sturm_obj_" + std::to_string(::getpid()) + "_" +
+                ("sturm_model_" + std::to_string(::getpid()) + "_" +
                  ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
     std::filesystem::create_directories(folder_);
   }
-  ~ObjFolder() override { std::filesystem::remove_all(folder_); }
+  ~ModelFolder() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories((folder_ / name).parent_path());
