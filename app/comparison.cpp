@@ -42,7 +42,6 @@ void add_bound(const std::string& text, std::map<std::string, double>& bounds) {
 
 std::map<std::string, double> bounds_of(const CompareOptions& options) {
   std::map<std::string, double> bounds;
-  for (const std::string& text : options.bounds) add_bound(text, bounds);
   const auto add = [&](const char* key, const std::optional<double>& value) {
     if (value) bounds[key] = *value;
   };
@@ -50,6 +49,7 @@ std::map<std::string, double> bounds_of(const CompareOptions& options) {
   add("psnr_display_dB", options.min_psnr_dB);
   add("rmse_linear", options.max_rmse);
   add("relative_mse", options.max_relative_mse);
+  for (const std::string& text : options.bounds) add_bound(text, bounds);
   return bounds;
 }
 

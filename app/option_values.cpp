@@ -23,8 +23,8 @@ std::optional<double> number(std::string_view text) {
 double distance_option(const std::string& text, const char* option) {
   if (text == "inf") return std::numeric_limits<double>::infinity();
   const std::optional<double> value = number(text);
-  if (!value || !(*value > 0.0))
-    throw InputError("", option, "\"" + text + "\"", "a number > 0 or \"inf\" (distance [m])");
+  if (!value || !(*value >= 1e-3 && *value <= 1e6))
+    throw InputError("", option, "\"" + text + "\"", "a distance from 0.001 to 1e6 m, or inf");
   return *value;
 }
 

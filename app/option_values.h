@@ -4,7 +4,7 @@
 
 namespace sturm {
 
-/// A distance on the command line: a number > 0 or "inf". Throws InputError that names the option.
+/// A distance on the command line [m]: 0.001 … 1e6, or "inf". Throws InputError that names the option.
 double distance_option(const std::string& text, const char* option);
 
 /// Two numbers with a mark between them: "20,-10", "480x320". Throws InputError that names the option and says what was

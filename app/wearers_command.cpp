@@ -20,7 +20,7 @@ int wearers_command(const WearersOptions& options) {
   question.clear_D = options.clear_D;
   question.reach_deg = options.reach_deg;
   question.step_deg = options.step_deg;
-  std::vector<LensDesign> designs;
+  std::vector<TriedDesign> designs;
   for (const std::string& file : options.lenses) {
     const Json document = load_json(file);
     if (format_of(document, file) != "spectacles")

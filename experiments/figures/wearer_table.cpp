@@ -22,7 +22,7 @@ namespace {
 constexpr double any_pupil_m = 4e-3;  // it has no part in a defocus
 
 /// The design without a prescription of its own, so that it is made for the eye.
-Json unmade(const LensDesign& design) {
+Json unmade(const TriedDesign& design) {
   Json document = design.document;
   for (const char* maker : {"single_vision", "progressive"})
     if (const auto made = document.find(maker); made != document.end() && made->is_object()) {
@@ -68,9 +68,9 @@ WearerRow looked_through(const Spectacles& lens, const PowerMatrix& correction, 
 }  // namespace
 
 std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& wearers,
-                                    const std::vector<LensDesign>& designs, const WearerQuestion& question) {
+                                    const std::vector<TriedDesign>& designs, const WearerQuestion& question) {
   std::vector<Json> documents;
-  for (const LensDesign& design : designs) documents.push_back(unmade(design));
+  for (const TriedDesign& design : designs) documents.push_back(unmade(design));
   std::vector<std::vector<WearerRow>> rows(wearers.size());
   tbb::parallel_for(std::size_t{0}, wearers.size(), [&](std::size_t w) {
     const Eye eye = Eye::with(wearers[w].prescription, any_pupil_m);

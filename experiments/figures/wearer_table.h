@@ -8,7 +8,7 @@
 namespace sturm {
 
 /// A lens design that wearers try: a single-vision or progressive lens, whose own prescription does not count.
-struct LensDesign {
+struct TriedDesign {
   std::string name, file;
   Json document;  ///< validated sturm.spectacles/1
 };
@@ -36,7 +36,7 @@ struct WearerRow {
 /// A row for each wearer, design and distance, in this order, the same for any number of threads. Every design is made
 /// for the power that the wearer's eye needs at the lens. Throws InputError for a design that cannot be made for one.
 std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& wearers,
-                                    const std::vector<LensDesign>& designs, const WearerQuestion& question);
+                                    const std::vector<TriedDesign>& designs, const WearerQuestion& question);
 
 /// The table as CSV.
 std::string wearer_csv(const std::vector<WearerRow>& rows, double clear_D);

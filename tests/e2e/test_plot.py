@@ -66,16 +66,16 @@ class Eyes(Plot):
     def test_spots_are_those_of_psf(self):
         rows = self.rows("spots", EYE, "--distance", "inf,0.5")
         spec = {"format": "sturm.psf/1", "eye": json.loads(EYE.read_text()), "models": ["rays"], "distances_m": ["inf", 0.5]}
-        spreads = strict_json(self.succeed("psf", self.write("psf.json", spec)).stdout)["spreads"]
+        spreads = strict_json(self.succeed("psf", self.write("psf.json", spec)).stdout)["results"]
         for distance, spread in zip(("inf", "0.5"), spreads):
             points = [(float(r["x_arcmin"]), float(r["y_arcmin"])) for r in rows if r["distance_m"] == distance]
             n = len(points)
             mean = [sum(p[i] for p in points) / n for i in (0, 1)]
             xx, xy, yy = (sum((p[i] - mean[i]) * (p[j] - mean[j]) for p in points) / n for i, j in ((0, 0), (0, 1), (1, 1)))
-            expected = [value * ARCMIN ** 2 for value in spread["covariance_rad2"]]
+            expected = spread["covariance_arcmin2"]
             for got, want in zip((xx, xy, yy), expected):
                 self.assertAlmostEqual(got, want, delta=0.005 * (expected[0] + expected[2]))  # 3000 low-discrepancy rays
-        self.assertGreater(expected[1] if distance == "inf" else [v for v in spreads[0]["covariance_rad2"]][1], 0)  # up to the right
+        self.assertGreater(spreads[0]["covariance_arcmin2"][1], 0)  # up to the right
 
     def test_wavefront_of_an_axis_of_30(self):
         # F has the entry xy = -1.5 cos 60 sin 60 D; W(1, 1) - W(1, -1) = -2 xy (1 mm)^2 = 1.299 um.
@@ -89,7 +89,7 @@ class Eyes(Plot):
         rows = self.rows("mtf", EYE, "--distance", "0.5", "--psf", "rays")
         spec = {"format": "sturm.psf/1", "eye": json.loads(EYE.read_text()), "models": ["rays"], "distances_m": [0.5],
                 "mtf": {"frequencies_cpd": [10], "directions_deg": [0, 90]}}
-        mtf = strict_json(self.succeed("psf", self.write("psf.json", spec)).stdout)["spreads"][0]["mtf"]
+        mtf = strict_json(self.succeed("psf", self.write("psf.json", spec)).stdout)["results"][0]["mtf"]
         for direction, expected in ((0, mtf[0][0]), (90, mtf[1][0])):
             got, = [float(r["mtf"]) for r in rows if float(r["direction_deg"]) == direction and float(r["frequency_cpd"]) == 10]
             self.assertAlmostEqual(got, expected, delta=1e-12)
@@ -180,7 +180,7 @@ class Wearers(FolderTest):
 
     def test_a_row_for_each_wearer_lens_and_distance(self):
         prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\nB,OS,-6,-2,30\n")
-        lens = self.write("lens.json", {"format": "sturm.spectacles/1", "single_vision": {"refractive_index": 1.5}})
+        lens = self.write("lens.json", {"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}})
         rows = self.table(prescriptions, lens, "--distance", "inf,0.5")
         self.assertEqual([(r["wearer"], r["lens"], r["distance_m"]) for r in rows],
                          [(w, "lens", d) for w in ("A-OD", "B-OS") for d in ("inf", "0.5")])
@@ -190,7 +190,8 @@ class Wearers(FolderTest):
         self.assertEqual(float(plano_near["share_above_0.25_D"]), 1)
         self.assertAlmostEqual(float(plano_near["median_D"]), 1.95, delta=0.05)
         self.assertGreater(float(rows[2]["largest_D"]), 0.05)  # oblique astigmatism
-        self.assertEqual(float(self.table(prescriptions, lens, "--distance", "0.5", "--age", 30)[0]["median_D"]), 0)
+        accommodated, = self.table(prescriptions, lens, "--distance", "0.5", "--age", 30)[:1]
+        self.assertLess(float(accommodated["median_D"]), 0.02)  # what is left is astigmatism of oblique rays, which no accommodation takes away
 
     def test_a_lens_that_cannot_be_made(self):
         prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\n")
