@@ -10,14 +10,6 @@ namespace sturm {
 
 namespace {
 
-/// The shipped document that a plain name means; anything else as it stands.
-std::string file_of_name(const std::string& kind, const std::string& name) {
-  std::error_code code;
-  if (kind.empty() || std::filesystem::exists(name, code)) return name;
-  const auto shipped = shipped_document(kind, name);
-  return shipped ? shipped->string() : name;
-}
-
 std::string version_text() {
   const BuildInfo& b = build_info();
   return "sturm " + std::string(b.version) + " (commit " + std::string(b.commit) + ")\nbuilt with " +
@@ -26,6 +18,13 @@ std::string version_text() {
 }
 
 }  // namespace
+
+std::string file_of_name(const std::string& kind, const std::string& name) {
+  std::error_code code;
+  if (kind.empty() || std::filesystem::exists(name, code)) return name;
+  const auto shipped = shipped_document(kind, name);
+  return shipped ? shipped->string() : name;
+}
 
 CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema) {
   const std::string kind = shipped_kind(schema);

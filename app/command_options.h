@@ -74,6 +74,8 @@ struct CommandLine {
 };
 
 // What several commands share.
+/// The shipped document of a folder of configs/ that a plain name means; anything else as it stands.
+std::string file_of_name(const std::string& kind, const std::string& name);
 /// `schema` is the kind of document, whose shipped ones may be named. Returns the option of the file, which must be
 /// given.
 CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema);

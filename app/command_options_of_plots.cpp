@@ -3,14 +3,30 @@
 
 namespace sturm {
 
+namespace {
+
+std::string lens_of_name(const std::string& name) {
+  return file_of_name("lenses", name);
+}
+
+std::string eye_or_lens_of_name(const std::string& name) {
+  return file_of_name("eyes", lens_of_name(name));
+}
+
+}  // namespace
+
 void CommandLine::add_plot() {
   auto* p = app.add_subcommand("plot", "figures of eyes and lenses with their numbers: SVG, PNG or PDF, and CSV");
   p->add_option("kind", plot.kind, "what is drawn")->required()->check(CLI::IsMember(plot_kind_words.all()));
-  p->add_option("files", plot.files, "eyes, lenses, or documents that have an eye; none: the eye of --rx");
+  p->add_option("files", plot.files,
+                "eyes, lenses (also shipped ones by name), or documents that have an eye; none: the eye of --rx")
+      ->transform(eye_or_lens_of_name, "");
   p->add_option("-o,--output", plot.output, "picture: .svg, .png or .pdf")->required();
   p->add_option("--csv", plot.csv, "file for its numbers (default: beside the picture)");
   p->add_option("--rx", plot.prescription, "prescription in optical notation: \"-2.00 -1.50 x 30\"");
-  p->add_option("--lens", plot.spectacles, "spectacle lens that the eye looks through");
+  p->add_option("--lens", plot.spectacles,
+                "spectacle lens that the eye looks through: a file, or the name of a shipped one")
+      ->transform(lens_of_name, "");
   p->add_option("--pupil", plot.pupil_mm, "pupil diameter in place of the eye's own [mm] (default: 4)")
       ->check(CLI::Range(0.01, 100.0));
   auto* age = p->add_option("--age", plot.age, "age of the eye, from which its amplitude of accommodation follows");
@@ -40,7 +56,8 @@ void CommandLine::add_wearers() {
       app.add_subcommand("wearers", "what each wearer of a table of prescriptions sees through lens designs: CSV");
   c->add_option("table", wearers.table, "prescriptions (CSV)")->required();
   c->add_option("lenses", wearers.lenses, "single-vision or progressive lenses, which are made for each wearer")
-      ->required();
+      ->required()
+      ->transform(lens_of_name, "");
   c->add_option("--distance", wearers.distances_m, "of targets [m]; inf = far away; commas or blanks between")
       ->delimiter(',')
       ->capture_default_str();

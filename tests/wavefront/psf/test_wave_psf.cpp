@@ -194,7 +194,7 @@ TEST(WavePsf, SlowRealEyesThroughFocusInWhiteLight) {
   for (std::size_t i = 3; i < file["cases"].size(); i += 15) expect_focus_case(file["cases"][i], true);
 }
 
-TEST(WavePsf, SlowSlowRealEyesThroughFocusInWhiteLightByThree) {
+TEST(WavePsf, SlowRealEyesThroughFocusInWhiteLightByThree) {
   const auto file = testing::reference_file("wavefronts/focus.json");
   // A third of the cases, of every eye and pupil; all of them take four minutes.
   for (std::size_t i = 0; i < file["cases"].size(); i += 3) expect_focus_case(file["cases"][i], true);
