@@ -50,7 +50,7 @@ build_preset() {
   }
 }
 
-# The viewer's core as WebAssembly and its page without data, build/viewer/viewer.html.
+# The viewer's core as WebAssembly and its page without data, build/viewer/viewer.html. Returns 1 where npm could not fetch the page's libraries.
 build_viewer() {
   install_dependencies scripts/dependencies_of_viewer.txt
   command -v npm >/dev/null || install_packages npm
@@ -58,10 +58,14 @@ build_viewer() {
   echo "== building the viewer's page"
   local log=build/viewer/setup.log
   mkdir -p build/viewer
-  {
-    [ viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ] || (cd viewer && npm ci --no-audit --no-fund)
-    node viewer/build.mjs
-  } >"$log" 2>&1 || {
+  if [ ! viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ]; then
+    (cd viewer && npm ci --no-audit --no-fund) >"$log" 2>&1 || {
+      tail -n 20 "$log" >&2
+      echo "warning: npm could not fetch the libraries of the viewer's page; the whole log is in $log" >&2
+      return 1
+    }
+  fi
+  node viewer/build.mjs >"$log" 2>&1 || {
     tail -n 40 "$log" >&2
     fail "the viewer's page could not be built; the whole log is in $log"
   }
