@@ -47,9 +47,10 @@ PlottedEye naked_eye(const PlotOptions& options) {
   return eyes.front();
 }
 
-PsfSpec psf_spec(const PlottedEye& eye, const PlotOptions& options, const Json& models, const Json& mtf) {
+/// Of rays, in the one light that the eye is in focus at.
+PsfSpec psf_spec(const PlottedEye& eye, const PlotOptions& options, const Json& mtf) {
   Json document = {
-      {"format", "sturm.psf/1"}, {"eye", eye.eye}, {"models", models}, {"distances_m", Json::array()}, {"mtf", mtf}};
+      {"format", "sturm.psf/1"}, {"eye", eye.eye}, {"models", {"rays"}}, {"distances_m", Json::array()}, {"mtf", mtf}};
   const std::vector<std::string> texts = distance_texts(options, {"inf", "2", "1", "0.5", "0.33"});
   require_few(texts.size());
   for (const std::string& text : texts) {
@@ -67,18 +68,19 @@ Plot draw_blur(const PlotOptions& options) {
 }
 
 Plot draw_spots(const PlotOptions& options) {
-  return spot_plot(spot_diagrams(psf_spec(naked_eye(options), options, {"rays"}, Json::object()), spot_rays),
-                   options.range);
+  return spot_plot(spot_diagrams(psf_spec(naked_eye(options), options, Json::object()), spot_rays), options.range);
 }
 
 Plot draw_mtf(const PlotOptions& options) {
   Json frequencies = Json::array();
-  for (int cpd = 0; cpd <= 60; cpd += 2) frequencies.push_back(cpd);
-  Json models = {options.psf};
-  if (options.psf == "both") models = {"rays", "waves"};
+  for (int cpd = 0; cpd <= 60; ++cpd) frequencies.push_back(cpd);
   const PlottedEye eye = naked_eye(options);
-  return mtf_plot(mtf_curves(
-      psf_spec(eye, options, models, {{"frequencies_cpd", frequencies}, {"directions_deg", {0, 90}}}), eye.file));
+  PsfSpec spec = psf_spec(eye, options, {{"frequencies_cpd", frequencies}, {"directions_deg", {0, 90}}});
+  if (options.psf == "both")
+    spec.models.push_back(PsfModel::Waves);
+  else
+    spec.models = {psf_model_words.value_of(options.psf).value()};
+  return mtf_plot(mtf_curves(spec, eye.file));
 }
 
 Plot draw_wavefronts(const PlotOptions& options) {

@@ -65,6 +65,7 @@ CorridorPlace place_of(const Row& row, double elevation_deg, double limit_D) {
   if (place.azimuth_deg)
     place.width_deg = row.reach(*place.azimuth_deg, azimuth_step_deg, limit_D) +
                       row.reach(*place.azimuth_deg, -azimuth_step_deg, limit_D);
+  if (place.width_deg > 2.0 * search_deg) place.azimuth_deg.reset();  // no corridor yet: nearly the same everywhere
   return place;
 }
 

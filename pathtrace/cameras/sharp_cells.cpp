@@ -66,7 +66,7 @@ class Marking {
     if (nearest >= near_end) return;
     // Towards the eye the blur grows without bound: slabs of depth, each half as deep as the one before it.
     double high = std::min(near_end, farthest);
-    for (int k = 0; k < slabs && high > nearest; ++k, high *= 0.5)
+    for (int k = 0; k < slabs && high >= nearest; ++k, high *= 0.5)  // a face may have one depth
       blur_between(faces, std::max(0.5 * high, nearest), high);
     if (high > nearest) blur_at_the_pupil(faces, high);
   }

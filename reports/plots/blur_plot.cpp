@@ -96,11 +96,12 @@ std::string clear_words(const std::vector<ClearInterval>& clear) {
 Plot blur_plot(std::span<const BlurCurve> curves, std::optional<double> range_arcmin) {
   const double largest = nearest_vergence(curves);
   std::string script = plot_axes, blocks, plots, label;
-  script += "set border 7\nset xtics nomirror (" + distance_ticks(largest) + ")\nset x2tics nomirror\n" +
-            "set xrange [0:" + plain_number(largest) + "]\nset x2range [0:" + plain_number(largest) +
-            "]\nset yrange [0:" + (range_arcmin ? plain_number(*range_arcmin) : "*") +
-            "]\nset xlabel 'distance of the target' offset 0,0.6\nset x2label 'vergence of the target [D]'\n" +
-            "set ylabel 'semi-axis of the blur [arcmin]'\nset key below left Left reverse samplen 2.5 maxrows 4\n";
+  script +=
+      "set border 7\nset xtics nomirror (" + distance_ticks(largest) + ")\nset x2tics nomirror\n" +
+      "set xrange [0:" + plain_number(largest) + "]\nset x2range [0:" + plain_number(largest) +
+      "]\nset yrange [0:" + (range_arcmin ? plain_number(*range_arcmin) : "*") +
+      "]\nset xlabel 'distance of the target' offset 0,0.6\nset x2label 'vergence of the target [D]'\n" +
+      "set ylabel 'semi-axis of the blur [arcmin]'\nset key below left Left reverse samplen 2.5 maxrows 4 height 1\n";
   int number = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const BlurCurve& curve = curves[i];
@@ -110,8 +111,9 @@ Plot blur_plot(std::span<const BlurCurve> curves, std::optional<double> range_ar
               data_block("minor" + id, rows_of(curve, &BlurAtDistance::semi_minor_arcmin));
     const std::string name = curves.size() > 1 ? curve.name + ", " : "", colour = plot_colour(i);
     plots += (i ? ", " : "") + ("$major" + id) + " with lines lw 2.4 lc rgb '" + colour + "' title " +
-             plot_string(name + "longest; tinted: " + clear_words(curve.clear)) + ", $minor" + id +
-             " with lines lw 1.6 dt (8,5) lc rgb '" + colour + "' title " + plot_string(name + "shortest");
+             plot_string(name + "longest; " + (curve.clear.empty() ? "" : "tinted: ") + clear_words(curve.clear)) +
+             ", $minor" + id + " with lines lw 1.6 dt (8,5) lc rgb '" + colour + "' title " +
+             plot_string(name + "shortest");
     label += (label.empty() ? "" : "; ") + name + clear_words(curve.clear);
   }
   if (!curves.empty())

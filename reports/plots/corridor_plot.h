@@ -11,7 +11,8 @@ namespace sturm {
 /// A lens along one line of gazes to the left and right.
 struct CorridorPlace {
   double elevation_deg = 0.0;           ///< up
-  std::optional<double> azimuth_deg;    ///< where the astigmatism of the error is least; none: nothing comes through
+  std::optional<double> azimuth_deg;    ///< where the astigmatism of the error is least; none: nothing comes through,
+                                        ///< or it is low so far to either side that no corridor can be told
   std::optional<double> addition_D;     ///< mean power error there
   std::optional<double> astigmatism_D;  ///< cylinder of the error there
   std::optional<double> width_deg;      ///< of the gazes about it with a cylinder below the limit; 0: none

@@ -85,13 +85,13 @@ Plot ellipse_field_plot(std::span<const EllipseField> fields, std::optional<doub
   std::string script = plot_axes;
   script +=
       "set size ratio -1\nset border 15 lc rgb '#888888'\nset xlabel \"gaze to the wearer's right [°]\"\n"
-      "set ylabel 'gaze up [°]'\nset multiplot layout 1," +
+      "set ylabel 'gaze up [°]'\nset bmargin 5\nset multiplot layout 1," +
       std::to_string(fields.size()) + "\n";
   script += "set label 1 " +
-            plot_string(formatted("the long semi-axis of the largest: %.3g arcmin; blue: clear, up to %.3g arcmin",
-                                  largest, fields.empty() ? 0.0 : fields[0].clear_arcmin)) +
-            " at screen 0.5,0.025 center\n";
-  for (std::size_t i = 0; i < fields.size(); ++i) script += panel(fields[i], degrees_per_arcmin, i);
+            plot_string(formatted("longest semi-axis: %.3g arcmin; blue: clear (up to %.3g arcmin)", largest,
+                                  fields.empty() ? 0.0 : fields[0].clear_arcmin)) +
+            " at screen 0.5,0.025 center font ',11'\n";
+  for (std::size_t i = 0; i < fields.size(); ++i) script += panel(fields[i], degrees_per_arcmin, i) + "unset label 1\n";
   return {script + "unset multiplot\n",
           {.id = "ellipses",
            .label = "Blur ellipses over the field of gaze",

@@ -5,6 +5,7 @@
 
 #include "io/files/csv.h"
 #include "io/files/formatted_text.h"
+#include "reports/markup/pictures.h"
 #include "reports/plots/ellipse_outline.h"
 #include "reports/plots/plot_style.h"
 
@@ -60,10 +61,11 @@ Plot spot_plot(std::span<const SpotDiagram> spots, std::optional<double> range_a
   std::string script = plot_axes;
   script += "set border 15 lc rgb '#888888'\nset size ratio 1\nset tmargin at screen 0.87\nset bmargin at screen 0.2\n";
   script += formatted("set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n", -range, range, -range, range);
+  script += formatted("set tics %.6g\n", round_length_above(range / 2.5));
   script +=
-      "set grid xtics ytics lc rgb '#e8e8e8' lw 1 lt 1\nset xtics autofreq\nset xlabel \"to the wearer's right "
-      "[arcmin]\" offset 0,0.4\nset multiplot\n";
-  for (std::size_t i = 0; i < spots.size(); ++i) script += panel(spots[i], i, spots.size());
+      "set grid xtics ytics lc rgb '#e8e8e8' lw 1 lt 1\nset label 1 \"to the wearer's right [arcmin]\" at screen "
+      "0.5,0.05 center\nset multiplot\n";
+  for (std::size_t i = 0; i < spots.size(); ++i) script += panel(spots[i], i, spots.size()) + "unset label 1\n";
   return {script + "unset multiplot\n",
           {.id = "spots",
            .label = "Spot diagrams through focus, as the wearer sees a point of light",

@@ -95,6 +95,16 @@ class Eyes(Plot):
             self.assertAlmostEqual(got, expected, delta=1e-12)
 
 
+    def test_mtf_of_waves_in_the_light_that_the_eye_is_in_focus_at(self):
+        rows = self.rows("mtf", EYE, "--distance", "0.5", "--psf", "both")
+        spec = {"format": "sturm.psf/1", "eye": json.loads(EYE.read_text()), "lights": [{"wavelength_nm": 555}], "distances_m": [0.5],
+                "models": ["waves"], "mtf": {"frequencies_cpd": [10], "directions_deg": [0]}}
+        (expected,), = strict_json(self.succeed("psf", self.write("psf.json", spec)).stdout)["results"][0]["mtf"]
+        got, = [float(r["mtf"]) for r in rows if r["model"] == "waves" and float(r["direction_deg"]) == 0 and float(r["frequency_cpd"]) == 10]
+        self.assertAlmostEqual(got, expected, delta=1e-12)
+        self.assertEqual({r["model"] for r in rows}, {"waves", "rays"})
+
+
 class Lenses(Plot):
     def test_ellipses_through_a_lens(self):
         rows = self.rows("ellipses", EYE, "--lens", LENS)

@@ -205,6 +205,25 @@ TEST(SharpCells, PropertyRaysStayWithinTheBound) {
   });
 }
 
+TEST(SharpCells, AFaceOfOneDepthBlursTheCellsAroundIt) {
+  // In focus at 1 m; a lamp at 0.5 m, half a pixel wide, parallel to the picture. Its blur has the radius
+  // 2 mm · (2 − 1) D = 2 mrad.
+  CameraPose pose = ahead(64, 48);
+  pose.vertical_field = 0.02;
+  SceneDescription scene;
+  scene.materials = {testing::lambertian({0.5f, 0.5f, 0.5f}, {1.0f, 1.0f, 1.0f})};
+  scene.meshes.push_back(testing::parallelogram({0.0f, 0.0f, -0.5f}, {1e-4f, 0.0f, 0.0f}, {0.0f, 1e-4f, 0.0f}, 0));
+  const auto cells = sharp_cells(scene, pose, Eye::with({}, 2e-3), 1.0, 0.02);
+  ASSERT_TRUE(cells);
+  const int reach_px = static_cast<int>(2e-3 / pixel_slope(pose));
+  ASSERT_GE(reach_px, 4);
+  for (const int aside : {-reach_px + 1, 0, reach_px - 1}) {
+    EXPECT_FALSE(cells->at(32 + aside, 24)) << aside;
+    EXPECT_FALSE(cells->at(32, 24 + aside)) << aside;
+  }
+  EXPECT_TRUE(cells->at(0, 0));
+}
+
 TEST(SharpCells, NoneWhereNothingCanBeSharp) {
   const CameraPose pose = ahead(64, 48);
   const SceneDescription scene = panels({2.0f, 8.0f});
