@@ -14,11 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The one file of a folder with this stem; none if there is none.
+/// The one file of a folder with this stem; none if there is none. The PNG beside an EXR file is its preview, as
+/// `sturm render` writes it.
 std::optional<std::string> picture_in(const fs::path& folder, const std::string& stem) {
   std::optional<std::string> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().stem() != stem || !entry.is_regular_file() || entry.path().extension() == ".json") continue;
+    if (entry.path().extension() == ".png" && fs::exists(folder / (stem + ".exr"))) continue;
     if (found) throw InputError(folder.string(), "", "two files named " + stem, "one");
     found = entry.path().string();
   }

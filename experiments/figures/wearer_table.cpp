@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "compare/statistics/median.h"
 #include "experiments/figures/defocus_as_worn.h"
@@ -31,6 +32,28 @@ Json unmade(const TriedDesign& design) {
     }
   throw InputError(design.file, "", "a lens of given surfaces",
                    "a single_vision or progressive lens, which can be made for each wearer");
+}
+
+/// A design made for one wearer, or why it cannot be.
+struct MadeLens {
+  std::optional<Spectacles> lens;
+  std::string not_made;
+};
+
+MadeLens made_for(const Eye& eye, const Json& design, const std::string& file) {
+  try {
+    return {read_spectacles(design, {file, ""}, eye).lens.value(), ""};
+  } catch (const InputError& error) {
+    return {std::nullopt, error.value()};
+  }
+}
+
+/// A design that can be made for nobody is at fault itself.
+void require_made(const std::vector<WearerRow>& rows, const TriedDesign& design, const Json& document,
+                  const TabledPrescription& anybody) {
+  const bool made = std::any_of(rows.begin(), rows.end(),
+                                [&](const WearerRow& row) { return row.lens == design.name && row.not_made.empty(); });
+  if (!made) read_spectacles(document, {design.file, ""}, Eye::with(anybody.prescription, any_pupil_m));
 }
 
 WearerRow looked_through(const Spectacles& lens, const PowerMatrix& correction, const WearerQuestion& question,
@@ -75,9 +98,11 @@ std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& weare
   tbb::parallel_for(std::size_t{0}, wearers.size(), [&](std::size_t w) {
     const Eye eye = Eye::with(wearers[w].prescription, any_pupil_m);
     for (std::size_t d = 0; d < designs.size(); ++d) {
-      const Spectacles lens = read_spectacles(documents[d], {designs[d].file, ""}, eye).lens.value();
+      const MadeLens made = made_for(eye, documents[d], designs[d].file);
       for (const double distance : question.distances_m) {
-        rows[w].push_back(looked_through(lens, eye.correction, question, distance));
+        rows[w].push_back(made.lens ? looked_through(*made.lens, eye.correction, question, distance) : WearerRow{});
+        rows[w].back().distance_m = distance;
+        rows[w].back().not_made = made.not_made;
         rows[w].back().wearer = wearers[w].id;
         rows[w].back().lens = designs[d].name;
         rows[w].back().prescription = wearers[w].prescription;
@@ -86,6 +111,8 @@ std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& weare
   });
   std::vector<WearerRow> table;
   for (const std::vector<WearerRow>& some : rows) table.insert(table.end(), some.begin(), some.end());
+  if (!table.empty())
+    for (std::size_t d = 0; d < designs.size(); ++d) require_made(table, designs[d], documents[d], wearers.front());
   return table;
 }
 
@@ -94,7 +121,7 @@ std::string wearer_csv(const std::vector<WearerRow>& rows, double clear_D) {
   for (const char* heading : {"wearer", "sphere_D", "cylinder_D", "axis_deg", "lens", "distance_m", "gazes", "lost"})
     csv.text(heading);
   csv.text("share_above_" + plain_number(clear_D) + "_D");
-  for (const char* heading : {"median_D", "largest_D", "largest_azimuth_deg", "largest_elevation_deg"})
+  for (const char* heading : {"median_D", "largest_D", "largest_azimuth_deg", "largest_elevation_deg", "status"})
     csv.text(heading);
   csv.end_row();
   for (const WearerRow& row : rows) {
@@ -118,6 +145,7 @@ std::string wearer_csv(const std::vector<WearerRow>& rows, double clear_D) {
       csv.number(row.largest_azimuth_deg);
       csv.number(row.largest_elevation_deg);
     }
+    csv.text(row.not_made.empty() ? "ok" : row.not_made);
     csv.end_row();
   }
   return csv.table();

@@ -31,10 +31,12 @@ struct WearerRow {
   double share_blurred = 0.0;  ///< of the gazes that come through: blurred by more than clear_D
   double median_D = 0.0, largest_D = 0.0;
   double largest_azimuth_deg = 0.0, largest_elevation_deg = 0.0;  ///< where it is largest
+  std::string not_made;  ///< why the design cannot be made for this wearer, who then has no gazes; empty: it can
 };
 
 /// A row for each wearer, design and distance, in this order, the same for any number of threads. Every design is made
-/// for the power that the wearer's eye needs at the lens. Throws InputError for a design that cannot be made for one.
+/// for the power that the wearer's eye needs at the lens. Throws InputError for a design that cannot be made for
+/// anybody.
 std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& wearers,
                                     const std::vector<TriedDesign>& designs, const WearerQuestion& question);
 

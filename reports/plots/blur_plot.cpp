@@ -100,8 +100,8 @@ Plot blur_plot(std::span<const BlurCurve> curves, std::optional<double> range_ar
       "set border 7\nset xtics nomirror (" + distance_ticks(largest) + ")\nset x2tics nomirror\n" +
       "set xrange [0:" + plain_number(largest) + "]\nset x2range [0:" + plain_number(largest) +
       "]\nset yrange [0:" + (range_arcmin ? plain_number(*range_arcmin) : "*") +
-      "]\nset xlabel 'distance of the target' offset 0,0.6\nset x2label 'vergence of the target [D]'\n" +
-      "set ylabel 'semi-axis of the blur [arcmin]'\nset key below left Left reverse samplen 2.5 maxrows 4 height 1\n";
+      "]\nset xlabel 'distance of the target' offset 0,0.2\nset x2label 'vergence of the target [D]'\n" +
+      "set ylabel 'semi-axis of the blur [arcmin]'\nset key below left Left reverse samplen 2.5 maxrows 4 height 2\n";
   int number = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const BlurCurve& curve = curves[i];

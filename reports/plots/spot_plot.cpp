@@ -28,7 +28,7 @@ std::string panel(const SpotDiagram& spot, std::size_t number, std::size_t count
   for (const Eigen::Vector2d& p : spot.points) rows += plain_number(p.x(), 6) + " " + plain_number(p.y(), 6) + "\n";
   const double whole = margin_width + panel_width * double(count) + 10.0,
                left = (margin_width + panel_width * double(number)) / whole,
-               right = (margin_width + panel_width * double(number + 1) - 12.0) / whole;
+               right = (margin_width + panel_width * double(number + 1) - 24.0) / whole;
   return data_block("rays" + id, rows) + data_block("ellipse" + id, ellipse_outline(spot.ellipse, spot.centroid, 1.0)) +
          formatted("set lmargin at screen %.5f\nset rmargin at screen %.5f\n", left, right) + "set title " +
          plot_string(distance_words(spot.distance_m)) + "\n" +

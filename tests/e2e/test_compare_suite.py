@@ -37,6 +37,13 @@ class Suite(FolderTest):
         self.assertIn("1 of 2 gates passed", (self.folder / "s.md").read_text())
         self.assertEqual(self.judge("--max-rmse", repr(max(rmse.values()))).returncode, 0)
 
+    def test_a_preview_beside_a_picture_is_passed_over(self):
+        self.pair("a", "noise")
+        (self.folder / "suite/a/test.png").write_bytes(b"no picture")
+        self.assertEqual(self.judge("--max-rmse", "1000").returncode, 0)
+        shutil.copy(IMAGES / "noise.exr", self.folder / "suite/a/test.pfm")  # no preview: which is meant?
+        self.assertEqual(self.judge("--max-rmse", "1000").returncode, WRONG_INPUT)
+
     def test_a_pair_has_bounds_of_its_own(self):
         self.pair("strict", "noise", bounds={"rmse_linear": 0})
         self.pair("loose", "noise")

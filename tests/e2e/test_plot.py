@@ -203,6 +203,17 @@ class Wearers(FolderTest):
         accommodated, = self.table(prescriptions, lens, "--distance", "0.5", "--age", 30)[:1]
         self.assertLess(float(accommodated["median_D"]), 0.02)  # what is left is astigmatism of oblique rays, which no accommodation takes away
 
+    def test_a_lens_that_cannot_be_made_for_one_of_them(self):
+        # A front of +15 D and the addition is steeper than a surface that reaches a rim of 60 mm.
+        prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\nB,OD,15,0,\n")
+        made, not_made = self.table(prescriptions, REGULAR)
+        self.assertEqual((made["wearer"], made["status"]), ("A-OD", "ok"))
+        self.assertEqual((not_made["wearer"], not_made["gazes"], not_made["median_D"]), ("B-OD", "0", ""))
+        self.assertIn("before the rim", not_made["status"])
+        alone = sturm("wearers", self.write("b.csv", "id,eye,sph_D,cyl_D,axis_deg\nB,OD,15,0,\n"), REGULAR)
+        self.assertEqual(alone.returncode, WRONG_INPUT)
+        self.assertIn("before the rim", alone.stderr)
+
     def test_a_lens_that_cannot_be_made(self):
         prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\n")
         lens = self.write("lens.json", {"format": "sturm.spectacles/1", "front": {"type": "sphere", "radius_mm": 100}, "back": {"type": "sphere", "radius_mm": 100},
