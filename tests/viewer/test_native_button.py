@@ -1,10 +1,12 @@
-"""The button that asks the program for the same picture, against a server that answers as `sturm serve` does."""
+"""The button that asks the program for the same picture: against `sturm serve`, and against a server that gives any answer."""
 import base64
 import http.server
 import json
+import subprocess
 import threading
 
-from page_in_browser import PageTest, emissive_view, main
+from page_in_browser import TEMPLATE, PageTest, emissive_view, main
+from sturm_process import STURM
 
 # One white pixel.
 PNG = "data:image/png;base64," + base64.b64encode(bytes.fromhex(
@@ -35,9 +37,26 @@ class Answers(http.server.BaseHTTPRequestHandler):
         self.send(Answers.status, "application/x-ndjson", b"".join(json.dumps(line).encode() + b"\n" for line in Answers.lines))
 
 
-class NativeButton(PageTest):
-    BUTTON = "[...document.querySelectorAll('button')].find((b) => b.textContent === 'Render this natively')"
+BUTTON = "[...document.querySelectorAll('button')].find((b) => b.textContent === 'Render this natively')"
 
+
+class Program(PageTest):
+    def test_the_program_draws_what_the_page_shows(self):
+        document = self.folder / "view.json"
+        document.write_text(json.dumps(emissive_view(64)))
+        program = subprocess.Popen([STURM, "serve", document, "--template", TEMPLATE, "--quiet"], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(program.communicate)
+        self.addCleanup(program.terminate)
+        self.browser.visit(program.stdout.readline().strip())
+        self.wait(f"window.sturmViewer && !{BUTTON}.hidden && window.sturmViewer.app.panels[0]?.passes >= 64")
+        self.browser.run(f"{BUTTON}.click()")
+        self.wait("document.querySelector('#native img, #native .error')")
+        self.browser.console()  # a favicon is the browser's own wish
+        similarity = float(self.browser.text("#native").split("SSIM ")[1].split()[0].rstrip(",.;"))
+        self.assertGreater(similarity, 0.98)  # rasterised passes of glowing rectangles
+
+
+class AnyAnswer(PageTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
@@ -52,8 +71,8 @@ class NativeButton(PageTest):
         Answers.status, Answers.lines = status, lines
         Answers.asked.clear()
         self.browser.visit(f"http://127.0.0.1:{self.server.server_port}/")
-        self.wait(f"window.sturmViewer && !{self.BUTTON}.hidden && window.sturmViewer.app.panels[0]?.passes > 0")
-        self.browser.run(f"{self.BUTTON}.click()")
+        self.wait(f"window.sturmViewer && !{BUTTON}.hidden && window.sturmViewer.app.panels[0]?.passes > 0")
+        self.browser.run(f"{BUTTON}.click()")
         self.wait("document.querySelector('#native img, #native .error')")
         # A favicon is the browser's own wish.
         self.browser.console()
@@ -61,7 +80,7 @@ class NativeButton(PageTest):
     def test_a_file_has_no_button(self):
         self.browser.open(self.page)
         self.wait("window.sturmViewer")
-        self.assertTrue(self.browser.run(f"return {self.BUTTON}.hidden"))
+        self.assertTrue(self.browser.run(f"return {BUTTON}.hidden"))
 
     def test_what_is_asked_and_what_is_shown(self):
         comparison = {"ssim": 0.98765, "flip": 0.0123, "rmse_display": 0.004, "flip_map": PNG}
