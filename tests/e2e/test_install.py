@@ -121,7 +121,8 @@ class Installed(unittest.TestCase):
         for version, found in (("0.1", True), ("0.2", False), ("1.0", False)):
             (self.folder / "newer/CMakeLists.txt").write_text(
                 f"cmake_minimum_required(VERSION 3.25)\nproject(newer LANGUAGES CXX)\nfind_package(sturm {version} REQUIRED)\n")
-            process = subprocess.run(["cmake", "-S", str(self.folder / "newer"), "-B", str(self.folder / f"newer_{version}"), f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+            process = subprocess.run(["cmake", "-G", "Ninja", "-S", str(self.folder / "newer"), "-B", str(self.folder / f"newer_{version}"),
+                                      f"-DCMAKE_PREFIX_PATH={self.prefix}"],
                                      capture_output=True, text=True, check=False)
             self.assertEqual(process.returncode == 0, found, version + process.stderr)
 
