@@ -10,7 +10,7 @@ namespace {
 
 TEST(Gzip, ComesBackAsItWas) {
   std::string bytes;
-  for (int k = 0; k < 300000; ++k) bytes += static_cast<char>(k * k / 7);
+  for (int k = 0; k < 300000; ++k) bytes += static_cast<char>(static_cast<long long>(k) * k / 7);
   for (const std::string& text : {std::string(), std::string("a\0b", 3), bytes}) {
     const std::string file = gzip(text);
     EXPECT_EQ(file.substr(0, 2), "\x1f\x8b");

@@ -133,12 +133,12 @@ const std::string maker =
 TEST(SpectaclesSpec, ASingleVisionLensForTheEye) {
   // The prescription is written for 12 mm, where the lens stands by default: the documented example, 124.833 and 90.821
   // mm.
-  const auto& torus = std::get<TorusSurface>(read_with({maker}).spectacles->back);
+  const auto torus = std::get<TorusSurface>(read_with({maker}).spectacles->back);
   EXPECT_NEAR(1.0 / torus.sweep_curvature(), 124.833 * mm, 5e-7);
   EXPECT_NEAR(1.0 / torus.generator_curvature(), 90.821 * mm, 5e-7);
   // At 0 mm the eye needs F/(1 − dF): −2/1.024 and −3.5/1.042. Front 2 D carried to the back: 2/(1 − 2·0.002/1.5)
   // = 2.005348.
-  const auto& contact =
+  const auto contact =
       std::get<TorusSurface>(read_with({maker, "/spectacles/single_vision/vertex_distance_mm=0"}).spectacles->back);
   EXPECT_NEAR(0.5 * contact.sweep_curvature(), 2.0053475935828877 + 2.0 / 1.024, 1e-12);
   EXPECT_NEAR(0.5 * contact.generator_curvature(), 2.0053475935828877 + 3.5 / 1.042, 1e-12);
