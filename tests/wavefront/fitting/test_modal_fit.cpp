@@ -58,7 +58,8 @@ TEST(ModalFit, PointSlopesGiveTheReferencesCoefficients) {
 }
 
 TEST(ModalFit, MeanSlopesGiveTheReferencesCoefficients) {
-  for (const auto& c : testing::reference_file("wavefronts/shack_hartmann.json")["cases"]) {
+  const auto reference = testing::reference_file("wavefronts/shack_hartmann.json");
+  for (const auto& c : reference["cases"]) {
     const auto spots =
         testing::slope_samples(testing::number_table("tests/reference/wavefronts/" + c["file"].get<std::string>()));
     const ModalFit fit = fit_modes_robustly(slope_problem(spots, modes_of_slopes(6), 3e-3, 0.3e-3));
