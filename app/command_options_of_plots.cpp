@@ -27,11 +27,12 @@ void CommandLine::add_plot() {
   p->add_option("--lens", plot.spectacles,
                 "spectacle lens that the eye looks through: a file, or the name of a shipped one")
       ->transform(lens_of_name, "");
-  p->add_option("--pupil", plot.pupil_mm, "pupil diameter in place of the eye's own [mm] (default: 4)")
+  p->add_option("--pupil", plot.worn.pupil_mm, "pupil diameter in place of the eye's own [mm] (default: 4)")
       ->check(CLI::Range(0.01, 100.0));
-  auto* age = p->add_option("--age", plot.age, "age of the eye, from which its amplitude of accommodation follows");
+  auto* age =
+      p->add_option("--age", plot.worn.age_years, "age of the eye, from which its amplitude of accommodation follows");
   age->check(CLI::Range(0.0, 150.0));
-  p->add_option("--amplitude-D", plot.amplitude_D, "amplitude of accommodation itself [D]")
+  p->add_option("--amplitude-D", plot.worn.amplitude_D, "amplitude of accommodation itself [D]")
       ->check(CLI::Range(0.0, 100.0))
       ->excludes(age);
   p->add_option("--distance", plot.distances_m, "of targets [m]; inf = far away; commas or blanks between")

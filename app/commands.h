@@ -84,10 +84,9 @@ struct PlotOptions {
   std::string kind;
   std::vector<std::string> files;        ///< eyes, lenses, or documents with an eye; empty: by `prescription`
   std::string prescription, spectacles;  ///< --rx and --lens; "" = none
-  std::optional<double> pupil_mm, age, amplitude_D;  ///< in place of the eye's own
-  std::vector<std::string> distances_m;              ///< of targets: > 0 or "inf"; empty: as the kind has it
-  std::optional<double> range;                       ///< end of the scale
-  std::optional<double> focus_m;                     ///< of a fixed accommodation, in place of the eye's own
+  WearerOptions worn;                    ///< pupil and accommodation, in place of the eye's own
+  std::vector<std::string> distances_m;  ///< of targets: > 0 or "inf"; empty: as the kind has it
+  std::optional<double> range;           ///< end of the scale
   double nearest_m = 0.2, clear_D = 0.25;
   std::string psf = "waves";  ///< or "rays", "both"
   bool difference = false;    ///< of two lenses, beside them

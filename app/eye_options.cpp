@@ -43,12 +43,6 @@ void set_accommodation(Json& eye, const WearerOptions& w) {
                             {"focus_distance_m", distance_json(distance_option(w.focus_m, "--focus"))}};
 }
 
-void apply_wearer(Json& eye, const WearerOptions& w, const Source& where) {
-  if (w.vertex_mm) set_vertex(eye, *w.vertex_mm, where);
-  if (w.pupil_mm) eye["pupil_diameter_mm"] = *w.pupil_mm;
-  set_accommodation(eye, w);
-}
-
 /// A lens that is made says itself where it sits.
 bool apply_to_lens(Json& document, const WearerOptions& w) {
   for (const char* maker : {"single_vision", "progressive"})
@@ -68,6 +62,12 @@ std::string lens_path(const CommonOptions& options) {
 }
 
 }  // namespace
+
+void apply_wearer(Json& eye, const WearerOptions& w, const Source& where) {
+  if (w.vertex_mm) set_vertex(eye, *w.vertex_mm, where);
+  if (w.pupil_mm) eye["pupil_diameter_mm"] = *w.pupil_mm;
+  set_accommodation(eye, w);
+}
 
 void apply_eye_options_to(Json& eye, const CommonOptions& options, const Source& where) {
   if (!options.prescription.empty()) {

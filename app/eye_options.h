@@ -13,4 +13,8 @@ void apply_eye_options(Json& document, const CommonOptions& options);
 /// The same for an eye that stands alone.
 void apply_eye_options_to(Json& eye, const CommonOptions& options, const Source& where);
 
+/// Gives an eye, an object at `where`, its pupil, its accommodation and the vertex distance of its prescription, as far
+/// as these are stated. Throws InputError.
+void apply_wearer(Json& eye, const WearerOptions& wearer, const Source& where);
+
 }  // namespace sturm

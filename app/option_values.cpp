@@ -3,9 +3,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "io/files/error.h"
+#include "lensmodel/accommodation.h"
 
 namespace sturm {
 
@@ -26,6 +26,10 @@ double distance_option(const std::string& text, const char* option) {
   if (!value || !(*value >= 1e-3 && *value <= 1e6))
     throw InputError("", option, "\"" + text + "\"", "a distance from 0.001 to 1e6 m, or inf");
   return *value;
+}
+
+double amplitude_option(const std::optional<double>& age_years, const std::optional<double>& amplitude_D) {
+  return age_years ? hofstetter_amplitude(*age_years) : amplitude_D.value_or(0.0);
 }
 
 std::array<double, 2> pair_option(const std::string& text, char mark, const char* option, const std::string& expected) {

@@ -13,6 +13,7 @@
 #include "experiments/figures/wavefront_map.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -27,13 +28,9 @@ void require_few(std::size_t panels) {
     throw InputError("", "FILE, --distance", std::to_string(panels) + " panels side by side", "at most 6");
 }
 
-std::vector<std::string> distance_texts(const PlotOptions& options, std::vector<std::string> usual) {
-  return options.distances_m.empty() ? usual : options.distances_m;
-}
-
-std::vector<double> distances(const PlotOptions& options, std::vector<std::string> usual) {
+std::vector<double> distances(const PlotOptions& options, const std::vector<std::string>& usual) {
   std::vector<double> result;
-  for (const std::string& text : distance_texts(options, std::move(usual)))
+  for (const std::string& text : options.distances_m.empty() ? usual : options.distances_m)
     result.push_back(distance_option(text, "--distance"));
   return result;
 }
@@ -51,12 +48,9 @@ PlottedEye naked_eye(const PlotOptions& options) {
 PsfSpec psf_spec(const PlottedEye& eye, const PlotOptions& options, const Json& mtf) {
   Json document = {
       {"format", "sturm.psf/1"}, {"eye", eye.eye}, {"models", {"rays"}}, {"distances_m", Json::array()}, {"mtf", mtf}};
-  const std::vector<std::string> texts = distance_texts(options, {"inf", "2", "1", "0.5", "0.33"});
-  require_few(texts.size());
-  for (const std::string& text : texts) {
-    const double distance = distance_option(text, "--distance");
-    document["distances_m"].push_back(text == "inf" ? Json("inf") : Json(distance));
-  }
+  const std::vector<double> targets = distances(options, {"inf", "2", "1", "0.5", "0.33"});
+  require_few(targets.size());
+  for (const double distance : targets) document["distances_m"].push_back(distance_json(distance));
   return read_psf_spec(document, eye.file);
 }
 
@@ -122,7 +116,7 @@ Plot draw_power(const PlotOptions& options) {
 }
 
 Plot draw_defocus(const PlotOptions& options) {
-  const double amplitude_D = options.age ? hofstetter_amplitude(*options.age) : options.amplitude_D.value_or(0.0);
+  const double amplitude_D = amplitude_option(options.worn.age_years, options.worn.amplitude_D);
   std::vector<LensMap> maps;
   const std::vector<double> targets = distances(options, {"0.4"});
   const std::vector<PlottedLens> lenses = plotted_lenses(options);

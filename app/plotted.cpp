@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/configuration.h"
+#include "app/eye_options.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/files/error.h"
 #include "io/json/schema.h"
@@ -25,16 +26,6 @@ Json load(const std::string& file, const std::string& prescription) {
 
 std::string name_of(const std::string& file) {
   return file == "-" ? "standard input" : std::filesystem::path(file).stem().string();
-}
-
-/// The eye as the options change it.
-Json as_asked(Json eye, const PlotOptions& options) {
-  if (options.pupil_mm || !eye.contains("pupil_diameter_mm"))
-    eye["pupil_diameter_mm"] = options.pupil_mm.value_or(usual_pupil_mm);
-  if (options.age) eye["accommodation"] = {{"mode", "best"}, {"age_years", *options.age}};
-  if (options.amplitude_D) eye["accommodation"] = {{"mode", "best"}, {"amplitude_D", *options.amplitude_D}};
-  if (options.focus_m) eye["accommodation"] = {{"mode", "fixed"}, {"focus_distance_m", *options.focus_m}};
-  return eye;
 }
 
 PlottedLens read_plotted_lens(const Json& document, const std::string& file) {
@@ -60,7 +51,8 @@ Json corrected_eye(const PlottedLens& lens) {
 }
 
 PlottedEye with_eye(PlottedEye plotted, const PlotOptions& options) {
-  plotted.eye = as_asked(plotted.eye, options);
+  if (!plotted.eye.contains("pupil_diameter_mm")) plotted.eye["pupil_diameter_mm"] = usual_pupil_mm;
+  apply_wearer(plotted.eye, options.worn, {plotted.file, ""});
   validate(plotted.eye, "eye", plotted.file);
   const EyeSpec spec = read_eye_spec(plotted.eye, {plotted.file, ""});
   for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";

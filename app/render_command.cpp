@@ -84,16 +84,12 @@ int render_command(const CommonOptions& options, const PreviewOptions& preview_o
   facts.seconds = result.seconds;
   facts.seconds["total"] = progress.seconds();
 
-  std::vector<std::string> notes = spec.notes;
-  notes.insert(notes.end(), result.notes.begin(), result.notes.end());
   std::filesystem::path beside = file;
   if (!png_alone) write_exr(file, result.image);
-  const Image& raw = result.image.layers.at("");
-  if (preview.show) preview.show(raw);
-  const auto filtered = result.image.layers.find("denoised");
-  write_png(beside.replace_extension(".png"), filtered == result.image.layers.end() ? raw : filtered->second, 1.0);
+  if (preview.show) preview.show(result.image.layers.at(""));
+  write_png(beside.replace_extension(".png"), result.shown(), 1.0);
   write_file_atomically(beside.replace_extension(".manifest.json"),
-                        json_text(manifest(facts, *spec.resolved, result.counters, notes), 1) + "\n");
+                        json_text(manifest(facts, *spec.resolved, result.counters, result.notes), 1) + "\n");
   if (!result.warning.empty()) std::fprintf(stderr, "warning: %s\n", result.warning.c_str());
   return 0;
 }

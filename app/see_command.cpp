@@ -18,6 +18,7 @@
 #include "io/json/manifest.h"
 #include "io/json/named_file.h"
 #include "io/json/schema.h"
+#include "io/json/values.h"
 #include "io/specs/eye_spec.h"
 #include "stages/image_files.h"
 #include "stages/see_stage.h"
@@ -56,10 +57,6 @@ std::vector<Frame> frames_of(const SeeOptions& options) {
                       file.parent_path() / (file.stem().string() + number + file.extension().string())});
   }
   return frames;
-}
-
-Json distance_json(double distance_m) {
-  return std::isinf(distance_m) ? Json("inf") : Json(distance_m);
 }
 
 /// What the numbers of the depth map are taken for.

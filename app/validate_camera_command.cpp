@@ -29,13 +29,13 @@ PlottedEye camera_of(const ValidateCameraOptions& options) {
   PlotOptions eye;
   eye.kind = "--eye";
   eye.prescription = options.prescription.empty() ? "0.00" : options.prescription;
-  eye.pupil_mm = options.pupil_mm.value_or(usual_pupil_mm);
+  eye.worn.pupil_mm = options.pupil_mm.value_or(usual_pupil_mm);
   if (!options.eye.empty()) {
     eye.files = {options.eye};
     eye.prescription = options.prescription;
-    eye.pupil_mm = options.pupil_mm;
+    eye.worn.pupil_mm = options.pupil_mm;
   } else {
-    eye.focus_m = options.focus_m.value_or(focus_m);
+    eye.worn.focus_m = exact_number(options.focus_m.value_or(focus_m));
   }
   return plotted_eyes(eye).front();
 }

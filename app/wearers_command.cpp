@@ -16,7 +16,7 @@ int wearers_command(const WearersOptions& options) {
   WearerQuestion question;
   for (const std::string& text : options.distances_m)
     question.distances_m.push_back(distance_option(text, "--distance"));
-  question.amplitude_D = options.age ? hofstetter_amplitude(*options.age) : options.amplitude_D.value_or(0.0);
+  question.amplitude_D = amplitude_option(options.age, options.amplitude_D);
   question.clear_D = options.clear_D;
   question.reach_deg = options.reach_deg;
   question.step_deg = options.step_deg;

@@ -21,35 +21,44 @@ EyeObject eye_from(const py::object& given, const std::string& file) {
   return {std::move(spec.eye), std::move(spec.notes)};
 }
 
-py::dict dictionary_of(const Prescription& rx) {
-  py::dict result;
-  result["sphere_D"] = rx.sphere_D;
-  result["cylinder_D"] = rx.cylinder_D;
-  result["axis_deg"] = rx.axis_deg;
+py::dict dictionary_with_vertex(const Prescription& rx) {
+  py::dict result = dictionary_of(rx);
   result["vertex_distance_mm"] = rx.vertex_distance_m / metres_per_millimetre;
   return result;
 }
 
 py::dict power_vector_of(const EyeObject& object) {
-  const PowerVector vector = power_vector(object.eye.correction.as_prescription());
   py::dict result;
-  result["M_D"] = vector.M;
-  result["J0_D"] = vector.J0;
-  result["J45_D"] = vector.J45;
+  add_power_vector(result, object.eye.correction.as_prescription());
   return result;
 }
 
 }  // namespace
+
+py::dict dictionary_of(const Prescription& rx) {
+  py::dict result;
+  result["sphere_D"] = rx.sphere_D;
+  result["cylinder_D"] = rx.cylinder_D;
+  result["axis_deg"] = rx.axis_deg;
+  return result;
+}
+
+void add_power_vector(py::dict& dictionary, const Prescription& rx) {
+  const PowerVector vector = power_vector(rx);
+  dictionary["M_D"] = vector.M;
+  dictionary["J0_D"] = vector.J0;
+  dictionary["J45_D"] = vector.J45;
+}
 
 void bind_eyes(py::module_& module) {
   using namespace pybind11::literals;
   py::class_<EyeObject>(module, "Eye", "An eye: its correction, its pupil and how it accommodates. It does not change.")
       .def(py::init(&eye_from), "document"_a, "file"_a = "")
       .def_property_readonly(
-          "prescription", [](const EyeObject& o) { return dictionary_of(o.eye.prescription); },
+          "prescription", [](const EyeObject& o) { return dictionary_with_vertex(o.eye.prescription); },
           "As it was written: sphere_D, cylinder_D, axis_deg (TABO), vertex_distance_mm.")
       .def_property_readonly(
-          "at_cornea", [](const EyeObject& o) { return dictionary_of(o.eye.correction.as_prescription()); },
+          "at_cornea", [](const EyeObject& o) { return dictionary_with_vertex(o.eye.correction.as_prescription()); },
           "The same correction at the cornea, in minus-cylinder form.")
       .def_property_readonly("power_vector", &power_vector_of,
                              "M_D, J0_D and J45_D of the correction at the cornea [D], examiner's frame.")

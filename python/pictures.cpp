@@ -29,9 +29,8 @@ py::tuple rendered(const py::object& document, const std::string& file, const py
   });
   py::dict layers;
   for (auto& [name, image] : output->image.layers) layers[py::str(name)] = array_of(std::move(image));
-  std::vector<std::string> notes = spec->notes;
-  notes.insert(notes.end(), output->notes.begin(), output->notes.end());
-  return py::make_tuple(layers, object_from(output->counters), output->seconds, notes, object_from(*spec->resolved));
+  return py::make_tuple(layers, object_from(output->counters), output->seconds, output->notes,
+                        object_from(*spec->resolved));
 }
 
 py::array read(const std::filesystem::path& file, const std::optional<std::string>& layer) {

@@ -40,14 +40,8 @@ py::dict power_of(const ZernikeWave& wave, const std::string& rule) {
   const auto known = second_order_words.value_of(rule);
   if (!known) throw InputError("", "rule", "\"" + rule + "\"", "\"least_squares\" or \"paraxial\"");
   const Prescription rx = wave.power(*known).as_prescription();
-  const PowerVector vector = power_vector(rx);
-  py::dict result;
-  result["sphere_D"] = rx.sphere_D;
-  result["cylinder_D"] = rx.cylinder_D;
-  result["axis_deg"] = rx.axis_deg;
-  result["M_D"] = vector.M;
-  result["J0_D"] = vector.J0;
-  result["J45_D"] = vector.J45;
+  py::dict result = dictionary_of(rx);
+  add_power_vector(result, rx);
   return result;
 }
 

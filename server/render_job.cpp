@@ -7,6 +7,7 @@
 
 #include "compare/metrics/flip.h"
 #include "compare/metrics/rmse.h"
+#include "compare/metrics/similarity_maps.h"
 #include "compare/metrics/ssim.h"
 #include "io/files/readable_text.h"
 #include "io/images/tone_map.h"
@@ -25,7 +26,7 @@ struct Ended : std::exception {
   const char* what() const noexcept override { return "the rendering was ended"; }
 };
 
-constexpr int window_of_ssim_px = 11;
+constexpr int window_of_ssim_px = 2 * SimilarityMaps::margin + 1;
 
 Json comparison(const Image& page, const Image& native, const LayeredImage& picture) {
   if (std::min(page.width, page.height) < window_of_ssim_px) return nullptr;
@@ -40,12 +41,9 @@ Json comparison(const Image& page, const Image& native, const LayeredImage& pict
 Json rendered(const RenderRequest& request, const ProgressFunction& progress) {
   const Stopwatch watch;
   const RenderOutput output = render_view(request.spec, progress);
-  const auto filtered = output.image.layers.find("denoised");
-  const Image shown =
-      to_display(filtered == output.image.layers.end() ? output.image.layers.at("") : filtered->second, 1.0);
-  std::vector<std::string> notes = request.spec.notes;
-  notes.insert(notes.end(), output.notes.begin(), output.notes.end());
-  for (std::string& note : notes) note = readable(note);
+  const Image shown = to_display(output.shown(), 1.0);
+  std::vector<std::string> notes;
+  for (const std::string& note : output.notes) notes.push_back(readable(note));
   return {
       {"picture", data_uri(shown)},
       {"seconds", watch.seconds()},

@@ -195,7 +195,8 @@ RenderOutput render_view(const RenderSpec& spec, const ProgressFunction& progres
   RenderOutput output;
   Stopwatch watch;
   SceneDescription description = build_scene(spec.scene);
-  output.notes = description.notes;
+  output.notes = spec.notes;
+  output.notes.insert(output.notes.end(), description.notes.begin(), description.notes.end());
   output.seconds["scene"] = watch.lap();
   RenderPlan plan = plan_render(spec, description);
   output.seconds["plan"] = watch.lap();

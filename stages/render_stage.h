@@ -45,14 +45,21 @@ PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& ey
 
 Json counters_json(const RenderCounters& counters);
 
-/// What `sturm render` writes: the layers, the counters, the seconds of each part, and what was left out of model
-/// files. `warning` says what is wrong with the picture as a whole, "" if nothing is; it is one of the notes, too.
+/// What `sturm render` writes: the layers, the counters, the seconds of each part, and the notes of the document, its
+/// model files and its method. `warning` says what is wrong with the picture as a whole, "" if nothing is; it is one of
+/// the notes, too.
 struct RenderOutput {
   LayeredImage image;
   Json counters;
   std::vector<std::string> notes;
   std::string warning;
   std::map<std::string, double> seconds;
+
+  /// The picture for people: filtered where the document asks for it, else as rendered.
+  const Image& shown() const {
+    const auto filtered = image.layers.find("denoised");
+    return filtered == image.layers.end() ? image.layers.at("") : filtered->second;
+  }
 };
 
 /// The plan of work of a document, as a table for people, and for `depth_psf` what is done with each layer of each

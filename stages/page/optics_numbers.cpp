@@ -1,6 +1,5 @@
 #include "stages/page/optics_numbers.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/json/values.h"
@@ -22,8 +21,7 @@ struct AccommodationJson {
   Json operator()(const RelaxedAccommodation&) const { return {{"mode", "relaxed"}}; }
   Json operator()(const FixedAccommodation& fixed) const {
     if (fixed.focus_distance_m == 0.0) return {{"mode", "fixed"}, {"power_D", fixed.power_D}};
-    const bool far = std::isinf(fixed.focus_distance_m);
-    return {{"mode", "fixed"}, {"focus_distance_m", far ? Json("inf") : Json(fixed.focus_distance_m)}};
+    return {{"mode", "fixed"}, {"focus_distance_m", distance_json(fixed.focus_distance_m)}};
   }
   Json operator()(const BestAccommodation& best) const { return {{"mode", "best"}, {"amplitude_D", best.amplitude_D}}; }
 };
