@@ -42,4 +42,17 @@ CommandHelp command_help(const CLI::App& app) {
   return help;
 }
 
+std::vector<std::string> command_names(const CommandHelp& program) {
+  std::vector<std::string> names;
+  for (const CommandHelp& command : program.commands) names.push_back(command.name);
+  return names;
+}
+
+std::vector<std::string> option_names(const CommandHelp& command) {
+  std::vector<std::string> names;
+  for (const OptionHelp& option : command.options)
+    if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
+  return names;
+}
+
 }  // namespace sturm

@@ -27,4 +27,9 @@ struct CommandHelp {
 /// What was defined for the command line, for pages and completions.
 CommandHelp command_help(const CLI::App& app);
 
+std::vector<std::string> command_names(const CommandHelp& program);
+
+/// All names of the options, without positional arguments.
+std::vector<std::string> option_names(const CommandHelp& command);
+
 }  // namespace sturm

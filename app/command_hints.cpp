@@ -38,21 +38,12 @@ std::string hint(const std::string& word, const std::vector<std::string>& candid
   return only ? " (did you mean \"" + *only + "\"?)" : "";
 }
 
-std::vector<std::string> option_names(const CommandHelp& command) {
-  std::vector<std::string> names;
-  for (const OptionHelp& option : command.options)
-    if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
-  return names;
-}
-
 }  // namespace
 
 std::string unknown_command(const CommandHelp& program, const std::vector<std::string>& arguments) {
   const std::string name = command_in(arguments);
   if (name.empty() || find_command(program, name)) return "";
-  std::vector<std::string> known;
-  for (const CommandHelp& command : program.commands) known.push_back(command.name);
-  return "\"" + name + "\" is no command of sturm" + hint(name, known) + "; sturm --help lists them all";
+  return "\"" + name + "\" is no command of sturm" + hint(name, command_names(program)) + "; sturm --help lists them all";
 }
 
 std::string unknown_option(const CommandHelp& program, const std::vector<std::string>& arguments,

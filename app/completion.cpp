@@ -12,19 +12,6 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
   return text;
 }
 
-std::vector<std::string> command_names(const CommandHelp& program) {
-  std::vector<std::string> names;
-  for (const CommandHelp& command : program.commands) names.push_back(command.name);
-  return names;
-}
-
-std::vector<std::string> option_names(const CommandHelp& command) {
-  std::vector<std::string> names;
-  for (const OptionHelp& option : command.options)
-    if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
-  return names;
-}
-
 std::vector<std::string> positional_words(const CommandHelp& command) {
   std::vector<std::string> words;
   for (const OptionHelp& option : command.options)

@@ -22,14 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double focus_m = 1.0, usual_pupil_mm = 6.0;
+constexpr double focus_m = 1.0, camera_pupil_mm = 6.0;
 
 /// The eye that the scene is made for: that of the option, else one that is in focus at 1 m, as a thin lens is.
 PlottedEye camera_of(const ValidateCameraOptions& options) {
   PlotOptions eye;
   eye.kind = "--eye";
   eye.prescription = options.prescription.empty() ? "0.00" : options.prescription;
-  eye.worn.pupil_mm = options.pupil_mm.value_or(usual_pupil_mm);
+  eye.worn.pupil_mm = options.pupil_mm.value_or(camera_pupil_mm);
   if (!options.eye.empty()) {
     eye.files = {options.eye};
     eye.prescription = options.prescription;

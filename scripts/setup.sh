@@ -30,7 +30,7 @@ install_packages() {
     fail "packages could not be installed: $*"
 }
 
-# build_preset PRESET [TARGET...]
+# build_preset PRESET [TARGET...]: with CMake's options in STURM_CMAKE_OPTIONS, if it is set.
 build_preset() {
   local preset=$1
   shift
@@ -38,7 +38,7 @@ build_preset() {
   mkdir -p "build/$preset"
   if [ ! -f "build/$preset/build.ninja" ]; then
     echo "== configuring (preset $preset)"
-    cmake --preset "$preset" >"$log" 2>&1 || {
+    cmake --preset "$preset" ${STURM_CMAKE_OPTIONS:-} >"$log" 2>&1 || {
       tail -n 20 "$log" >&2
       fail "configuring failed; the whole log is in $log"
     }

@@ -72,9 +72,10 @@ bool is_whole_channel_list(const std::string& bytes) {
 
 /// Whether a small picture has as many bytes as its size says.
 bool is_whole_preview(std::istream& file, std::int32_t size) {
+  constexpr std::int32_t size_bytes = 8, pixel_bytes = 4;
   std::int32_t width = 0, height = 0;
-  return size >= 8 && read_size(file, width) && read_size(file, height) && width >= 0 && height >= 0 &&
-         4 * std::int64_t{width} * height == size - 8;
+  return size >= size_bytes && size % pixel_bytes == 0 && read_size(file, width) && read_size(file, height) &&
+         width >= 0 && height >= 0 && std::int64_t{width} * height == (size - size_bytes) / pixel_bytes;
 }
 
 /// Whether an attribute's value is as long as its type has it; reads from where the value starts.

@@ -1,5 +1,7 @@
 #pragma once
-#include <cstring>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "io/images/image.h"
 
@@ -7,8 +9,9 @@ namespace sturm::testing {
 
 /// Whether two pictures are the same bit for bit.
 inline bool same_bytes(const Image& a, const Image& b) {
-  return a.pixels.size() == b.pixels.size() &&
-         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
+  return std::ranges::equal(a.pixels, b.pixels, [](float x, float y) {
+    return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+  });
 }
 
 }  // namespace sturm::testing

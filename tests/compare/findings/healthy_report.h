@@ -63,7 +63,7 @@ inline nlohmann::json healthy_report() {
       {"max_relative_error", {{"conoid_semi_axes", 3e-16}, {"conoid_covariance", 5e-16}, {"sin2_closed_form", 4e-16}}}};
   report["ellipses"]["cases"] = {ellipse_case("A|1 m|4 mm", -1.0), ellipse_case("A|inf|4 mm", -1.0),
                                  ellipse_case("B|1 m|4 mm", 0.0)};
-  report["psfs"] = {psf("spot")};
+  report["psfs"] = nlohmann::json::array({psf("spot")});
   report["images"] = {image("cornell", "power_matrix", 0.97, 0.011), image("cornell", "sin2_radial", 0.93, 0.04),
                       image("chart", "power_matrix", 0.98, 0.012)};
   report["must_fail"] = {mutant("mirrored_axis", 2.0, 0.005), mutant("double_pupil", 0.05, 0.005)};

@@ -197,6 +197,12 @@ TEST(Exr, ForeignHeadersAreRefusedWithTheReason) {
   EXPECT_THAT(error(exr_header({"id"}, unsigned_integer, small, small)), HasSubstr("x.exr: got "));
   EXPECT_THAT(error(exr_header({"R", "G", "B"}, half_float, huge, huge)), HasSubstr("x.exr: got "));
   EXPECT_THAT(error(exr_header({"R", "G", "B"}, half_float, small, huge)), HasSubstr("x.exr: got "));
+  // A small picture whose claimed bytes are more than 64 bits hold.
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  Bytes preview;
+  preview.number<std::int32_t>(20000630).number<std::int32_t>(2);
+  preview.attribute("preview", "preview", Bytes().number(most).number(most).number<std::int32_t>(0).str());
+  EXPECT_THAT(error(preview), HasSubstr("an attribute of 12 bytes that its type \"preview\" does not have"));
 }
 
 TEST(Exr, WhatDoesNotFitIsNotWritten) {

@@ -8,12 +8,6 @@
 #include "io/images/tone_map.h"
 #include "io/io_testing.h"
 
-// OpenImageIO loses the message of a PNG that breaks off: libpng leaves its frames by longjmp. Read by the leak
-// sanitizer.
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libOpenImageIO";
-}
-
 namespace sturm {
 namespace {
 

@@ -61,7 +61,7 @@ TEST(GatePower, NamesTheGatesThatNotice) {
   ASSERT_EQ(power.mutations.size(), 3u);
   EXPECT_EQ(power.mutations[0].what, "an axis");
   EXPECT_EQ(to_json(power)["mutations"][0]["caught_by"],
-            (Json{{{"gate", "z"}, {"value", 30.0}, {"honest_value", 1.5}, {"bound", 5.0}, {"unit", ""}}}));
+            Json::array({{{"gate", "z"}, {"value", 30.0}, {"honest_value", 1.5}, {"bound", 5.0}, {"unit", ""}}}));
   ASSERT_EQ(power.mutations[1].caught_by.size(), 2u);
   EXPECT_EQ(power.mutations[1].caught_by[0].gate, "shift");  // a gate that fails anyway has noticed nothing
   EXPECT_EQ(power.mutations[1].caught_by[1].gate, "spot");

@@ -144,10 +144,11 @@ void expect_variation(const nlohmann::json& c) {
     const double size = cell * arcmin;
     const PsfCells r = cells_of(rays, vergence, size, side), rp = cells_of(rayspoly, vergence, size, side),
                    w = cells_of(wave555, size, side), wp = cells_of(wavepoly, size, side);
+    const std::string suffix = std::string("_cell") + name;
     const auto expect = [&](const std::string& pair, double got) {
-      const auto found = out.find("tv_" + pair + "_cell" + name);
+      const auto found = out.find("tv_" + pair + suffix);
       if (found == out.end()) return;
-      EXPECT_NEAR(got, found->get<double>(), 0.005) << c["id"] << pair << name;
+      EXPECT_NEAR(got, found->get<double>(), 0.005) << c["id"] << pair << suffix;
     };
     expect("rays_wave555", total_variation(r, w));
     expect("rays_wavepoly", total_variation(r, wp));
