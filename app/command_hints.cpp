@@ -43,7 +43,8 @@ std::string hint(const std::string& word, const std::vector<std::string>& candid
 std::string unknown_command(const CommandHelp& program, const std::vector<std::string>& arguments) {
   const std::string name = command_in(arguments);
   if (name.empty() || find_command(program, name)) return "";
-  return "\"" + name + "\" is no command of sturm" + hint(name, command_names(program)) + "; sturm --help lists them all";
+  return "\"" + name + "\" is no command of sturm" + hint(name, command_names(program)) +
+         "; sturm --help lists them all";
 }
 
 std::string unknown_option(const CommandHelp& program, const std::vector<std::string>& arguments,
