@@ -116,7 +116,7 @@ class Firefox(Browser):
         try:
             self._process.wait(timeout=20)
         except subprocess.TimeoutExpired:
-            self._process.terminate()
+            self._process.kill()
             self._process.wait(timeout=20)
         if self._screen:
             self._screen.close()

@@ -29,7 +29,7 @@ export class Measured {
   private ready(): void {
     const { app } = this;
     app.held = true;
-    if (!app.prepare()) throw new Error(document.getElementById('message')?.textContent ?? '');
+    if (!app.prepare(true)) throw new Error(document.getElementById('message')?.textContent ?? '');
   }
 
   /** `samples` passes (0: all that the mode has). */
