@@ -60,6 +60,11 @@ class Browser:
     def resize(self, width, height):
         self._call("POST", "/window/rect", {"width": width, "height": height})
 
+    def as_phone(self, width, height):
+        """Shows the page as a phone of this size would; no size ends that."""
+        override = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": True}
+        self._call("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride" if width else "Emulation.clearDeviceMetricsOverride", "params": override if width else {}})
+
     def find(self, selector):
         return self._call("POST", "/element", {"using": "css selector", "value": selector})[ELEMENT]
 

@@ -32,7 +32,9 @@ class Numbers(InFirefox, test_numbers.Numbers):
 
 
 class Page(InFirefox, test_page.Page):
-    pass
+    def become_phone(self):  # as narrow as its windows are
+        self.browser.resize(500, 900)
+        self.addCleanup(self.browser.resize, 1280, 1000)
 
 
 class Pictures(InFirefox, test_pictures.Pictures):

@@ -95,11 +95,26 @@ class Page(PageTest):
         if not axe.exists():
             self.skipTest("axe-core is not installed")
         self.open()
-        self.wait("document.getElementById('said').textContent")
+        self.change("Object.assign(s.eyes.right, {accommodation: 'best', sphere_D: -2}); s.glasses.right.kind = 'single'; s.rimOverlay = s.lensMap = s.fieldOverlay = true; s.modes = ['sharp', 'path'];")
+        self.wait("document.getElementById('said').textContent && document.getElementById('lens-map-words').textContent")
+        self.browser.run("document.querySelectorAll('details').forEach((d) => { d.open = true; }); window.sturmViewer.app.say('A message.')")
+        self.browser.type("input[type=text]", "nonsense\ue007")
+        self.assertEqual(self.browser.run("return document.getAnimations().length"), 0)
         for scheme in ("light", "dark"):
             self.browser.run(f"document.documentElement.style.colorScheme = '{scheme}'")
             found = self.browser.run(axe.read_text() + "; return axe.run(document).then((r) => r.violations.map((v) => [v.impact, v.id, v.nodes.map((n) => n.html)]))")
             self.assertEqual([v for v in found if v[0] in ("serious", "critical")], [])
+
+    def test_tab_reaches_everything(self):
+        self.open()
+        self.change("s.glasses.right.kind = 'single'; s.modes = ['path'];")
+        self.wait("[...document.querySelectorAll('.row:not([hidden])')].length > 15")
+        self.browser.run("""window.reached = new Set();
+          document.addEventListener('focusin', ({target}) => window.reached.add(target));
+          document.activeElement.blur();""")
+        self.browser.press("#picture", *[KEYS["tab"]] * 60)
+        missed = self.browser.run("""return [...document.querySelectorAll('input, select, button, summary')].filter((e) => e.checkVisibility() && !window.reached.has(e)).map((e) => e.outerHTML)""")
+        self.assertEqual(missed, [])
 
     def test_prescriptions_are_read_as_on_the_command_line(self):
         self.open()
@@ -160,12 +175,15 @@ class Page(PageTest):
         self.wait("document.getElementById('message').hidden && " + passes)
         self.browser.console()  # the loss itself is remarked upon
 
+    def become_phone(self):
+        self.browser.as_phone(390, 844)
+        self.addCleanup(self.browser.as_phone, 0, 0)
+
     def test_a_phone_has_one_column(self):
         self.open()
         columns = "return getComputedStyle(document.querySelector('main')).gridTemplateColumns.split(' ').length"
         self.assertEqual(self.browser.run(columns), 2)
-        self.browser.resize(500, 900)
-        self.addCleanup(self.browser.resize, 1280, 1000)
+        self.become_phone()
         self.assertEqual(self.browser.run(columns), 1)
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), self.browser.run("return innerWidth"))
 

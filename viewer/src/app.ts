@@ -114,7 +114,7 @@ export class App {
   private lesson(k: number): void {
     const lesson = lessons[k];
     if (!lesson) return;
-    const next = structuredClone(this.state);
+    const next = { ...structuredClone(this.state), camera: startState(this.view).camera };
     lesson.set(next);
     this.adopt(next, lesson.text);
   }
