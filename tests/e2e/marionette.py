@@ -117,6 +117,6 @@ class Firefox(Browser):
             self._process.wait(timeout=20)
         except subprocess.TimeoutExpired:
             self._process.kill()
-            self._process.wait(timeout=20)
+            self._process.wait()
         if self._screen:
             self._screen.close()

@@ -184,15 +184,23 @@ class Page(PageTest):
         columns = "return getComputedStyle(document.querySelector('main')).gridTemplateColumns.split(' ').length"
         self.assertEqual(self.browser.run(columns), 2)
         self.become_phone()
-        self.assertEqual(self.browser.run(columns), 1)
+        self.assertEqual(self.browser.run("return getComputedStyle(document.querySelector('main')).display"), "block")
+        self.browser.run("document.querySelector('#controls').lastElementChild.scrollIntoView()")  # the picture stays in sight
+        self.assertEqual(self.browser.run("return Math.round(document.getElementById('frame').getBoundingClientRect().top)"), 0)
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), self.browser.run("return innerWidth"))
 
     def test_lessons_are_states(self):
         self.open()
         for title in self.browser.run("return [...document.querySelectorAll('.buttons button')].slice(0, 5).map((b) => b.textContent)"):
             self.browser.run("[...document.querySelectorAll('button')].find((b) => b.textContent === arguments[0]).click()", title)
-            self.assertGreater(len(self.message()), 40)
-            self.assertEqual(self.message().count(". ") + 1, 2, title)
+            text = self.browser.text("#lesson")
+            self.assertGreater(len(text), 40)
+            self.assertEqual(text.count(". ") + 1, 2, title)
+            self.assertEqual(self.message(), "")
+            self.change("s.eyes.right.pupil_mm = 3")  # what it asks for
+            self.assertEqual(self.browser.text("#lesson"), text)
+        self.browser.run("[...document.querySelectorAll('button')].find((b) => b.textContent === 'As it came').click()")
+        self.assertTrue(self.browser.run("return document.getElementById('lesson').hidden"))
 
     def test_bad_scenes_end_in_a_message(self):
         page = self.page.read_text()

@@ -64,7 +64,7 @@ export class App {
     this.readHash();
     this.setUpGpu();
     this.bound = fillForm(byId<HTMLFormElement>('controls'), (edit) => this.change(edit), core, view, {
-      lesson: (k) => this.lesson(k), reset: () => this.adopt(startState(view), ''), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button), headset: (button) => this.offerHeadset(button),
+      lesson: (k) => this.lesson(k), reset: () => { this.adopt(startState(view), ''); this.teach(''); }, saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button), headset: (button) => this.offerHeadset(button),
     });
     this.pointing = pointOn(this.canvas, (edit) => this.change(edit), () => this.panels.length, () => { this.pointed = true; });
     this.canvas.addEventListener('webglcontextlost', (event) => {
@@ -116,7 +116,15 @@ export class App {
     if (!lesson) return;
     const next = { ...structuredClone(this.state), camera: startState(this.view).camera };
     lesson.set(next);
-    this.adopt(next, lesson.text);
+    this.adopt(next, '');
+    this.teach(lesson.text);
+  }
+
+  /** What a lesson says stays while its reader does what it asks for. */
+  private teach(text: string): void {
+    const place = byId('lesson');
+    place.textContent = text;
+    place.hidden = text === '';
   }
 
   private setUpGpu(): void {
