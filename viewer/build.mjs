@@ -11,9 +11,12 @@ const { values } = parseArgs({ options: {
   out: { type: 'string', default: join(here, '../build/viewer/viewer.html') },
 } });
 
-const bundle = await build({
-  entryPoints: [join(here, 'src/main.ts')], bundle: true, minify: true, write: false, format: 'iife', target: 'es2022', loader: { '.glsl': 'text' }, legalComments: 'none', charset: 'utf8',
-});
+async function bundle(file) {
+  const built = await build({
+    entryPoints: [join(here, 'src', file)], bundle: true, minify: true, write: false, format: 'iife', target: 'es2022', loader: { '.glsl': 'text' }, legalComments: 'none', charset: 'utf8',
+  });
+  return built.outputFiles[0].text;
+}
 
 async function licence(name) {
   const { version, license } = JSON.parse(await readFile(join(here, 'node_modules', name, 'package.json'), 'utf8'));
@@ -21,7 +24,7 @@ async function licence(name) {
 }
 
 // A closing tag inside of a script would end it.
-const script = (text) => `<script>\n${text.replaceAll('</script', '<\\/script')}\n</script>`;
+const script = (text, attributes = '') => `<script${attributes}>\n${text.replaceAll('</script', '<\\/script')}\n</script>`;
 const put = (page, place, text) => {
   if (page.split(place).length !== 2) throw new Error(`page.html: expected ${place} once`);
   return page.replace(place, () => text);
@@ -30,7 +33,8 @@ const put = (page, place, text) => {
 const licences = (await Promise.all(['three', 'three-mesh-bvh'].map(licence))).join('\n\n').replaceAll('-->', '');
 let page = await readFile(join(here, 'src/page.html'), 'utf8');
 page = put(page, '/* style.css */', await readFile(join(here, 'src/style.css'), 'utf8'));
-page = put(page, '<!-- scripts -->', [`<!--\nParts of this page are by others.\n\n${licences}\n-->`, script(await readFile(values.core, 'utf8')), script(bundle.outputFiles[0].text)].join('\n'));
+page = put(page, '<!-- scripts -->', [`<!--\nParts of this page are by others.\n\n${licences}\n-->`, script(await readFile(values.core, 'utf8'), ' id="sturm-core"'),
+  script(await bundle('lens_worker.ts'), ' id="lens-worker" type="text/plain"'), script(await bundle('main.ts'))].join('\n'));
 await mkdir(dirname(values.out), { recursive: true });
 await writeFile(values.out, page);
 console.log(`${values.out}: ${page.length} characters`);

@@ -18,7 +18,7 @@ PREFERENCES = {"marionette.port": 0, "ui.prefersReducedMotion": 1, "browser.shel
 ERRORS = """
   const seen = Services.console.getMessageArray().filter((m) => m instanceof Ci.nsIScriptError && String(m.sourceName).startsWith("file:"));
   Services.console.reset();
-  return seen.map((m) => m.errorMessage);"""
+  return seen.map((m) => ({message: m.errorMessage}));"""
 
 
 def firefox():
@@ -26,14 +26,32 @@ def firefox():
     return shutil.which("firefox-esr") or shutil.which("firefox")
 
 
-class Firefox(Browser):
-    """A headless Firefox with Browser's functions."""
+class Screen:
+    """A screen in memory (Debian's package xvfb), on which Firefox draws by Mesa's software rasteriser: without one it has no WebGL."""
 
-    def __init__(self, profile, width=1280, height=1000):
+    def __init__(self, width, height):
+        reading, writing = os.pipe()
+        self._process = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"],
+                                         pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as answer:  # the number that Xvfb has chosen
+            self.environment = {"DISPLAY": f":{answer.readline().strip()}", "LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "llvmpipe"}
+
+    def close(self):
+        self._process.terminate()
+        self._process.wait(timeout=20)
+
+
+class Firefox(Browser):
+    """A Firefox with Browser's functions: headless, or on a screen of its own, where it has WebGL."""
+
+    def __init__(self, profile, width=1280, height=1000, screen=False):
         profile.mkdir()
         (profile / "user.js").write_text("".join(f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in PREFERENCES.items()))
-        self._process = subprocess.Popen([firefox(), "--headless", "--no-remote", "--marionette", "--remote-allow-system-access", "--profile", profile],
-                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={**os.environ, "HOME": str(profile)})
+        self._screen = Screen(width + 100, height + 200) if screen else None
+        self._process = subprocess.Popen([firefox(), *([] if screen else ["--headless"]), "--no-remote", "--marionette", "--remote-allow-system-access", "--profile", profile],
+                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                         env={**os.environ, "HOME": str(profile), **(self._screen.environment if screen else {})})
         self._socket, self._received, self._number = None, b"", 0
         try:
             self._socket = socket.create_connection(("127.0.0.1", self._port_of(profile / "MarionetteActivePort")), timeout=120)
@@ -98,5 +116,7 @@ class Firefox(Browser):
         try:
             self._process.wait(timeout=20)
         except subprocess.TimeoutExpired:
-            self._process.terminate()
-            self._process.wait(timeout=20)
+            self._process.kill()
+            self._process.wait()
+        if self._screen:
+            self._screen.close()

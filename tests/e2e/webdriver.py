@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the protocol's name for a reference to an element
-KEYS = {"left": "\ue012", "up": "\ue013", "right": "\ue014", "down": "\ue015", "shift": "\ue008"}
+KEYS = {"left": "\ue012", "up": "\ue013", "right": "\ue014", "down": "\ue015", "shift": "\ue008", "tab": "\ue004", "enter": "\ue007", "space": "\ue00d"}
 
 
 class Browser:
@@ -60,6 +60,11 @@ class Browser:
     def resize(self, width, height):
         self._call("POST", "/window/rect", {"width": width, "height": height})
 
+    def as_phone(self, width, height):
+        """Shows the page as a phone of this size would; no size ends that."""
+        override = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": True}
+        self._call("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride" if width else "Emulation.clearDeviceMetricsOverride", "params": override if width else {}})
+
     def find(self, selector):
         return self._call("POST", "/element", {"using": "css selector", "value": selector})[ELEMENT]
 
@@ -71,6 +76,12 @@ class Browser:
 
     def type(self, selector, text):
         self._call("POST", f"/element/{self.find(selector)}/value", {"text": text})
+
+    def press(self, selector, *keys):
+        """Gives an element the focus, then presses and releases keys."""
+        self.run("document.querySelector(arguments[0]).focus()", selector)
+        actions = [{"type": kind, "value": key} for key in keys for kind in ("keyDown", "keyUp")]
+        self._call("POST", "/actions", {"actions": [{"type": "key", "id": "keyboard", "actions": actions}]})
 
     def pointer(self, selector, *moves):
         """Moves of the mouse relative to an element's centre [px]; "down" and "up" press and release its button. A browser's mouse stays where it is

@@ -1,6 +1,7 @@
 // Asks the WebAssembly core and prints JSON: node core_bits.cjs CORE.js fields | ellipses FILE | answers < QUERIES.json
 const crypto = require('crypto');
 const fs = require('fs');
+const answers = require('./core_answers.js');
 
 const straight = {decentration_m: [0, 0], pantoscopic_tilt_rad: 0, wrap_rad: 0};
 
@@ -67,18 +68,6 @@ function ellipses(core, file) {
   return worst;
 }
 
-// [{eye, lens, targets: [[azimuth_rad, elevation_rad, distance_m or "inf"]]}] → [[EllipseNumbers]]
-function answers(core) {
-  return JSON.parse(fs.readFileSync(0, 'utf8')).map((query) => {
-    const optics = new core.Optics();
-    optics.setEye(query.eye);
-    optics.setLens(query.lens);
-    const list = query.targets.map(([azimuth, elevation, distance]) => optics.ellipse(azimuth, elevation, distance === 'inf' ? Infinity : distance));
-    optics.delete();
-    return list;
-  });
-}
-
 // The messages of calls that must not succeed, and what rays and passes look like.
 function manners(core) {
   const message = (call) => {
@@ -107,6 +96,6 @@ function manners(core) {
 }
 
 require(process.argv[2])().then((core) => {
-  const what = {fields, ellipses, answers, manners}[process.argv[3]];
+  const what = {fields, ellipses, manners, answers: () => answers(core, JSON.parse(fs.readFileSync(0, 'utf8')))}[process.argv[3]];
   process.stdout.write(JSON.stringify(what(core, process.argv[4])));
 });

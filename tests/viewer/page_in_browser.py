@@ -37,9 +37,15 @@ class PageTest(unittest.TestCase):
         holder = tempfile.TemporaryDirectory(prefix="sturm_viewer_")
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name)
-        cls.browser = Browser(cls.folder / "profile", switches=SOFTWARE)
-        cls.addClassCleanup(cls.browser.close)
+        cls.browser = cls.start()
         cls.browser.allow_scripts(110)
+
+    @classmethod
+    def start(cls):
+        """The browser, which ends with the class."""
+        browser = Browser(cls.folder / "profile", switches=SOFTWARE)
+        cls.addClassCleanup(browser.close)
+        return browser
 
     def tearDown(self):
         self.assertEqual(self.messages(), [])

@@ -3,32 +3,17 @@ import concurrent.futures
 import json
 import math
 import os
-import pathlib
 import shutil
 import subprocess
 import unittest
 
-from sturm_process import SOURCE, FolderTest, strict_json, sturm
-from viewer_page import TEMPLATE, skip, view_of
+from core_queries import CORE, LENS_TARGETS, PRESCRIPTION_TARGETS, core, lens_queries, prescription_queries
+from sturm_process import FolderTest, strict_json, sturm
+from viewer_page import skip
 
-CORE = pathlib.Path(os.environ["VIEWER_BUILD"]) / "wasm/sturm_core.js"
 REFERENCE = os.environ["VIEWER_REFERENCE"]
-SCRIPT = pathlib.Path(__file__).with_name("core_bits.cjs")
 TWELVE_DIGITS = 1e-12
 PUPIL_RADIUS_M = 2e-3
-
-
-def core(*arguments, stdin=None):
-    """What core_bits.cjs prints."""
-    process = subprocess.run(["node", SCRIPT, CORE, *arguments], input=stdin, capture_output=True, text=True, timeout=120)
-    if process.returncode:
-        raise AssertionError(process.stderr)
-    return strict_json(process.stdout)
-
-
-def real_prescriptions():
-    lines = (SOURCE / "configs/data/papila_prescriptions.csv").read_text().splitlines()[2:]
-    return [[float(x) for x in line.split(",")[4:7]] for line in lines]
 
 
 def ask(query):
@@ -42,11 +27,6 @@ def ask(query):
 def ask_all(queries):
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         return list(pool.map(ask, queries))
-
-
-def radians(targets):
-    """Targets of a query as the core takes them."""
-    return [[*(angle * (math.pi / 180.0) for angle in target["gaze_deg"]), target["distance_m"]] for target in targets]
 
 
 class Bits(FolderTest):
@@ -102,48 +82,22 @@ class Answers(FolderTest):
             turn = abs(math.remainder(answer["orientation_deg"] - result["orientation_deg"], 180.0))
             self.assertLessEqual(turn * (major - minor), math.degrees(TWELVE_DIGITS * max(major, PUPIL_RADIUS_M)))
 
-    def test_real_prescriptions(self):
-        targets = [{"gaze_deg": [20, -15], "distance_m": 0.4}, {"gaze_deg": [0, 0], "distance_m": "inf"}]
-        prescriptions = real_prescriptions()
-        self.assertEqual(len(prescriptions), 413)
-        queries, mine = [], []
-        for sphere, cylinder, axis in prescriptions:
-            eye = {"prescription": {"sphere_D": sphere, "cylinder_D": cylinder, "axis_deg": axis, "vertex_distance_mm": 12},
-                   "pupil_diameter_mm": 4, "accommodation": {"mode": "best", "amplitude_D": 1.5}}
-            queries.append({"format": "sturm.ellipse/1", "eye": eye, "targets": targets, "methods": ["conoid"]})
-            mine.append({"eye": {"prescription": {"sphere_D": sphere, "cylinder_D": cylinder, "axis_deg": axis, "vertex_distance_m": 12e-3,
-                                                  "prism_cm_per_m": 0, "prism_base_deg": 0},
-                                 "wavefront": None, "pupil_diameter_m": 4e-3, "rotation_center_m": 13.5e-3,
-                                 "accommodation": {"mode": "best", "amplitude_D": 1.5}},
-                         "lens": None, "targets": radians(targets)})
-        for answers, results in zip(core("answers", stdin=json.dumps(mine)), ask_all(queries), strict=True):
+    def compare_all(self, documents, numbers, targets):
+        for document, answers, results in zip(documents, core("answers", stdin=json.dumps(numbers)), ask_all(documents), strict=True):
             for answer, result in zip(answers, results, strict=True):
-                self.compare(answer, result, targets)
+                with self.subTest(eye=document["eye"], lens=document.get("spectacles"), target=result["target"]):
+                    self.compare(answer, result, targets)
+
+    def test_real_prescriptions(self):
+        documents, numbers = prescription_queries()
+        self.assertEqual(len(documents), 413)
+        self.compare_all(documents, numbers, PRESCRIPTION_TARGETS)
 
     def test_lenses_as_sturm_view_hands_them_over(self):
-        """All shipped lenses in five gazes: JSON, numbers of the page, WebAssembly, against the program."""
-        targets = [{"gaze_deg": gaze, "distance_m": d} for gaze, d in
-                   [([0, 0], "inf"), ([25, 10], 2), ([-12, -28], 0.4), ([3, -20], 0.35), ([-35, 30], 1)]]
-        eye = {"prescription": {"sphere_D": -2, "cylinder_D": -1.5, "axis_deg": 30}, "pupil_diameter_mm": 4,
-               "accommodation": {"mode": "best", "amplitude_D": 1}}
-        template = self.write("template.html", TEMPLATE)
-        files = sorted((SOURCE / "configs/lenses").glob("*.json"))
-        self.assertGreaterEqual(len(files), 11)  # one of them is made for the eye
-        queries, mine = [], []
-        for file in files:
-            queries.append({"format": "sturm.ellipse/1", "eye": eye, "spectacles": str(file), "targets": targets, "methods": ["conoid"]})
-            view = self.write("view.json", {
-                "format": "sturm.render/1", "eye": eye, "spectacles": str(file), "scene": {"format": "sturm.scene/1", "materials": {"a": {}},
-                "spheres": [{"center_m": [0, 0, -2], "radius_m": 0.1, "material": "a"}]},
-                "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 40, "resolution": [8, 8], "gaze": "foveal"},
-                "method": {"type": "predict", "prediction": "multipass"}})
-            self.succeed("view", view, "-o", self.folder / "page.html", "--template", template)
-            numbers = view_of((self.folder / "page.html").read_text())["right"]
-            mine.append({**numbers, "targets": radians(targets)})
-        for file, answers, results in zip(files, core("answers", stdin=json.dumps(mine)), ask_all(queries), strict=True):
-            for answer, result in zip(answers, results, strict=True):
-                with self.subTest(lens=file.stem, target=result["target"]):
-                    self.compare(answer, result, targets)
+        """JSON, numbers of the page, WebAssembly, against the program."""
+        documents, numbers = lens_queries(self.folder)
+        self.assertGreaterEqual(len(documents), 11)  # one of them is made for the eye
+        self.compare_all(documents, numbers, LENS_TARGETS)
 
 
 class Manners(unittest.TestCase):

@@ -4,9 +4,11 @@ import gzip
 import json
 import re
 import struct
+import time
 
 from page_in_browser import TEMPLATE, PageTest, emissive_view, main
 from sturm_process import SOURCE
+from webdriver import KEYS
 
 KIB = 1024
 
@@ -53,7 +55,11 @@ class Page(PageTest):
         self.assertEqual(self.browser.run("return performance.getEntriesByType('resource').map((e) => e.name).filter((n) => !n.startsWith('data:'))"), [])
         blocked = self.browser.run("return fetch('https://example.org/').then(() => 'fetched', (e) => e.name)")
         self.assertEqual(blocked, "TypeError")
-        self.assertTrue(all("Content Security Policy" in m["message"] for m in self.messages()))
+        said, end = [], time.monotonic() + 5
+        while not said and time.monotonic() < end:  # Firefox says so a little later
+            said = self.messages()
+        self.assertTrue(said)
+        self.assertTrue(all("Policy" in m["message"] for m in said), said)
 
     def test_words_and_numbers_say_the_ellipse(self):
         self.open()
@@ -72,16 +78,16 @@ class Page(PageTest):
         sliders = self.browser.run("""return [...document.querySelectorAll('.row:not([hidden]) input[type=range]')].map((i) => [i.id, document.querySelector(`label[for=${i.id}]`).textContent])""")
         for identity, label in sliders:
             before = self.state()
-            self.browser.type(f"#{identity}", "\ue014")  # arrow right
+            self.browser.press(f"#{identity}", KEYS["right"])
             after = self.state()
             if before == after:  # it stood at its end
-                self.browser.type(f"#{identity}", "\ue012")
+                self.browser.press(f"#{identity}", KEYS["left"])
                 after = self.state()
             self.assertNotEqual(before, after, label)
         unnamed = self.browser.run("return [...document.querySelectorAll('input, select, button')].filter((e) => !(e.labels && e.labels.length) && !e.textContent.trim()).length")
         self.assertEqual(unnamed, 0)
         turned = self.state()["camera"]["turn_deg"]
-        self.browser.type("#picture", "\ue014")
+        self.browser.press("#picture", KEYS["right"])
         self.assertGreater(self.state()["camera"]["turn_deg"], turned)
 
     def test_nothing_bars_the_way(self):
@@ -89,11 +95,26 @@ class Page(PageTest):
         if not axe.exists():
             self.skipTest("axe-core is not installed")
         self.open()
-        self.wait("document.getElementById('said').textContent")
+        self.change("Object.assign(s.eyes.right, {accommodation: 'best', sphere_D: -2}); s.glasses.right.kind = 'single'; s.rimOverlay = s.lensMap = s.fieldOverlay = true; s.modes = ['sharp', 'path'];")
+        self.wait("document.getElementById('said').textContent && document.getElementById('lens-map-words').textContent")
+        self.browser.run("document.querySelectorAll('details').forEach((d) => { d.open = true; }); window.sturmViewer.app.say('A message.')")
+        self.browser.type("input[type=text]", "nonsense\ue007")
+        self.assertEqual(self.browser.run("return document.getAnimations().length"), 0)
         for scheme in ("light", "dark"):
             self.browser.run(f"document.documentElement.style.colorScheme = '{scheme}'")
             found = self.browser.run(axe.read_text() + "; return axe.run(document).then((r) => r.violations.map((v) => [v.impact, v.id, v.nodes.map((n) => n.html)]))")
             self.assertEqual([v for v in found if v[0] in ("serious", "critical")], [])
+
+    def test_tab_reaches_everything(self):
+        self.open()
+        self.change("s.glasses.right.kind = 'single'; s.modes = ['path'];")
+        self.wait("[...document.querySelectorAll('.row:not([hidden])')].length > 15")
+        self.browser.run("""window.reached = new Set();
+          document.addEventListener('focusin', ({target}) => window.reached.add(target));
+          document.activeElement.blur();""")
+        self.browser.press("#picture", *[KEYS["tab"]] * 60)
+        missed = self.browser.run("""return [...document.querySelectorAll('input, select, button, summary')].filter((e) => e.checkVisibility() && !window.reached.has(e)).map((e) => e.outerHTML)""")
+        self.assertEqual(missed, [])
 
     def test_prescriptions_are_read_as_on_the_command_line(self):
         self.open()
@@ -154,21 +175,32 @@ class Page(PageTest):
         self.wait("document.getElementById('message').hidden && " + passes)
         self.browser.console()  # the loss itself is remarked upon
 
+    def become_phone(self):
+        self.browser.as_phone(390, 844)
+        self.addCleanup(self.browser.as_phone, 0, 0)
+
     def test_a_phone_has_one_column(self):
         self.open()
         columns = "return getComputedStyle(document.querySelector('main')).gridTemplateColumns.split(' ').length"
         self.assertEqual(self.browser.run(columns), 2)
-        self.browser.resize(500, 900)
-        self.addCleanup(self.browser.resize, 1280, 1000)
-        self.assertEqual(self.browser.run(columns), 1)
+        self.become_phone()
+        self.assertEqual(self.browser.run("return getComputedStyle(document.querySelector('main')).display"), "block")
+        self.browser.run("document.querySelector('#controls').lastElementChild.scrollIntoView()")  # the picture stays in sight
+        self.assertEqual(self.browser.run("return Math.round(document.getElementById('frame').getBoundingClientRect().top)"), 0)
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), self.browser.run("return innerWidth"))
 
     def test_lessons_are_states(self):
         self.open()
         for title in self.browser.run("return [...document.querySelectorAll('.buttons button')].slice(0, 5).map((b) => b.textContent)"):
             self.browser.run("[...document.querySelectorAll('button')].find((b) => b.textContent === arguments[0]).click()", title)
-            self.assertGreater(len(self.message()), 40)
-            self.assertEqual(self.message().count(". ") + 1, 2, title)
+            text = self.browser.text("#lesson")
+            self.assertGreater(len(text), 40)
+            self.assertEqual(text.count(". ") + 1, 2, title)
+            self.assertEqual(self.message(), "")
+            self.change("s.eyes.right.pupil_mm = 3")  # what it asks for
+            self.assertEqual(self.browser.text("#lesson"), text)
+        self.browser.run("[...document.querySelectorAll('button')].find((b) => b.textContent === 'As it came').click()")
+        self.assertTrue(self.browser.run("return document.getElementById('lesson').hidden"))
 
     def test_bad_scenes_end_in_a_message(self):
         page = self.page.read_text()

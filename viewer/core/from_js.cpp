@@ -126,22 +126,6 @@ SingleVisionDesign read_design(const val& lens) {
   return design;
 }
 
-Spectacles read_made(const std::string& kind, const val& lens, const Eye& eye) {
-  const SingleVisionDesign design = read_design(lens);
-  const Prescription rx = is_missing(lens["prescription"]) ? needed_power(eye, design.vertex_distance_m)
-                                                           : read_prescription(lens["prescription"]);
-  if (kind == "single_vision") return single_vision(rx, design);
-  ProgressiveDesign progressive;
-  progressive.lens = design;
-  progressive.addition_D = number(lens, "addition_D");
-  progressive.corridor_start_m = number(lens, "corridor_start_m");
-  progressive.corridor_length_m = positive(lens, "corridor_length_m");
-  progressive.near_shift_m = number(lens, "near_shift_m");
-  progressive.zone_width_m = number_or_none(lens, "zone_width_m");
-  progressive.knot_spacing_m = positive(lens, "knot_spacing_m");
-  return progressive_lens(rx, progressive).lens;
-}
-
 BSplineSurface read_spline(const val& surface) {
   KnotGrid grid;
   grid.first = vector<2>(surface, "first_m");
@@ -156,6 +140,27 @@ BSplineSurface read_spline(const val& surface) {
   if (numbers.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns))
     refuse("a spline has (cells_x + 3) x (cells_y + 3) coefficients");
   return BSplineSurface(grid, Eigen::Map<const BSplineSurface::Coefficients>(numbers.data(), rows, columns));
+}
+
+Spectacles read_made(const std::string& kind, const val& lens, const Eye& eye) {
+  const SingleVisionDesign design = read_design(lens);
+  const Prescription rx = is_missing(lens["prescription"]) ? needed_power(eye, design.vertex_distance_m)
+                                                           : read_prescription(lens["prescription"]);
+  if (kind == "single_vision") return single_vision(rx, design);
+  if (!is_missing(lens["front"])) {  // as `progressive_lens` puts it together
+    Spectacles made = single_vision(rx, design);
+    made.front = read_spline(lens["front"]);
+    return made;
+  }
+  ProgressiveDesign progressive;
+  progressive.lens = design;
+  progressive.addition_D = number(lens, "addition_D");
+  progressive.corridor_start_m = number(lens, "corridor_start_m");
+  progressive.corridor_length_m = positive(lens, "corridor_length_m");
+  progressive.near_shift_m = number(lens, "near_shift_m");
+  progressive.zone_width_m = number_or_none(lens, "zone_width_m");
+  progressive.knot_spacing_m = positive(lens, "knot_spacing_m");
+  return progressive_lens(rx, progressive).lens;
 }
 
 Surface read_surface(const val& surface) {

@@ -55,6 +55,22 @@ val Optics::correction() const {
   return symmetric_of(eye_.correction.matrix());
 }
 
+val Optics::front_spline() const {
+  const auto* spline = lens_ ? std::get_if<BSplineSurface>(&lens_->front) : nullptr;
+  if (!spline) return val::null();
+  const KnotGrid& grid = spline->grid();
+  const BSplineSurface::Coefficients& heights = spline->coefficients();
+  val result = val::object();
+  result.set("type", std::string("spline"));
+  result.set("first_m", list_of(grid.first.x(), grid.first.y()));
+  result.set("spacing_m", list_of(grid.spacing.x(), grid.spacing.y()));
+  result.set("cells", list_of(grid.cells_x, grid.cells_y));
+  result.set("coefficients_m",
+             val::global("Float64Array")
+                 .new_(val(emscripten::typed_memory_view(static_cast<std::size_t>(heights.size()), heights.data()))));
+  return result;
+}
+
 val Optics::accommodation(double azimuth, double elevation, double vergence_D) const {
   const TurnedEye turned(eye_, lens(), gaze_direction(azimuth, elevation));
   return turned.status() == LensStatus::ok ? val(turned.accommodation(vergence_D)) : val::null();
@@ -101,6 +117,23 @@ val Optics::ellipse(double azimuth, double elevation, double distance_m) const {
   chief.set("direction", list_of(turned.chief_ray().direction));
   result.set("chief_ray", chief);
   return result;
+}
+
+val Optics::errors(const val& gazes_rad, double distance_m) const {
+  const auto gazes = emscripten::convertJSArrayToNumberVector<double>(gazes_rad);
+  std::vector<float> numbers;
+  numbers.reserve(2 * gazes.size());
+  for (std::size_t k = 0; k + 1 < gazes.size(); k += 2) {
+    const TurnedEye turned(eye_, lens(), gaze_direction(gazes[k], gazes[k + 1]));
+    if (turned.status() != LensStatus::ok) {
+      numbers.insert(numbers.end(), 4, 0.0f);
+      continue;
+    }
+    const Ellipse error = Ellipse::image_of_disc(turned.footprint(distance_m).angular, 1.0);
+    const Eigen::Vector3d& exit = turned.chief_ray().origin;
+    for (const double x : {exit.x(), exit.y(), error.semi_major, 1.0}) numbers.push_back(static_cast<float>(x));
+  }
+  return copy_of(numbers);
 }
 
 val Optics::clear_vision(double azimuth, double elevation, double limit_rad) const {

@@ -17,6 +17,7 @@ class Optics {
   void set_lens(const emscripten::val& numbers);
 
   emscripten::val correction() const;
+  emscripten::val front_spline() const;
   emscripten::val accommodation(double azimuth, double elevation, double vergence_D) const;
   emscripten::val wavefront_slopes() const;
 
@@ -24,6 +25,7 @@ class Optics {
   emscripten::val field_voxels(const emscripten::val& grid) const;
 
   emscripten::val ellipse(double azimuth, double elevation, double distance_m) const;
+  emscripten::val errors(const emscripten::val& gazes_rad, double distance_m) const;
   emscripten::val clear_vision(double azimuth, double elevation, double limit_rad) const;
   emscripten::val gaze_at(const emscripten::val& camera, double x_px, double y_px) const;
   emscripten::val picture_ellipse(const emscripten::val& camera, double x_px, double y_px, double vergence_D) const;

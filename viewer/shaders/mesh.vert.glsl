@@ -10,6 +10,7 @@ uniform float u_nearest, u_farthest;  // [m]
 out vec2 v_coordinate;
 out vec3 v_light, v_colour;
 flat out int v_material;
+out float v_lost;  // more than 0 anywhere in a triangle of which a corner is seen nowhere
 
 /// Planar head coordinates → where a pinhole in the pupil's centre would see the point [px].
 vec2 projected(vec3 point) {
@@ -37,6 +38,7 @@ void main() {
   v_material = int(a_position.w);
   vec4 baked = texelFetch(u_baked, ivec2(gl_VertexID % 1024, gl_VertexID / 1024), 0);
   v_light = baked.a > 0.0 ? baked.rgb / baked.a : vec3(0.5);  // until light has come
+  v_lost = 0.0;
   vec2 p = u_pupil_radius * u_pupil_point;
   if (!u_lens && !u_foveal && !u_seeks_focus) {
     // A naked eye that looks straight ahead: x/d + V p, linear in space.
@@ -49,10 +51,11 @@ void main() {
   }
   vec3 from = (point - u_position) * u_head;
   if (from.z > -u_nearest) {
+    v_lost = 1.0;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  vec2 place = projected(point);
+  vec2 place = projected(point), step = vec2(0.0);
   mat2x3 across = mat2x3(u_head[0], u_head[1]);
   float t = length(point - u_position);
   for (int k = 0; k < 4; ++k) {
@@ -61,10 +64,11 @@ void main() {
     ahead = t;
     vec2 below = missed(place + vec2(0.0, 1.0), point, p, across, ahead);
     mat2 jacobian = mat2(right - here, below - here);
-    vec2 step = inverse(jacobian) * here;
-    place -= clamp(step, vec2(-0.5 * u_size.y), vec2(0.5 * u_size.y));
+    step = clamp(inverse(jacobian) * here, vec2(-0.5 * u_size.y), vec2(0.5 * u_size.y));
+    place -= step;
   }
-  bool seen = sight_at(place).reaches && t > 0.0;
+  bool seen = sight_at(place).reaches && t > 0.0 && length(step) < 1.0;  // else nowhere, or nowhere that was found
+  v_lost = seen ? 0.0 : 1.0;
   vec2 at = vec2(2.0, -2.0) * (place + u_shift) / u_size + vec2(-1.0, 1.0);
   float w = max(-from.z, u_nearest);
   gl_Position = seen ? vec4(at * w, (u_farthest + u_nearest) / (u_farthest - u_nearest) * w - 2.0 * u_farthest * u_nearest / (u_farthest - u_nearest), w)

@@ -9,6 +9,9 @@ import { Gpu } from './gpu';
 import { GpuScene } from './gpu_scene';
 import { hashOf, stateOfHash } from './hash_state';
 import { Headset, headsetIsThere } from './headset';
+import { LensMaker } from './lens_maker';
+import { LensMap } from './lens_map';
+import { rimOf } from './lens_rim';
 import { lessons } from './lessons';
 import { NativeRender, programAnswers } from './native_render';
 import { Overlay, type PlacedEllipse } from './overlay';
@@ -39,7 +42,10 @@ export class App {
   private readonly pointing: Pointing;
   private readonly readout = new Readout();
   private readonly overlay = new Overlay();
+  private readonly lensMap = new LensMap();
+  private rim: [number, number][] = [];
   private readonly pace = new Pace();
+  readonly lenses = new LensMaker(() => this.lensMade());
   private changed = true;
   private pointed = true;
   private busy = false;
@@ -58,7 +64,7 @@ export class App {
     this.readHash();
     this.setUpGpu();
     this.bound = fillForm(byId<HTMLFormElement>('controls'), (edit) => this.change(edit), core, view, {
-      lesson: (k) => this.lesson(k), reset: () => this.adopt(startState(view), ''), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button), headset: (button) => this.offerHeadset(button),
+      lesson: (k) => this.lesson(k), reset: () => { this.adopt(startState(view), ''); this.teach(''); }, saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button), headset: (button) => this.offerHeadset(button),
     });
     this.pointing = pointOn(this.canvas, (edit) => this.change(edit), () => this.panels.length, () => { this.pointed = true; });
     this.canvas.addEventListener('webglcontextlost', (event) => {
@@ -108,9 +114,17 @@ export class App {
   private lesson(k: number): void {
     const lesson = lessons[k];
     if (!lesson) return;
-    const next = structuredClone(this.state);
+    const next = { ...structuredClone(this.state), camera: startState(this.view).camera };
     lesson.set(next);
-    this.adopt(next, lesson.text);
+    this.adopt(next, '');
+    this.teach(lesson.text);
+  }
+
+  /** What a lesson says stays while its reader does what it asks for. */
+  private teach(text: string): void {
+    const place = byId('lesson');
+    place.textContent = text;
+    place.hidden = text === '';
   }
 
   private setUpGpu(): void {
@@ -120,16 +134,22 @@ export class App {
     this.panels = [];
   }
 
-  /** Optics and panels as the state says; false, with a message, where the core refuses them. */
-  prepare(): boolean {
+  private lensMade(): void {
+    byId('making').hidden = !this.lenses.isMaking;
+    this.changed = true;
+  }
+
+  /** Optics and panels as the state says; false, with a message, where the core refuses them, and while a lens is being made unless `atOnce`. */
+  prepare(atOnce = false): boolean {
     const { state } = this;
     try {
-      this.eye.wear(state, this.view);
+      if (!this.eye.wear(state, this.view, atOnce ? undefined : this.lenses)) return false;
       const pose = poseOf(state.camera, this.width, this.height);
       const uniforms = this.eye.uniforms(state, this.view);
       this.pictures.setPasses(state.passes);
       this.pictures.setEye(uniforms, this.eye.sights(state, pose), state.eyes[state.side].accommodation === 'best' ? this.eye.focusTable(pose) : null);
       this.pictures.setPose(pose);
+      this.rim = state.rimOverlay && this.eye.lens ? rimOf(this.eye.optics, state.camera.gaze, pose) : [];
     } catch (problem) {
       this.say((problem as Error).message);
       return false;
@@ -214,7 +234,9 @@ export class App {
         const e = this.placed(((i + 0.5) * this.width) / 7, ((j + 0.5) * this.height) / 5);
         if (e) field.push(e);
       }
-    this.overlay.show(this.width, this.height, this.panels.length, this.placed(x, y), field);
+    this.overlay.show(this.width, this.height, this.panels.length, this.placed(x, y), field, this.rim);
+    if (this.state.lensMap && this.eye.lens) this.lensMap.show(this.eye.optics, this.eye.worn, distance);
+    else this.lensMap.hide();
   }
 
   private saveView(): void {

@@ -68,13 +68,23 @@ export interface ProgressiveNumbers extends Omit<SingleVisionNumbers, 'kind'> {
   /** Null = circular sections. */
   zone_width_m: number | null;
   knot_spacing_m: number;
+  /** What `frontSpline` said of the same lens: the same one again, without the time that it takes. */
+  front?: SplineNumbers;
+}
+
+export interface SplineNumbers {
+  type: 'spline';
+  first_m: [number, number];
+  spacing_m: [number, number];
+  cells: [number, number];
+  coefficients_m: ArrayLike<number>;
 }
 
 export type SurfaceNumbers =
   | { type: 'sphere'; curvature_per_m: number }
   | { type: 'conic'; curvature_per_m: number; conic_constant: number }
   | { type: 'torus'; sweep_curvature_per_m: number; generator_curvature_per_m: number; sweep_meridian_deg: number }
-  | { type: 'spline'; first_m: [number, number]; spacing_m: [number, number]; cells: [number, number]; coefficients_m: ArrayLike<number> };
+  | SplineNumbers;
 
 export interface TwoSurfacesNumbers extends LensPlace {
   kind: 'surfaces';
@@ -195,6 +205,8 @@ export interface Optics {
   setLens(lens: LensNumbers | null): void;
   /** F = correction at the cornea [D]: xx, xy, yy. */
   correction(): [number, number, number];
+  /** The front of the lens where it is a spline, as progressive ones are; else null. */
+  frontSpline(): SplineNumbers | null;
   /** The accommodation [D] for what a line of sight meets at 1/`vergence_D`; null where spectacles stop it. Relaxed and fixed eyes have one for all. */
   accommodation(azimuth_rad: number, elevation_rad: number, vergence_D: number): number | null;
   /** −∇W as polynomials in p/radius_m for the zernike ray model: coefficient [i][j] of x^i y^j at i·(degree + 1) + j. */
@@ -205,6 +217,11 @@ export interface Optics {
 
   /** Azimuth to the wearer's right, elevation up; distance from the pupil, or from the lens's exit point; may be Infinity. */
   ellipse(azimuth_rad: number, elevation_rad: number, distance_m: number): EllipseNumbers;
+  /**
+   * The larger error of an eye that turns to each line of sight (azimuth, elevation, azimuth, …) at one distance: 4 floats each, x, y where the
+   * chief ray leaves the lens (without one: the pupil) [m, wearer frame], the larger of `semi_axes_D`, and 1; four zeros where spectacles stop it.
+   */
+  errors(gazes_rad: ArrayLike<number>, distance_m: number): Float32Array;
   /** Limit: the larger angular semi-axis that still counts as clear [rad]. */
   clearVision(azimuth_rad: number, elevation_rad: number, limit_rad: number): ClearVision;
   /** Azimuth and elevation of the line of sight to a place of the picture. */

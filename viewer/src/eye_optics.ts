@@ -2,6 +2,7 @@
 import type { Core, EyeNumbers, LensNumbers, Optics, PrescriptionNumbers } from './core_module';
 import { edgesOf, type Pose } from './camera';
 import type { Uniform } from './gpu';
+import type { LensMaker } from './lens_maker';
 import { rayModels, type EyeState, type GlassesState, type Side, type State } from './state';
 import type { ViewData } from './view_data';
 
@@ -45,18 +46,33 @@ export class EyeOptics {
   private lensKey = '';
   lens = false;
 
+  /** A word for the eye and the lens that are worn. */
+  get worn(): string {
+    return this.eyeKey + this.lensKey;
+  }
+
   constructor(core: Core) {
     this.optics = new core.Optics();
   }
 
-  /** Throws the core's own message where eye or lens cannot be. */
-  wear(state: State, view: ViewData): void {
+  /**
+   * Throws the core's own message where eye or lens cannot be. With a `maker` it returns false while a progressive lens is being made, and what was
+   * worn before stays; without one, and for the first lens, that takes its time here.
+   */
+  wear(state: State, view: ViewData, maker?: LensMaker): boolean {
     const { side } = state, eye = state.eyes[side];
     const eyeNow = eyeNumbers(eye, view.worn[side].eye), lensNow = lensNumbers(side, state.glasses[side], eye, view.worn[side].lens);
     const eyeKey = JSON.stringify([side, eyeNow]), lensKey = JSON.stringify([side, lensNow, lensNow && 'prescription' in lensNow && !lensNow.prescription ? [eye.sphere_D, eye.cylinder_D, eye.axis_deg, eye.vertex_mm] : null]);
+    let lens = lensNow;
+    if (maker && this.eyeKey !== '' && lensKey !== this.lensKey && lensNow?.kind === 'progressive') {
+      const front = maker.front(lensKey, eyeNow, lensNow);
+      if (!front) return false;
+      lens = { ...lensNow, front };
+    }
     if (eyeKey !== this.eyeKey) this.optics.setEye(eyeNow);
-    if (lensKey !== this.lensKey) this.optics.setLens(lensNow);
-    [this.eyeKey, this.lensKey, this.lens] = [eyeKey, lensKey, lensNow !== null];
+    if (lensKey !== this.lensKey) this.optics.setLens(lens);
+    [this.eyeKey, this.lensKey, this.lens] = [eyeKey, lensKey, lens !== null];
+    return true;
   }
 
   /** The rays of the grid over a picture, one step wider on each side; null for a naked eye. */

@@ -27,6 +27,12 @@ const modelNames: readonly (readonly [RayModel, string])[] = [
 const eyeOf = (s: State): EyeState => s.eyes[s.side];
 const glassesOf = (s: State): GlassesState => s.glasses[s.side];
 
+/** The age of the slider at which the core's mean amplitude is nearest. */
+function ageOf(core: Core, amplitude_D: number): number {
+  const [least, largest] = ranges.age_years, away = (age: number) => Math.abs(core.amplitudeAtAge(age) - amplitude_D);
+  return Array.from({ length: largest - least + 1 }, (_, k) => least + k).reduce((best, age) => (away(age) < away(best) ? age : best));
+}
+
 function eyePart(change: Change, core: Core): FormPart {
   const part = new FormPart('Eye', change);
   part.select<Side>('Looks', [['right', 'Right eye'], ['left', 'Left eye']], (s) => s.side, (s, side) => { s.side = side; });
@@ -51,7 +57,9 @@ function eyePart(change: Change, core: Core): FormPart {
   part.slider('Pupil', 'pupil_mm', ' mm', 1, (s) => eyeOf(s).pupil_mm, (s, x) => { eyeOf(s).pupil_mm = x; });
   part.select('Accommodation', [['relaxed', 'Relaxed'], ['fixed', 'Fixed'], ['best', 'Best, everywhere']], (s) => eyeOf(s).accommodation, (s, word) => { eyeOf(s).accommodation = word; });
   part.slider('Focus', 'focus_D', ' D', 2, (s) => eyeOf(s).focus_D, (s, x) => { eyeOf(s).focus_D = x; }, (s) => eyeOf(s).accommodation === 'fixed');
-  part.slider('Amplitude', 'amplitude_D', ' D', 2, (s) => eyeOf(s).amplitude_D, (s, x) => { eyeOf(s).amplitude_D = x; }, (s) => eyeOf(s).accommodation === 'best');
+  const seeks = (s: State) => eyeOf(s).accommodation === 'best';
+  part.slider('Amplitude', 'amplitude_D', ' D', 2, (s) => eyeOf(s).amplitude_D, (s, x) => { eyeOf(s).amplitude_D = x; }, seeks);
+  part.slider('Usual at age', 'age_years', ' years', 0, (s) => ageOf(core, eyeOf(s).amplitude_D), (s, x) => { eyeOf(s).amplitude_D = core.amplitudeAtAge(x); }, seeks);
   return part;
 }
 
@@ -66,6 +74,9 @@ function glassesPart(change: Change, view: ViewData): FormPart {
   part.slider('Lens AXIS', 'axis_deg', '°', 0, (s) => glassesOf(s).axis_deg, (s, x) => { glassesOf(s).axis_deg = x; }, own);
   part.slider('Add', 'addition_D', ' D', 2, (s) => glassesOf(s).addition_D, (s, x) => { glassesOf(s).addition_D = x; }, (s) => glassesOf(s).kind === 'progressive');
   part.slider('Vertex dist.', 'vertex_mm', ' mm', 1, (s) => glassesOf(s).vertex_mm, (s, x) => { glassesOf(s).vertex_mm = x; }, single);
+  const worn = (s: State) => glassesOf(s).kind !== 'none';
+  part.check('Rim on the picture', (s) => s.rimOverlay, (s, on) => { s.rimOverlay = on; }, worn);
+  part.check('Map of the lens', (s) => s.lensMap, (s, on) => { s.lensMap = on; }, worn);
   part.select('Gaze', [['camera', 'Eye looks ahead'], ['foveal', 'Eye turns to each point']], (s) => s.camera.gaze, (s, word) => { s.camera.gaze = word; });
   return part;
 }

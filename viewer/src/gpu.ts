@@ -206,6 +206,25 @@ export class Gpu {
     gl.disable(gl.BLEND);
   }
 
+  /** A rectangle of four vertices that the program places, over what is there. */
+  rectangle(): void {
+    const { gl } = this;
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.BLEND);
+    gl.bindVertexArray(this.empty);
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+  }
+
+  /** A painted canvas as a texture that is read between its texels, its upper row first. */
+  painted(texture: WebGLTexture | null, canvas: HTMLCanvasElement): WebGLTexture {
+    const { gl } = this, made = texture ?? gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, made);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
+    this.nearest();
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.LINEAR);
+    return made;
+  }
+
   /** All pixels of a target, RGBA, the lowest row first. */
   read(target: Target): Float32Array {
     const { gl } = this;

@@ -18,6 +18,8 @@ const truth: Checker = (value, path) => {
   if (typeof value !== 'boolean') throw new LinkError(`${path} is ${short(value)}, expected true or false`);
   return value;
 };
+/** For what links have had only since it came. */
+const otherwise = (check: Checker, value: unknown): Checker => (given, path) => (given === undefined ? value : check(given, path));
 const list = (item: Checker, least: number, most: number): Checker => (value, path) => {
   if (!Array.isArray(value) || value.length < least || value.length > most) throw new LinkError(`${path} is ${short(value)}, expected a list of ${least === most ? least : `${least} to ${most}`}`);
   return value.map((v, k) => item(v, `${path}/${k}`));
@@ -27,8 +29,7 @@ const record = (keys: Record<string, Checker>): Checker => (value, path) => {
   const given = value as Record<string, unknown>;
   for (const key of Object.keys(given)) if (!Object.hasOwn(keys, key)) throw new LinkError(`${path}/${short(key)} is not known`);
   return Object.fromEntries(Object.entries(keys).map(([key, check]) => {
-    if (!Object.hasOwn(given, key)) throw new LinkError(`${path}/${key} is missing`);
-    return [key, check(given[key], `${path}/${key}`)];
+    return [key, check(Object.hasOwn(given, key) ? given[key] : undefined, `${path}/${key}`)];
   }));
 };
 
@@ -48,7 +49,7 @@ const glasses = record({
 const state = record({
   side: word(sides), eyes: record({ right: eye, left: eye }), glasses: record({ right: glasses, left: glasses }),
   camera: record({ position_m: list(number('position_m'), 3, 3), turn_deg: number('turn_deg'), tilt_deg: number('tilt_deg'), field_deg: number('field_deg'), gaze: word(gazes) }),
-  modes: list(word(modes), 1, 2), rayModel: word(rayModels), passes: number('passes'), exposure: number('exposure'), fieldOverlay: truth,
+  modes: list(word(modes), 1, 2), rayModel: word(rayModels), passes: number('passes'), exposure: number('exposure'), fieldOverlay: truth, rimOverlay: otherwise(truth, false), lensMap: otherwise(truth, false),
 });
 
 export function hashOf(shown: State): string {

@@ -1,8 +1,10 @@
-/** The picture in a headset: passes for each eye with its own prescription, from where the headset says that it is. */
+/** The picture in a headset: passes for each eye with its own prescription, from where the headset says that it is, and a panel of controls. */
 import type { App } from './app';
 import type { Pose } from './camera';
 import { EyeOptics, type SightTable } from './eye_optics';
 import type { Uniform } from './gpu';
+import { HeadsetPanel } from './headset_panel';
+import { PanelPlace, PanelPointing } from './headset_pointing';
 import type { Panel } from './pictures';
 import { sides, type Side, type State } from './state';
 
@@ -35,19 +37,23 @@ function poseOfView(view: XRView, width: number, height: number, start: Pose): P
 
 export class Headset {
   readonly eyes: Record<Side, EyeView>;
+  readonly panel: HeadsetPanel;
+  readonly pointing: PanelPointing;
   frames = 0;
-  private sharp = false;
+  private painted: WebGLTexture | null = null;
+  /** What the eyes wear and the panel shows. */
+  private shown: State | null = null;
+  private spaceIsDown = false;
 
   /** `start` is where the head is and which way ahead is when the session begins. */
   private constructor(private readonly app: App, private readonly session: XRSession, private readonly layer: XRWebGLLayer, private readonly space: XRReferenceSpace, private readonly start: Pose) {
-    const eye = (side: Side): EyeView => {
-      const optics = new EyeOptics(app.core), state: State = { ...app.state, side };
-      optics.wear(state, app.view);
-      return { optics, panel: null, state, uniforms: optics.uniforms(state, app.view), sights: null, edges: '', pose: null };
-    };
-    this.eyes = { right: eye('right'), left: eye('left') };
-    session.addEventListener('selectstart', () => { this.sharp = true; });
-    session.addEventListener('selectend', () => { this.sharp = false; });
+    const eye = (): EyeView => ({ optics: new EyeOptics(app.core), panel: null, state: app.state, uniforms: {}, sights: null, edges: '', pose: null });
+    this.eyes = { right: eye(), left: eye() };
+    this.panel = new HeadsetPanel(() => app.state, (edit) => app.change(edit), () => this.leave());
+    this.pointing = new PanelPointing(session, space, this.panel);
+    this.wear();
+    addEventListener('keydown', this.key);
+    addEventListener('keyup', this.key);
     session.requestAnimationFrame((_, frame) => this.frame(frame));
   }
 
@@ -68,6 +74,9 @@ export class Headset {
   }
 
   release(): void {
+    removeEventListener('keydown', this.key);
+    removeEventListener('keyup', this.key);
+    this.app.gpu.gl.deleteTexture(this.painted);
     for (const side of sides) {
       const { panel, optics } = this.eyes[side];
       if (panel) this.app.gpu.release(panel.sum);
@@ -75,14 +84,56 @@ export class Headset {
     }
   }
 
+  private readonly key = (event: KeyboardEvent) => {
+    if (event.key === ' ') this.spaceIsDown = event.type === 'keydown';
+  };
+
+  private get isSharp(): boolean {
+    return this.panel.sharp || this.pointing.isHeld || this.spaceIsDown;
+  }
+
+  /** Both eyes as the page's state says, and the panel; while a progressive lens is being made an eye keeps what it wore. */
+  private wear(): void {
+    const { app } = this;
+    let done = true;
+    for (const side of sides) {
+      const eye = this.eyes[side], state: State = { ...app.state, side };
+      if (!eye.optics.wear(state, app.view, app.lenses)) {
+        done = false;
+        continue;
+      }
+      Object.assign(eye, { state, uniforms: eye.optics.uniforms(state, app.view), sights: eye.pose && eye.optics.sights(state, eye.pose) });
+    }
+    if (done) this.shown = app.state;
+    this.panel.isStale = true;
+  }
+
+  /** What the core refuses is said on the page; the eyes keep what they wore. */
+  private follow(frame: XRFrame): void {
+    this.pointing.follow(frame);
+    try {
+      if (this.shown !== this.app.state) this.wear();
+    } catch (problem) {
+      this.shown = this.app.state;
+      this.app.say((problem as Error).message);
+    }
+    if (!this.panel.isStale) return;
+    this.panel.paint();
+    this.painted = this.app.gpu.painted(this.painted, this.panel.canvas);
+  }
+
   private frame(frame: XRFrame): void {
     this.session.requestAnimationFrame((_, next) => this.frame(next));
     const pose = frame.getViewerPose(this.space);
     if (!pose) return;
+    this.pointing.place ??= new PanelPlace(pose.transform, this.panel.canvas.width / this.panel.canvas.height);
+    this.follow(frame);
     this.app.pictures.setPasses(passes);
     for (const view of pose.views) {
       const port = this.layer.getViewport(view);
-      if (port) this.draw(this.eyes[view.eye === 'left' ? 'left' : 'right'], view, port);
+      if (!port) continue;
+      this.draw(this.eyes[view.eye === 'left' ? 'left' : 'right'], view, port);
+      this.drawPanel(view);
     }
     ++this.frames;
   }
@@ -100,9 +151,20 @@ export class Headset {
     const panel = eye.panel as Panel, best = eye.state.eyes[eye.state.side].accommodation === 'best';
     pictures.setEye({ ...eye.uniforms }, eye.sights, best ? eye.optics.focusTable(eye.pose) : null);
     pictures.setPose(eye.pose);
-    panel.mode = this.sharp ? 'sharp' : 'raster';
+    panel.mode = this.isSharp ? 'sharp' : 'raster';
     pictures.restart(panel);
-    for (let k = 0; k < (this.sharp ? 1 : passes); ++k) pictures.step(panel, 0);
+    for (let k = 0; k < (this.isSharp ? 1 : passes); ++k) pictures.step(panel, 0);
     pictures.showIn(this.layer.framebuffer, panel, port, state.exposure);
+  }
+
+  /** Over the picture and without its blur, in the part of the framebuffer that was drawn last. */
+  private drawPanel(view: XRView): void {
+    const { place, pointed } = this.pointing;
+    if (!place || !this.painted) return;
+    this.app.pictures.programs.use('panel').texture('u_painted', this.painted).set({
+      u_projection: view.projectionMatrix, u_view: view.transform.inverse.matrix, u_middle: place.middle, u_right: place.right, u_up: place.up,
+      u_pointed: pointed ?? [-1, -1], u_aspect: this.panel.canvas.width / this.panel.canvas.height,
+    });
+    this.app.gpu.rectangle();
   }
 }

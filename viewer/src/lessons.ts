@@ -1,4 +1,4 @@
-/** Five states for teachers, with two sentences each. They change the eye and the modes and leave the scene. */
+/** Five states for teachers, with two sentences each. They change the eye and the modes, and begin where the view does. */
 import { startEye, startGlasses, type State } from './state';
 
 export interface Lesson {
@@ -11,7 +11,7 @@ function eye(state: State, numbers: Partial<typeof startEye>): void {
   state.eyes[state.side] = { ...startEye, pupil_mm: 5, ...numbers };
   state.glasses[state.side] = { ...startGlasses };
   state.rayModel = 'power_matrix';
-  state.fieldOverlay = false;
+  state.fieldOverlay = state.rimOverlay = state.lensMap = false;
 }
 
 export const lessons: readonly Lesson[] = [
@@ -33,7 +33,13 @@ export const lessons: readonly Lesson[] = [
   {
     title: 'Presbyopia',
     text: 'At sixty an eye accommodates by about half a dioptre, so what is nearer than two metres blurs. Put on the progressive spectacles and let the eye turn: through their lower part what is near is sharp, and beside the corridor it is not.',
-    set: (s) => { eye(s, { accommodation: 'best', amplitude_D: 0.5 }); s.camera.gaze = 'foveal'; s.modes = ['raster']; },
+    set: (s) => {
+      eye(s, { accommodation: 'best', amplitude_D: 0.5 });
+      s.modes = ['raster'];
+      s.lensMap = true;
+      // The head is up, so that what is near lies where the lens has its near zone.
+      Object.assign(s.camera, { gaze: 'foveal', tilt_deg: s.camera.tilt_deg + 15, field_deg: Math.max(80, s.camera.field_deg) });
+    },
   },
   {
     title: 'sin² and the truth',

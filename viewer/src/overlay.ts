@@ -13,11 +13,12 @@ export class Overlay {
   private readonly element = byId<SVGSVGElement>('overlay');
 
   /** `panels` copies beside each other, each `width` × `height` picture pixels. */
-  show(width: number, height: number, panels: number, pointer: PlacedEllipse | null, field: PlacedEllipse[]): void {
+  show(width: number, height: number, panels: number, pointer: PlacedEllipse | null, field: PlacedEllipse[], rim: [number, number][]): void {
     this.element.setAttribute('viewBox', `0 0 ${width * panels} ${height}`);
     const shapes: SVGElement[] = [];
     for (let k = 0; k < panels; ++k) {
       const moved = (e: PlacedEllipse) => ({ ...e, x: e.x + k * width });
+      if (rim.length > 0) shapes.push(svg('polygon', { class: 'rim', points: rim.map(([x, y]) => `${(x + k * width).toFixed(1)},${y.toFixed(1)}`).join(' ') }));
       for (const e of field) shapes.push(drawn(moved(e), 'field'));
       if (pointer) shapes.push(drawn(moved(pointer), 'under'), drawn(moved(pointer), 'pointer'));
     }

@@ -8,6 +8,8 @@ import intersect from '../shaders/intersect.glsl';
 import light from '../shaders/light.glsl';
 import meshFragment from '../shaders/mesh.frag.glsl';
 import meshVertex from '../shaders/mesh.vert.glsl';
+import panelFragment from '../shaders/panel.frag.glsl';
+import panelVertex from '../shaders/panel.vert.glsl';
 import random from '../shaders/random.glsl';
 import rayModels from '../shaders/ray_models.glsl';
 import scatter from '../shaders/scatter.glsl';
@@ -32,6 +34,7 @@ const sources = {
   add: [[fill], [add]],
   show: [[fill], [show]],
   slopes: [[fill], [...seeing, slopes]],
+  panel: [[panelVertex], [panelFragment]],
 } as const;
 export type ProgramName = keyof typeof sources;
 
