@@ -103,6 +103,6 @@ export class Headset {
     panel.mode = this.sharp ? 'sharp' : 'raster';
     pictures.restart(panel);
     for (let k = 0; k < (this.sharp ? 1 : passes); ++k) pictures.step(panel, 0);
-    pictures.showIn(this.layer.framebuffer, panel, port, state.exposure);
+    pictures.showIn(this.layer.framebuffer, panel.sum, port, state.exposure);
   }
 }
