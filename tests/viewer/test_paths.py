@@ -37,11 +37,13 @@ class Paths(PageTest):
         self.page_of(view)
         program = displayed(self.rendered(view))
         few, filtered, many, many_filtered = (displayed(self.measured(f"picture('path', {n}, {f})")) for n in (4, 64) for f in ("false", "true"))
-        errors = [rmse(picture, program) for picture in (few, filtered, many, many_filtered)]
+        # Below the lamp: its rim is noise of where rays go, which is no noise of light.
+        below = 3 * 48 * 10
+        errors = [rmse(picture[below:], program[below:]) for picture in (few, filtered, many, many_filtered)]
         print("RMSE of 4 paths, filtered, of 64, filtered: " + ", ".join(f"{e:.4f}" for e in errors))
         self.assertLess(errors[1], 0.6 * errors[0])
         # With more paths there is less to take, and nothing is lost that was there.
-        self.assertLess(errors[3], 1.1 * errors[2])
+        self.assertLess(errors[3], 1.05 * errors[2])
 
     def test_pictures_grow_and_begin_anew(self):
         self.page_of(view_of({"vfov_deg": 39.3, "resolution": [32, 32]}, 4))

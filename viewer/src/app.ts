@@ -216,15 +216,16 @@ export class App {
   }
 
   private showNumbers(): void {
-    const x = this.pointing.at.x * this.width, y = this.pointing.at.y * this.height, { gaze, distance } = this.distanceTo(x, y);
+    const flat = !this.state.modes.includes('sphere');  // on a sphere the pointer names no place of the picture that is drawn upon
+    const x = (flat ? this.pointing.at.x : 0.5) * this.width, y = (flat ? this.pointing.at.y : 0.5) * this.height, { gaze, distance } = this.distanceTo(x, y);
     this.readout.show(this.eye.optics, this.state, gaze, distance);
     const field: PlacedEllipse[] = [];
-    if (this.state.fieldOverlay)
+    if (this.state.fieldOverlay && flat)
       for (let j = 0; j < 5; ++j) for (let i = 0; i < 7; ++i) {
         const e = this.placed(((i + 0.5) * this.width) / 7, ((j + 0.5) * this.height) / 5);
         if (e) field.push(e);
       }
-    this.overlay.show(this.width, this.height, this.panels.length, this.placed(x, y), field);
+    this.overlay.show(this.width, this.height, this.panels.length, flat ? this.placed(x, y) : null, field);
   }
 
   private saveView(): void {
