@@ -100,8 +100,8 @@ def rectangle(x, y, z, half_width, half_height, turn=0.0):
 QUADS = (("wall", rectangle(0, 0, -6, 4, 4), 8), ("far", rectangle(0.35, -0.25, -2.5, 0.3, 0.12, 0.5), 12), ("middle", rectangle(-0.2, 0.1, -1, 0.09, 0.14, -0.3), 10),
          ("near", rectangle(0.05, 0.06, -0.4, 0.03, 0.02, 1.0), 15))
 # Seen away from the middle of a lens, upper right and lower left.
-QUADS_ASIDE = (("wall", rectangle(0, 0, -6, 12, 12), 8), ("far", rectangle(1.7, 1.2, -2.5, 0.5, 0.2, 0.5), 12), ("middle", rectangle(-0.55, -0.6, -1, 0.2, 0.1, -0.3), 10),
-               ("near", rectangle(0.3, 0.16, -0.4, 0.07, 0.04, 1.0), 15), ("lower", rectangle(-0.9, 0.75, -1.2, 0.2, 0.13, 0.8), 13))
+QUADS_ASIDE = (("wall", rectangle(0, 0, -6, 12, 12), 8), ("far", rectangle(1.1, 0.8, -2.5, 0.4, 0.16, 0.5), 12), ("middle", rectangle(-0.4, -0.42, -1, 0.15, 0.08, -0.3), 10),
+               ("near", rectangle(0.17, 0.11, -0.4, 0.05, 0.03, 1.0), 15), ("lower", rectangle(-0.55, 0.5, -1.2, 0.14, 0.1, 0.8), 13))
 
 
 def emissive_view(size=128, quads=QUADS, vfov_deg=36):
