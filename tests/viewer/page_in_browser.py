@@ -103,13 +103,18 @@ def rectangle(x, y, z, half_width, half_height, turn=0.0):
             ((-half_width, -half_height), (half_width, -half_height), (half_width, half_height), (-half_width, half_height))]
 
 
-def emissive_view(size=128):
-    """Glowing rectangles at 0.4, 1 and 2.5 m before a wall at 6 m, no two alike, nothing symmetric. Radiances are multiples of 1/32, so that sums
+QUADS = (("wall", rectangle(0, 0, -6, 4, 4), 8), ("far", rectangle(0.35, -0.25, -2.5, 0.3, 0.12, 0.5), 12), ("middle", rectangle(-0.2, 0.1, -1, 0.09, 0.14, -0.3), 10),
+         ("near", rectangle(0.05, 0.06, -0.4, 0.03, 0.02, 1.0), 15))
+# Seen away from the middle of a lens, upper right and lower left.
+QUADS_ASIDE = (("wall", rectangle(0, 0, -6, 12, 12), 8), ("far", rectangle(1.1, 0.8, -2.5, 0.4, 0.16, 0.5), 12), ("middle", rectangle(-0.4, -0.42, -1, 0.15, 0.08, -0.3), 10),
+               ("near", rectangle(0.17, 0.11, -0.4, 0.05, 0.03, 1.0), 15), ("lower", rectangle(-0.55, 0.5, -1.2, 0.14, 0.1, 0.8), 13))
+
+
+def emissive_view(size=128, quads=QUADS, vfov_deg=36):
+    """Glowing rectangles at 0.4 to 2.5 m before a wall at 6 m, no two alike, nothing symmetric. Radiances are multiples of 1/32, so that sums
     over passes are exact in single precision, and lie within a factor of 1.9, so that no lamp gets passes of its own."""
-    quads = [("wall", rectangle(0, 0, -6, 4, 4), 8), ("far", rectangle(0.35, -0.25, -2.5, 0.3, 0.12, 0.5), 12), ("middle", rectangle(-0.2, 0.1, -1, 0.09, 0.14, -0.3), 10),
-             ("near", rectangle(0.05, 0.06, -0.4, 0.03, 0.02, 1.0), 15)]
     scene = {"format": "sturm.scene/1", "materials": {name: {"emission": [k / 16, k / 16 - 1 / 32, (8 + (k + 3) % 7) / 16]} for name, _, k in quads},
              "meshes": [{"name": name, "material": name, "positions_m": corners, "faces": [[0, 1, 2, 3]]} for name, corners, _ in quads]}
-    return {"format": "sturm.render/1", "scene": scene, "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 36, "resolution": [size, size]},
+    return {"format": "sturm.render/1", "scene": scene, "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": vfov_deg, "resolution": [size, size]},
             "eye": {"prescription": {"sphere_D": -6, "cylinder_D": -3, "axis_deg": 30, "vertex_distance_mm": 0}, "pupil_diameter_mm": 6, "accommodation": {"mode": "relaxed"}},
             "method": {"type": "predict", "prediction": "multipass", "passes": 64}, "seed": 1}

@@ -9,12 +9,13 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   int vertex = texel.y * 1024 + texel.x;
   if (vertex >= u_vertex_count) discard;
-  seed_random(uvec2(texel), u_sample);
+  seed_random(uint(vertex), u_sample);
   vec4 a = fetch_line(u_vertices, 2 * vertex);
   vec3 normal = fetch_line(u_vertices, 2 * vertex + 1).xyz;
   Surface at = Surface(a.xyz, normal, normal, u_matt_material, -1, vec3(1.0), vec3(0.0));
   const int lamps = 2;
   vec3 direct = vec3(0.0), origin = off_surface(a.xyz, normal);
+  begin_vertex(u_max_bounces);
   for (int k = 0; k < lamps; ++k) direct += light_through_coat(origin, normal, u_matt_material);
   result = vec4(path_from(at, -normal, true) + direct / float(lamps), 1.0);
 }

@@ -1,4 +1,4 @@
-/// What a ray met: materials, textures, surroundings. Tables are written by src/scene_tables.ts.
+/// What a ray met: materials and textures. Tables are written by src/scene_tables.ts.
 const int diffuse = 0, conductor = 1, dielectric = 2, plastic = 3;
 const int material_texels = 10, light_texels = 5, attribute_texels = 9;
 
@@ -7,9 +7,6 @@ uniform sampler2D u_attributes;  // of triangles, in the order of the tree
 uniform bool u_has_attributes;
 uniform sampler2D u_texels;
 uniform sampler2D u_textures;    // first texel, width, height
-uniform vec3 u_environment;
-uniform int u_environment_texture;  // −1: one colour
-uniform float u_environment_turn;   // [rad]
 
 struct Surface {
   vec3 position, normal, shading_normal;  // normals on the side that emits
@@ -66,13 +63,6 @@ vec3 emission_of(int material, vec2 coordinate) {
   vec3 emission = material_texel(material, 1).rgb;
   int number = int(material_texel(material, 4).w);
   return number < 0 ? emission : emission * mapped(material, 7, number, coordinate);
-}
-
-vec3 environment_along(vec3 direction) {
-  if (u_environment_texture < 0) return u_environment;
-  vec3 d = normalize(direction);
-  float right = atan(d.x, -d.z) - u_environment_turn;
-  return u_environment * texture_at(u_environment_texture, vec2(0.5 + right / (2.0 * pi), 0.5 + asin(clamp(d.y, -1.0, 1.0)) / pi), ivec2(1, 0), false);
 }
 
 Surface sphere_surface(Hit hit, vec3 origin, vec3 direction) {

@@ -10,6 +10,7 @@ mat3 frame_about(vec3 n) {
 vec3 path_from(Surface at, vec3 direction, bool lit) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   for (int bounce = 0; bounce < u_max_bounces; ++bounce) {
+    begin_vertex(bounce);
     bool inside = dot(at.normal, direction) > 0.0;
     float side = inside ? -1.0 : 1.0;
     vec3 normal = side * at.normal;
@@ -38,7 +39,8 @@ vec3 path_from(Surface at, vec3 direction, bool lit) {
     else if (dot(direction, normal) <= 0.0) break;
     Hit hit = first_hit(origin, direction, never, false);
     if (hit.triangle < 0 && hit.sphere < 0) {
-      sum += throughput * environment_along(direction);
+      float share = next.lambertian ? way_share(next.direction.z / pi, environment_density(direction)) : 1.0;
+      sum += throughput * share * environment_along(direction);
       break;
     }
     at = surface_at(hit, origin, direction);
@@ -47,11 +49,15 @@ vec3 path_from(Surface at, vec3 direction, bool lit) {
   return sum;
 }
 
-/// What comes along a ray whose first hit is known.
-vec3 radiance_along(Hit hit, vec3 origin, vec3 direction) {
-  if (hit.triangle < 0 && hit.sphere < 0) return environment_along(direction);
+/// What comes along a ray whose first hit is known, and what the hit looks like: its own colour (of what shines, its light) and normal.
+vec3 radiance_along(Hit hit, vec3 origin, vec3 direction, out vec3 colour, out vec3 normal) {
+  normal = vec3(0.0);
+  if (hit.triangle < 0 && hit.sphere < 0) return colour = environment_along(direction);
   Surface at = surface_at(hit, origin, direction);
+  normal = dot(at.shading_normal, direction) > 0.0 ? -at.shading_normal : at.shading_normal;
   vec3 sum = shines_towards(at, direction) ? at.emission : vec3(0.0);
-  bool scatters = max(at.albedo.x, max(at.albedo.y, at.albedo.z)) > 0.0 || int(material_texel(at.material, 0).w) != diffuse;
+  int type = int(material_texel(at.material, 0).w);
+  bool scatters = max(at.albedo.x, max(at.albedo.y, at.albedo.z)) > 0.0 || type != diffuse;
+  colour = sum + (type == conductor || type == dielectric ? vec3(1.0) : at.albedo);
   return scatters ? sum + path_from(at, direction, false) : sum;
 }

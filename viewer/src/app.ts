@@ -22,10 +22,10 @@ import { Readout } from './readout';
 import { download, viewDocument } from './save';
 import type { SceneData, Vec3 } from './scene_file';
 import { SceneTree } from './scene_tree';
-import type { Mode, State } from './state';
+import { isTraced, type Mode, type State } from './state';
 import { startState, type ViewData } from './view_data';
 
-const modeWords: Record<Mode, string> = { sharp: 'sharp', raster: 'passes', gather: 'traced passes', path: 'samples' };
+const modeWords: Record<Mode, string> = { sharp: 'sharp', raster: 'passes', gather: 'traced passes', path: 'samples', sphere: 'samples' };
 
 export class App {
   state: State;
@@ -53,6 +53,8 @@ export class App {
   /** Nothing is drawn on its own while a script measures. */
   held = false;
   headset: Headset | null = null;
+  /** After the page was asked for. */
+  firstPicture_ms = 0;
   private hashTimer = 0;
 
   constructor(readonly core: Core, readonly view: ViewData, private readonly data: SceneData) {
@@ -189,10 +191,14 @@ export class App {
     else if (open.length === 0) return false;
     for (const p of open) {
       // A unit of work is a pass of the rasteriser or four rows of rays.
-      if (p.mode === 'gather' || p.mode === 'path') this.pictures.step(p, 4 * allowed);
+      if (isTraced(p.mode)) this.pictures.step(p, 4 * allowed);
       else for (let k = 0; k < allowed && p.passes < this.pictures.goal(p.mode); ++k) this.pictures.step(p, 0);
     }
-    this.pictures.show(this.panels, this.canvas, this.state.exposure);
+    this.showPanels();
+    if (this.firstPicture_ms === 0) {
+      this.panels.forEach((p) => this.gpu.finish(p.sum));
+      this.firstPicture_ms = performance.now();
+    }
     this.showStatus();
     return true;
   }
@@ -204,8 +210,12 @@ export class App {
     if ((n & (n - 1)) === 0) this.panels.filter((p) => p.mode === 'sharp' || p.mode === 'raster').forEach((p) => this.pictures.restart(p));
   }
 
+  private showPanels(): void {
+    this.pictures.show(this.panels, this.canvas, this.state.exposure, this.state.filter);
+  }
+
   private showStatus(): void {
-    const counts = this.panels.map((p) => `${modeWords[p.mode]} ${p.passes}${p.mode === 'path' ? '' : ` of ${this.pictures.goal(p.mode)}`}`);
+    const counts = this.panels.map((p) => `${modeWords[p.mode]} ${p.passes} of ${this.pictures.goal(p.mode)}`);
     const light = this.scene.lightIsSettled ? '' : ` · light ${this.scene.bakedSamples} of 64`;
     byId('status').textContent = `${counts.join(' | ')} · ${this.pace.frame_ms.toFixed(0)} ms a frame${light}`;
   }
@@ -226,15 +236,16 @@ export class App {
   }
 
   private showNumbers(): void {
-    const x = this.pointing.at.x * this.width, y = this.pointing.at.y * this.height, { gaze, distance } = this.distanceTo(x, y);
+    const flat = !this.state.modes.includes('sphere');  // on a sphere the pointer names no place of the picture that is drawn upon
+    const x = (flat ? this.pointing.at.x : 0.5) * this.width, y = (flat ? this.pointing.at.y : 0.5) * this.height, { gaze, distance } = this.distanceTo(x, y);
     this.readout.show(this.eye.optics, this.state, gaze, distance);
     const field: PlacedEllipse[] = [];
-    if (this.state.fieldOverlay)
+    if (this.state.fieldOverlay && flat)
       for (let j = 0; j < 5; ++j) for (let i = 0; i < 7; ++i) {
         const e = this.placed(((i + 0.5) * this.width) / 7, ((j + 0.5) * this.height) / 5);
         if (e) field.push(e);
       }
-    this.overlay.show(this.width, this.height, this.panels.length, this.placed(x, y), field, this.rim);
+    this.overlay.show(this.width, this.height, this.panels.length, flat ? this.placed(x, y) : null, field, this.rim);
     if (this.state.lensMap && this.eye.lens) this.lensMap.show(this.eye.optics, this.eye.worn, distance);
     else this.lensMap.hide();
   }
@@ -245,7 +256,7 @@ export class App {
   }
 
   private savePicture(): void {
-    this.pictures.show(this.panels, this.canvas, this.state.exposure);
+    this.showPanels();
     this.canvas.toBlob((blob) => { if (blob) download('picture.png', blob); });
   }
 
@@ -253,8 +264,8 @@ export class App {
     if (!(await programAnswers())) return;
     button.hidden = false;
     new NativeRender(button, () => {
-      this.pictures.show(this.panels, this.canvas, this.state.exposure);
-      const picture = this.panels.length === 1 && this.state.exposure === 1 ? this.canvas.toDataURL('image/png') : null;
+      this.showPanels();
+      const picture = this.panels.length === 1 && this.state.exposure === 1 && !this.state.filter ? this.canvas.toDataURL('image/png') : null;
       return { view: viewDocument(this.state, this.view, this.width, this.height), picture };
     });
   }

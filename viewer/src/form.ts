@@ -2,7 +2,7 @@
 import { FormPart, type Bound, type Change } from './controls';
 import type { Core } from './core_module';
 import { lessons } from './lessons';
-import { ranges, type EyeState, type GlassesState, type Mode, type RayModel, type Side, type State } from './state';
+import { isTraced, ranges, type EyeState, type GlassesState, type Mode, type RayModel, type Side, type State } from './state';
 import type { ViewData } from './view_data';
 
 export interface FormActions {
@@ -18,7 +18,7 @@ export interface FormActions {
 }
 
 const modeNames: readonly (readonly [Mode, string])[] = [
-  ['sharp', 'Sharp'], ['raster', 'Passes, rasterised'], ['gather', 'Passes, traced'], ['path', 'Path traced'],
+  ['sharp', 'Sharp'], ['raster', 'Passes, rasterised'], ['gather', 'Passes, traced'], ['path', 'Path traced'], ['sphere', 'Path traced, whole sphere'],
 ];
 const modelNames: readonly (readonly [RayModel, string])[] = [
   ['power_matrix', 'Power matrix'], ['sin2_radial', 'sin² (radial)'], ['metalstigmatism', 'Metalstigmatism'], ['thin_lens', 'Thin lens'], ['zernike', 'Zernike wavefront'], ['pinhole', 'Pinhole'],
@@ -82,11 +82,12 @@ function glassesPart(change: Change, view: ViewData): FormPart {
 }
 
 function picturePart(change: Change): FormPart {
-  const part = new FormPart('Picture', change), traced = (s: State) => s.modes.includes('path');
+  const part = new FormPart('Picture', change), paths = (s: State) => s.modes.some((m) => m === 'path' || m === 'sphere');
   part.select('Mode', modeNames, (s) => s.modes[0], (s, mode) => { s.modes[0] = mode; });
   part.select('Beside it', [['nothing', 'Nothing'], ...modeNames], (s) => s.modes[1] ?? 'nothing', (s, mode) => { s.modes = mode === 'nothing' ? [s.modes[0]] : [s.modes[0], mode]; });
-  part.select('Ray model', modelNames, (s) => s.rayModel, (s, model) => { s.rayModel = model; }, traced);
+  part.select('Ray model', modelNames, (s) => s.rayModel, (s, model) => { s.rayModel = model; }, paths);
   part.select('Passes', [['16', '16'], ['64', '64'], ['256', '256']], (s) => String(s.passes), (s, n) => { s.passes = Number(n); }, (s) => s.modes.some((m) => m === 'raster' || m === 'gather'));
+  part.check('Filter noise', (s) => s.filter, (s, on) => { s.filter = on; }, (s) => s.modes.some(isTraced));
   part.slider('Brightness', 'exposure', '', 2, (s) => s.exposure, (s, x) => { s.exposure = x; });
   part.slider('Field', 'field_deg', '°', 1, (s) => s.camera.field_deg, (s, x) => { s.camera.field_deg = x; });
   part.check('Ellipses over the field', (s) => s.fieldOverlay, (s, on) => { s.fieldOverlay = on; });

@@ -4,6 +4,8 @@ export type Uniform = number | boolean | ReadonlyArray<number> | Float32Array;
 
 export interface Target {
   texture: WebGLTexture;
+  /** Further ones that a shader writes at the same time. */
+  more: WebGLTexture[];
   framebuffer: WebGLFramebuffer;
   depth: WebGLRenderbuffer | null;
   width: number;
@@ -149,12 +151,18 @@ export class Gpu {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   }
 
-  target(width: number, height: number, withDepth = false): Target {
+  target(width: number, height: number, withDepth = false, further = 0): Target {
     const { gl } = this;
     const texture = this.floats(null, width, height);
     const framebuffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    const more = Array.from({ length: further }, (_, k) => {
+      const also = this.floats(null, width, height);
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT1 + k, gl.TEXTURE_2D, also, 0);
+      return also;
+    });
+    gl.drawBuffers(Array.from({ length: 1 + further }, (_, k) => gl.COLOR_ATTACHMENT0 + k));
     let depth: WebGLRenderbuffer | null = null;
     if (withDepth) {
       depth = gl.createRenderbuffer();
@@ -162,14 +170,14 @@ export class Gpu {
       gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
     }
-    const target = { texture, framebuffer, depth, width, height };
+    const target = { texture, more, framebuffer, depth, width, height };
     this.clear(target);
     return target;
   }
 
   release(target: Target): void {
     const { gl } = this;
-    gl.deleteTexture(target.texture);
+    [target.texture, ...target.more].forEach((texture) => gl.deleteTexture(texture));
     gl.deleteFramebuffer(target.framebuffer);
     if (target.depth) gl.deleteRenderbuffer(target.depth);
   }

@@ -1,9 +1,10 @@
 /** A scene on the graphics card: tables for rays, a mesh for the rasteriser, and the light at its vertices. */
+import { luminance } from './colour';
 import { drawnMesh, neighboursOf } from './drawn_mesh';
 import type { Gpu, Program, Target, Uniform } from './gpu';
 import type { Programs } from './programs';
 import type { SceneData, Vec3 } from './scene_file';
-import { luminance, sceneTables } from './scene_tables';
+import { sceneTables } from './scene_tables';
 import type { SceneTree } from './scene_tree';
 
 /** Largest edge of the drawn mesh, as seen from the eye: chief rays through strong spectacles bend by 2e-4 rad within it. */
@@ -42,12 +43,13 @@ export class GpuScene {
       u_bounds: gpu.floatLine(tables.bounds), u_nodes: gpu.uintLine(tables.nodes), u_corners: gpu.floatLine(tables.corners),
       u_attributes: gpu.floatLine(tables.attributes ?? new Float32Array(4)), u_materials: gpu.floatLine(tables.materials), u_texels: gpu.floatLine(tables.texels),
       u_textures: gpu.floatLine(tables.textures), u_spheres: gpu.floatLine(tables.spheres), u_lights: gpu.floatLine(tables.lights),
+      u_environment_rows: gpu.floatLine(tables.environmentRows),
     };
     this.hasSurroundings = environment !== null;
     this.uniforms = {
       u_sphere_count: tables.sphereCount, u_has_triangles: scene.triangles.length > 0, u_has_attributes: tables.attributes !== null,
       u_environment: environment ? environment.radiance : [0, 0, 0], u_environment_texture: environment?.texture ?? -1, u_environment_turn: environment?.rotation_rad ?? 0,
-      u_light_count: tables.lightCount, u_matt_material: tables.mattMaterial,
+      u_light_count: tables.lightCount, u_environment_share: tables.environmentShare, u_matt_material: tables.mattMaterial,
     };
     const mesh = drawnMesh(scene, eye, edge_rad);
     this.triangleCount = mesh.index.length / 3;
@@ -102,7 +104,7 @@ export class GpuScene {
   gatherLight(programs: Programs, rowsAtOnce: number, maxBounces: number): boolean {
     const { gl } = this.gpu, rows = Math.min(rowsAtOnce, this.baked.height - this.bakedRows);
     this.bind(programs.use('bake')).texture('u_vertices', this.places)
-      .set({ u_vertex_count: this.vertexCount, u_sample: this.bakedSamples, u_max_bounces: maxBounces });
+      .set({ u_vertex_count: this.vertexCount, u_sample: this.bakedSamples, u_seed: 1, u_max_bounces: maxBounces });
     this.gpu.into(this.baked);
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(0, this.bakedRows, bakeWidth, rows);

@@ -49,7 +49,7 @@ const glasses = record({
 const state = record({
   side: word(sides), eyes: record({ right: eye, left: eye }), glasses: record({ right: glasses, left: glasses }),
   camera: record({ position_m: list(number('position_m'), 3, 3), turn_deg: number('turn_deg'), tilt_deg: number('tilt_deg'), field_deg: number('field_deg'), gaze: word(gazes) }),
-  modes: list(word(modes), 1, 2), rayModel: word(rayModels), passes: number('passes'), exposure: number('exposure'), fieldOverlay: truth, rimOverlay: otherwise(truth, false), lensMap: otherwise(truth, false),
+  modes: list(word(modes), 1, 2), rayModel: word(rayModels), passes: number('passes'), exposure: number('exposure'), filter: truth, fieldOverlay: truth, rimOverlay: otherwise(truth, false), lensMap: otherwise(truth, false),
 });
 
 export function hashOf(shown: State): string {

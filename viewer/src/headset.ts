@@ -154,7 +154,7 @@ export class Headset {
     panel.mode = this.isSharp ? 'sharp' : 'raster';
     pictures.restart(panel);
     for (let k = 0; k < (this.isSharp ? 1 : passes); ++k) pictures.step(panel, 0);
-    pictures.showIn(this.layer.framebuffer, panel, port, state.exposure);
+    pictures.showIn(this.layer.framebuffer, panel.sum, port, state.exposure);
   }
 
   /** Over the picture and without its blur, in the part of the framebuffer that was drawn last. */

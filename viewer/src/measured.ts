@@ -1,6 +1,6 @@
 /** Whole pictures on request, for scripts that compare them with the program's. */
 import type { App } from './app';
-import type { Panel } from './pictures';
+import type { Target } from './gpu';
 import { viewDocument } from './save';
 import type { Mode, Side } from './state';
 
@@ -12,8 +12,8 @@ function base64(values: Float32Array): string {
 }
 
 /** RGB as 32-bit floats in base64, the upper row first: mean over what was added to each pixel. */
-function pixelsOf(app: App, panel: Panel): string {
-  const { width, height } = panel.sum, sums = app.gpu.read(panel.sum), result = new Float32Array(3 * width * height);
+function pixelsOf(app: App, sum: Target): string {
+  const { width, height } = sum, sums = app.gpu.read(sum), result = new Float32Array(3 * width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {
       const from = 4 * ((height - 1 - y) * width + x), weight = sums[from + 3] ?? 0;
@@ -32,12 +32,12 @@ export class Measured {
     if (!app.prepare(true)) throw new Error(document.getElementById('message')?.textContent ?? '');
   }
 
-  /** `samples` passes (0: all that the mode has). */
-  picture(mode: Mode, samples: number): string {
+  /** `samples` passes (0: the first round, as the program makes them), on request filtered. */
+  picture(mode: Mode, samples: number, filter = false, seed = 1): string {
     this.ready();
-    const { pictures, width, height, gpu } = this.app, panel = pictures.panel(mode, width, height), end = samples || pictures.goal(mode);
+    const { pictures, width, height, gpu } = this.app, panel = pictures.panel(mode, width, height, seed), end = samples || pictures.round(mode);
     while (panel.passes < end) pictures.step(panel, 64);
-    const pixels = pixelsOf(this.app, panel);
+    const pixels = pixelsOf(this.app, filter ? pictures.filtered(panel) : panel.sum);
     gpu.release(panel.sum);
     return pixels;
   }
@@ -60,8 +60,8 @@ export class Measured {
 
   private interleavedOf(width: number, height: number): string {
     const { pictures, gpu, state } = this.app, panel = pictures.panel('raster', width, height);
-    for (let set = 0; set < 16; ++set) for (let pass = 0; pass < state.passes; ++pass) pictures.drawn(panel, pass, set);
-    const pixels = pixelsOf(this.app, panel);
+    for (let set = 0; set < 16; ++set) for (let pass = 0; pass < state.passes; ++pass) pictures.drawn(panel, pass, set, true);
+    const pixels = pixelsOf(this.app, panel.sum);
     gpu.release(panel.sum);
     return pixels;
   }

@@ -4,11 +4,14 @@ import type { Pose } from './camera';
 import type { SightTable } from './eye_optics';
 import type { Gpu, Target, Uniform } from './gpu';
 import type { GpuScene } from './gpu_scene';
+import { NoiseFilter } from './noise_filter';
 import { Programs } from './programs';
-import type { Mode } from './state';
+import { isTraced, type Mode } from './state';
 
 export interface Panel {
   mode: Mode;
+  /** Of its random numbers. */
+  seed: number;
   sum: Target;
   /** Complete ones, and rows of the next. */
   passes: number;
@@ -17,6 +20,9 @@ export interface Panel {
 
 /** Passes of a sharp picture: places within the pixel. */
 const sharpPasses = 16;
+const manyPaths = 4096;
+/** Of points of the pupil, one for each pixel of a square of 4 × 4. */
+const sets = 16;
 
 /** Steps through 0 … count − 1 so that the first few are spread over all. */
 export function spreadOrder(count: number): number[] {
@@ -28,6 +34,7 @@ export function spreadOrder(count: number): number[] {
 
 export class Pictures {
   readonly programs: Programs;
+  private readonly filter: NoiseFilter;
   private eye: Record<string, Uniform> = {};
   private pose: Pose | null = null;
   private sights: WebGLTexture;
@@ -39,6 +46,7 @@ export class Pictures {
 
   constructor(readonly gpu: Gpu, private readonly core: Core, private readonly scene: GpuScene, private readonly maxBounces: number) {
     this.programs = new Programs(gpu);
+    this.filter = new NoiseFilter(gpu, this.programs);
     this.sights = gpu.floats(new Float32Array(4), 1, 1);
     this.focus = gpu.floats(new Float32Array(4), 1, 1);
     this.passTable = gpu.floats(new Float32Array(4), 1, 1);
@@ -75,8 +83,8 @@ export class Pictures {
     this.pass ??= this.gpu.target(pose.width, pose.height, true);
   }
 
-  panel(mode: Mode, width: number, height: number): Panel {
-    return { mode, sum: this.gpu.target(width, height), passes: 0, rows: 0 };
+  panel(mode: Mode, width: number, height: number, seed = 1): Panel {
+    return { mode, seed, sum: this.gpu.target(width, height, false, isTraced(mode) ? 2 : 0), passes: 0, rows: 0 };
   }
 
   restart(panel: Panel): void {
@@ -85,9 +93,14 @@ export class Pictures {
     panel.rows = 0;
   }
 
-  /** How many passes make the picture; paths never end. */
+  /** How many passes make the picture. */
+  round(mode: Mode): number {
+    return mode === 'sharp' ? sharpPasses : mode === 'raster' || mode === 'gather' ? this.order.length : manyPaths;
+  }
+
+  /** How many are made while nothing moves: every pixel gets the points of all 16 sets. */
   goal(mode: Mode): number {
-    return mode === 'sharp' ? sharpPasses : mode === 'path' ? 4096 : this.order.length;
+    return mode === 'raster' || mode === 'gather' ? sets * this.round(mode) : this.round(mode);
   }
 
   private seeing(): Record<string, Uniform> {
@@ -97,14 +110,15 @@ export class Pictures {
 
   /** Adds the next pass, or so many rows of it where each pixel is a ray. */
   step(panel: Panel, rows: number): void {
-    if (panel.mode === 'gather' || panel.mode === 'path') {
+    if (isTraced(panel.mode)) {
       const end = Math.min(panel.sum.height, panel.rows + rows);
       this.traced(panel, panel.rows, end);
       panel.rows = end;
       if (end < panel.sum.height) return;
       panel.rows = 0;
     } else {
-      this.drawn(panel, this.order[panel.passes % this.order.length] ?? 0, -1);
+      const round = Math.floor(panel.passes / this.order.length);
+      this.drawn(panel, this.order[panel.passes % this.order.length] ?? 0, round % sets, false);
     }
     ++panel.passes;
   }
@@ -113,7 +127,7 @@ export class Pictures {
     const { gl } = this.gpu, gathers = panel.mode === 'gather';
     const program = this.scene.bind(this.programs.use('eye').set(this.seeing())).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_passes', this.passTable);
     program.set({
-      u_gathers: gathers, u_pass: this.order[panel.passes % this.order.length] ?? 0, u_sample: panel.passes, u_max_bounces: this.maxBounces,
+      u_gathers: gathers, u_sphere: panel.mode === 'sphere', u_pass: this.order[panel.passes % this.order.length] ?? 0, u_round: Math.floor(panel.passes / this.order.length), u_sample: panel.passes, u_seed: panel.seed, u_max_bounces: this.maxBounces,
       ...(gathers ? { u_ray_model: 4 } : {}),
     });
     this.gpu.into(panel.sum);
@@ -123,10 +137,9 @@ export class Pictures {
     gl.disable(gl.SCISSOR_TEST);
   }
 
-  /** One rasterised pass: a point of the pupil from one of the 16 sets, added to all pixels (`onlySet` −1) or to those of the set. */
-  drawn(panel: Panel, pass: number, onlySet: number): void {
-    const { gl } = this.gpu, target = this.pass as Target, count = this.order.length;
-    const set = Math.max(0, onlySet), at = 4 * (set * count + pass);
+  /** One rasterised pass: a point of the pupil from one of the 16 sets, added to all pixels or to those of the set. */
+  drawn(panel: Panel, pass: number, set: number, onlyItsPixels: boolean): void {
+    const { gl } = this.gpu, target = this.pass as Target, at = 4 * (set * this.order.length + pass);
     const sharp = panel.mode === 'sharp', [px, py, fx, fy] = this.passPoints.subarray(at, at + 4) as unknown as [number, number, number, number];
     const places: Record<string, Uniform> = {
       ...this.seeing(), u_pupil_point: sharp ? [0, 0] : [px, py], u_shift: [0.5 - fx, 0.5 - fy], u_nearest: this.scene.nearest, u_farthest: this.scene.farthest,
@@ -140,24 +153,28 @@ export class Pictures {
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LESS);
     this.scene.draw();
-    this.programs.use('add').texture('u_picture', target.texture).set({ u_set: onlySet, u_height: target.height });
+    this.programs.use('add').texture('u_picture', target.texture).set({ u_set: onlyItsPixels ? set : -1, u_height: target.height });
     this.gpu.into(panel.sum);
     this.gpu.fill(true);
   }
 
   /** Panels beside each other on the canvas. */
-  show(panels: Panel[], canvas: { width: number; height: number }, exposure: number): void {
+  show(panels: Panel[], canvas: { width: number; height: number }, exposure: number, filter = false): void {
     const width = Math.floor(canvas.width / panels.length);
-    panels.forEach((panel, k) => this.showIn(null, panel, { x: k * width, y: 0, width, height: canvas.height }, exposure));
+    panels.forEach((panel, k) => this.showIn(null, filter && isTraced(panel.mode) ? this.filtered(panel) : panel.sum, { x: k * width, y: 0, width, height: canvas.height }, exposure));
   }
 
-  /** A panel in a part of a framebuffer; null: the canvas. */
-  showIn(framebuffer: WebGLFramebuffer | null, panel: Panel, port: { x: number; y: number; width: number; height: number }, exposure: number): void {
+  filtered(panel: Panel): Target {
+    return this.filter.filtered(panel.sum);
+  }
+
+  /** A sum in a part of a framebuffer; null: the canvas. */
+  showIn(framebuffer: WebGLFramebuffer | null, sum: Target, port: { x: number; y: number; width: number; height: number }, exposure: number): void {
     const { gl } = this.gpu;
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     gl.viewport(port.x, port.y, port.width, port.height);
-    this.programs.use('show').texture('u_sum', panel.sum.texture)
-      .set({ u_corner: [port.x, port.y], u_scale: [panel.sum.width / port.width, panel.sum.height / port.height], u_exposure: exposure });
+    this.programs.use('show').texture('u_sum', sum.texture)
+      .set({ u_corner: [port.x, port.y], u_scale: [sum.width / port.width, sum.height / port.height], u_exposure: exposure });
     this.gpu.fill(false);
   }
 }

@@ -1,9 +1,12 @@
 /** The shaders, put together and compiled when they are first needed. */
+import aTrous from '../shaders/a_trous.frag.glsl';
 import add from '../shaders/add.frag.glsl';
 import bake from '../shaders/bake.frag.glsl';
 import common from '../shaders/common.glsl';
+import environment from '../shaders/environment.glsl';
 import eye from '../shaders/eye.frag.glsl';
 import fill from '../shaders/fill.vert.glsl';
+import illumination from '../shaders/illumination.frag.glsl';
 import intersect from '../shaders/intersect.glsl';
 import light from '../shaders/light.glsl';
 import meshFragment from '../shaders/mesh.frag.glsl';
@@ -23,15 +26,17 @@ import trace from '../shaders/trace.glsl';
 import type { Gpu, Program } from './gpu';
 
 const version = '#version 300 es\n';
-const tracing = [intersect, surfaces, random, scatter, light, trace];
+const tracing = [intersect, surfaces, environment, random, scatter, light, trace];
 const seeing = [rayModels, sight];
 const sources = {
   eye: [[fill], [...seeing, ...tracing, eye]],
   bake: [[fill], [...tracing, bake]],
   smooth: [[fill], [smooth]],
   mesh: [[...seeing, meshVertex], [intersect, surfaces, meshFragment]],
-  surroundings: [[fill], [...seeing, intersect, surfaces, surroundings]],
+  surroundings: [[fill], [...seeing, intersect, surfaces, environment, surroundings]],
   add: [[fill], [add]],
+  illumination: [[fill], [illumination]],
+  a_trous: [[fill], [aTrous]],
   show: [[fill], [show]],
   slopes: [[fill], [...seeing, slopes]],
   panel: [[panelVertex], [panelFragment]],

@@ -42,7 +42,7 @@ function lensDocument(lens: LensNumbers | null, given: unknown): unknown {
 
 /** A sturm.render/1 document of what is shown. */
 export function viewDocument(state: State, view: ViewData, width: number, height: number): Record<string, unknown> {
-  const given = view.document as Record<string, any>, camera = numbersOf(state.camera, width, height), traced = state.modes[0] === 'path';
+  const given = view.document as Record<string, any>, camera = numbersOf(state.camera, width, height), sphere = state.modes[0] === 'sphere', traced = sphere || state.modes[0] === 'path';
   const worn = (side: Side) => {
     const of = side === 'right' ? given : { eye: given.eye, spectacles: given.spectacles, ...given.left };
     const kind = state.glasses[side].kind;
@@ -51,10 +51,11 @@ export function viewDocument(state: State, view: ViewData, width: number, height
       spectacles: kind === 'view' ? of.spectacles ?? null : lensDocument(lensNumbers(side, state.glasses[side], state.eyes[side], view.worn[side].lens), of.spectacles),
     };
   };
-  const { stereo: _, ...givenCamera } = given.camera ?? {};
+  const { stereo: _, vfov_deg: __, ...givenCamera } = given.camera ?? {};
+  const projection = sphere ? { projection: 'equirectangular', gaze: 'camera' } : { vfov_deg: state.camera.field_deg, gaze: camera.gaze };
   return {
     format: 'sturm.render/1', scene: given.scene,
-    camera: { ...givenCamera, position_m: camera.position_m, look_at_m: camera.look_at_m, up: camera.up, vfov_deg: state.camera.field_deg, resolution: [width, height], gaze: camera.gaze },
+    camera: { ...givenCamera, position_m: camera.position_m, look_at_m: camera.look_at_m, up: camera.up, resolution: [width, height], ...projection },
     ...worn(state.side),
     method: traced ? { type: 'path_trace', ray_model: state.rayModel, samples_per_pixel: 256, max_bounces: view.maxBounces }
       : state.modes[0] === 'sharp' ? { type: 'path_trace', ray_model: 'pinhole', samples_per_pixel: 256 } : { type: 'predict', prediction: 'multipass', passes: state.passes },

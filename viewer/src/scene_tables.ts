@@ -1,4 +1,6 @@
 /** A scene as the tables that the shaders read (viewer/shaders/surfaces.glsl, intersect.glsl, light.glsl). */
+import { luminance } from './colour';
+import { environmentShares } from './environment_table';
 import type { MaterialFacts, Picture, SceneData, TextureMap, Vec3 } from './scene_file';
 import type { SceneTree } from './scene_tree';
 
@@ -15,16 +17,15 @@ export interface SceneTables {
   sphereCount: number;
   lights: Float32Array;
   lightCount: number;
+  environmentRows: Float32Array;
+  /** Of all choices of a lamp. */
+  environmentShare: number;
 }
 
-interface Light { kind: 0 | 1 | 2; power: number; behind: boolean; a: number[]; radius: number; b: number[]; c: number[]; radiance: Vec3 }
+interface Light { kind: 0 | 1 | 2 | 3; power: number; behind: boolean; a: number[]; radius: number; b: number[]; c: number[]; radiance: Vec3 }
 
 const types: Record<string, number> = { diffuse: 0, conductor: 1, dielectric: 2, plastic: 3 };
 const wraps: Record<string, number> = { clamp: 0, repeat: 1, mirror: 2 };
-
-export function luminance(colour: ArrayLike<number>): number {
-  return 0.2126 * (colour[0] ?? 0) + 0.7152 * (colour[1] ?? 0) + 0.0722 * (colour[2] ?? 0);
-}
 
 /** 2 ∫ F(μ) μ dμ of a dielectric, and from it what a coat sends back to its base (pathtrace/materials/plastic.cpp). */
 export function internalReflectance(index: number): number {
@@ -55,8 +56,8 @@ function materialTexels(m: MaterialFacts): number[] {
   ];
 }
 
-/** All pictures one behind the other; a grey one gets three channels. */
-function textureTables(pictures: Picture[]): { texels: Float32Array; textures: Float32Array } {
+/** All pictures one behind the other; a grey one gets three channels. The fourth number is that of `ends`, for the picture that has them. */
+function textureTables(pictures: Picture[], environment: number | null, ends: Float32Array | null): { texels: Float32Array; textures: Float32Array } {
   const texels = new Float32Array(4 * Math.max(1, pictures.reduce((sum, p) => sum + p.width * p.height, 0)));
   const textures = new Float32Array(4 * Math.max(1, pictures.length));
   let first = 0;
@@ -64,6 +65,7 @@ function textureTables(pictures: Picture[]): { texels: Float32Array; textures: F
     textures.set([first, p.width, p.height, 0], 4 * k);
     for (let i = 0; i < p.width * p.height; ++i)
       for (let c = 0; c < 3; ++c) texels[4 * (first + i) + c] = p.values[i * p.channels + Math.min(c, p.channels - 1)] ?? 0;
+    if (k === environment) ends?.forEach((end, i) => { texels[4 * (first + i) + 3] = end; });
     first += p.width * p.height;
   });
   return { texels, textures };
@@ -137,12 +139,17 @@ export function sceneTables(scene: SceneData, tree: SceneTree): SceneTables {
   });
   for (const point of scene.lights)
     lights.push({ kind: 2, power: 4 * Math.PI * luminance(point.intensity), behind: false, a: point.position_m, radius: 0, b: [0, 0, 0], c: [0, 0, 0], radiance: point.intensity });
+  const sky = scene.environment && scene.environment.texture !== null ? scene.textures[scene.environment.texture] : undefined, shares = sky ? environmentShares(sky) : null;
+  const environmentShare = shares ? (lights.length > 0 ? 0.5 : 1) : 0;
+  // Half of all choices are the surroundings', as in pathtrace/lights/light_set.cpp.
+  if (shares) lights.push({ kind: 3, power: lights.reduce((sum, light) => sum + light.power, 0) || 1, behind: false, a: [0, 0, 0], radius: 0, b: [0, 0, 0], c: [0, 0, 0], radiance: [0, 0, 0] });
   const matt: MaterialFacts = { name: '', type: 'diffuse', albedo: [1, 1, 1], emission: [0, 0, 0], emits_behind: false, nearest: false, albedo_map: null, emission_map: null };
   return {
     bounds: tree.bounds, nodes: tree.nodes, corners,
     attributes: attributesOf(scene, tree.index),
     materials: new Float32Array([...scene.materials, matt].flatMap(materialTexels)), mattMaterial: scene.materials.length,
-    ...textureTables(scene.textures),
+    ...textureTables(scene.textures, scene.environment?.texture ?? null, shares?.ends ?? null),
     spheres, sphereCount: scene.spheres.length, lights: lightTable(lights), lightCount: lights.length,
+    environmentRows: shares?.rows ?? new Float32Array(4), environmentShare,
   };
 }

@@ -2,8 +2,10 @@
 
 export const sides = ['right', 'left'] as const;
 export type Side = (typeof sides)[number];
-export const modes = ['sharp', 'raster', 'gather', 'path'] as const;
+export const modes = ['sharp', 'raster', 'gather', 'path', 'sphere'] as const;
 export type Mode = (typeof modes)[number];
+/** A ray for each pixel; else triangles are drawn. */
+export const isTraced = (mode: Mode): boolean => mode === 'gather' || mode === 'path' || mode === 'sphere';
 export const rayModels = ['pinhole', 'thin_lens', 'metalstigmatism', 'sin2_radial', 'power_matrix', 'zernike'] as const;
 export type RayModel = (typeof rayModels)[number];
 export const accommodations = ['relaxed', 'fixed', 'best'] as const;
@@ -50,6 +52,8 @@ export interface State {
   rayModel: RayModel;
   passes: number;
   exposure: number;
+  /** Traced pictures are shown without their noise. */
+  filter: boolean;
   fieldOverlay: boolean;
   /** The rim of the spectacles on the picture, and a map of their errors below it. */
   rimOverlay: boolean;

@@ -62,6 +62,6 @@ export function startState(view: ViewData): State {
       position_m: [...c.position_m], turn_deg: deg * Math.atan2(ahead[0] ?? 0, -(ahead[2] ?? -1)),
       tilt_deg: within('tilt_deg', deg * Math.atan2(ahead[1] ?? 0, Math.hypot(ahead[0] ?? 0, ahead[2] ?? 0))), field_deg: within('field_deg', deg * c.vfov_rad), gaze: c.gaze,
     },
-    modes: ['raster'], rayModel: view.rayModel, passes: 64, exposure: 1, fieldOverlay: false, rimOverlay: false, lensMap: false,
+    modes: ['raster'], rayModel: view.rayModel, passes: 64, exposure: 1, filter: false, fieldOverlay: false, rimOverlay: false, lensMap: false,
   };
 }

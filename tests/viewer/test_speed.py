@@ -1,0 +1,63 @@
+"""How long the page takes. Only ratios are held, since times are those of the machine; times are printed (docs/viewer.md says how to see them)."""
+import json
+
+from page_in_browser import PageTest, main
+from sturm_process import SOURCE
+
+WIDTH, HEIGHT, PASSES = 640, 360, 16
+FIELD_MS = 5
+# Each is done several times, and the shortest counts: what other programs take of the machine only makes times longer.
+PREPARE = """
+  const {app} = window.sturmViewer, {pictures, gpu} = app;
+  app.held = true;
+  app.change((s) => { s.passes = arguments[0]; s.modes = ['raster']; });
+  app.prepare();
+  const [panel] = app.panels;
+  let axis = 0;
+  const turn = () => { app.state.eyes.right.axis_deg = axis++ % 180; };
+  window.measure = {
+    drawn: (count) => { pictures.restart(panel); for (let k = 0; k < count; ++k) pictures.step(panel, 0); gpu.finish(panel.sum); },
+    field: () => {
+      turn();
+      app.eye.wear(app.state, app.view);
+      app.eye.optics.fieldAnalytic({nx: 32, ny: 32, nz: 256, tan_half_width: 0.7, tan_half_height: 0.5, near_vergence_D: 4, far_vergence_D: 0});
+    },
+    sights: () => { turn(); app.eye.wear(app.state, app.view); app.eye.sights(app.state, pictures.pose); },
+    slider: (count) => { turn(); app.prepare(); window.measure.drawn(count); pictures.show(app.panels, app.canvas, 1); },
+    wear: (kind) => { app.change((s) => { s.glasses.right.kind = kind; }); app.prepare(); },
+    shortest: (times, work) => Math.min(...Array.from({length: times}, () => { const start = performance.now(); work(); return performance.now() - start; })),
+  };
+  return app.scene.triangleCount;"""
+
+
+class Speed(PageTest):
+    def shortest(self, name, times, work):
+        """[ms]"""
+        value = self.browser.run(f"return window.measure.shortest({times}, () => window.measure.{work})")
+        print(f"{name}: {value:.1f} ms", flush=True)
+        return value
+
+    def test_speed(self):
+        view = json.loads((SOURCE / "configs/views/desk.json").read_text())
+        view.pop("$schema")
+        view["scene"] = str(SOURCE / "configs/scenes/desk.json")
+        view["camera"]["resolution"] = [WIDTH, HEIGHT]
+        self.page_of(view)
+        self.wait("window.sturmViewer.app.firstPicture_ms")
+        first = self.browser.run("return window.sturmViewer.app.firstPicture_ms")
+        print(f"{self.browser.run(PREPARE, PASSES)} triangles; first picture after {first / 1000:.2f} s", flush=True)
+        for lens in ("none", "single"):
+            self.browser.run("window.measure.wear(arguments[0])", lens)
+            one, all_passes = self.shortest(f"one pass, lens {lens}", 4, "drawn(1)"), self.shortest(f"{PASSES} passes, lens {lens}", 2, f"drawn({PASSES})")
+            field, slider = self.shortest(f"field of 32 by 32 directions, lens {lens}", 20, "field()"), self.shortest(f"slider to frame, lens {lens}", 2, f"slider({PASSES})")
+            # A pass costs what a pass costs: nothing is done again for each.
+            self.assertLessEqual(all_passes, 20 * one, lens)
+            # What a slider moves costs little beside the picture that it changes.
+            self.assertLessEqual(slider, 25 * one, lens)
+            # A few thousandths of a second's work: one of twenty is left alone on a busy machine too.
+            self.assertLessEqual(field, FIELD_MS, lens)
+            self.shortest(f"lines of sight of the picture, lens {lens}", 4, "sights()")
+
+
+if __name__ == "__main__":
+    main()
