@@ -1,0 +1,20 @@
+/** The second part of the page (src/opening), unpacked when it is first needed. */
+import { element } from './elements';
+import type { Opening } from './opening/opening_api';
+import { textOf, unzipped } from './view_data';
+
+let unpacked: Promise<Opening> | null = null;
+
+async function unpack(): Promise<Opening> {
+  const packed = textOf('sturm-opening');
+  if (!packed) throw new Error('This page was built without what opens files.');
+  // A script in the page itself is what its content security policy allows.
+  document.head.append(element('script', { textContent: new TextDecoder().decode(await unzipped(packed)) }));
+  const { sturmOpening } = globalThis as { sturmOpening?: Opening };
+  if (!sturmOpening) throw new Error('What opens files could not be started.');
+  return sturmOpening;
+}
+
+export function loadOpening(): Promise<Opening> {
+  return (unpacked ??= unpack());
+}
