@@ -46,7 +46,13 @@ const licences = (await Promise.all([
 let page = await readFile(join(here, 'src/page.html'), 'utf8');
 page = put(page, '/* style.css */', await readFile(join(here, 'src/style.css'), 'utf8'));
 // What opens files is large, and most readers never need it.
-const opening = `${await readFile(values.readers, 'utf8')}\n${await bundled('src/opening/opening.ts', { inject: [join(here, 'src/opening/said.ts')], define: { 'console.warn': 'remark', 'console.error': 'remark' } })}`;
+// WebAssembly in base64 packs badly, so it goes beside its script.
+const inBase64 = /data:application\/octet-stream;base64,([A-Za-z0-9+/=]+)/, readers = await readFile(values.readers, 'utf8'), [, module] = inBase64.exec(readers) ?? [];
+if (!module) throw new Error(`${values.readers}: expected a module in base64`);
+const openingScript = Buffer.from(`${readers.replace(inBase64, 'readers.wasm')}\n${await bundled('src/opening/opening.ts', { inject: [join(here, 'src/opening/said.ts')], define: { 'console.warn': 'remark', 'console.error': 'remark' } })}`);
+const scriptLength = Buffer.alloc(4);
+scriptLength.writeUInt32LE(openingScript.length);
+const opening = Buffer.concat([scriptLength, openingScript, Buffer.from(module, 'base64')]);
 page = put(page, '<!-- opening -->', gzipSync(opening, { level: 9 }).toString('base64'));
 page = put(page, '<!-- scripts -->', [`<!--\nParts of this page are by others.\n\n${licences}\n-->`, script(await readFile(values.core, 'utf8')), script(await bundled('src/main.ts'))].join('\n'));
 await mkdir(dirname(values.out), { recursive: true });

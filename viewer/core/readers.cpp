@@ -1,6 +1,7 @@
 #include <emscripten/bind.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "io/files/error.h"
@@ -35,11 +36,10 @@ Json view_of(const Json& document, const std::string& name) {
   const WornEye right = read_worn_eye(document, root).worn;
   std::optional<WornEye> left;
   if (document.contains("left")) left = read_worn_eye(document["left"], root / "left", right).worn;
-  {"camera", camera_numbers(read_camera(document["camera"], root / "camera"), name)},
-      {"right", right_numbers(right, document, name)}, {"left", left_numbers(left, right, document, name)}, {
-    "ray_model", document["method"].value("ray_model", Json(nullptr))
-  }
-};
+  return {{"camera", camera_numbers(read_camera(document["camera"], root / "camera"), name)},
+          {"right", right_numbers(right, document, name)},
+          {"left", left_numbers(left, right, document, name)},
+          {"ray_model", document["method"].value("ray_model", Json(nullptr))}};
 }
 
 Json contents_of(const Json& document, const std::string& name, const Eye& wearer) {

@@ -68,11 +68,12 @@ vec3 emission_of(int material, vec2 coordinate) {
   return number < 0 ? emission : emission * mapped(material, 7, number, coordinate);
 }
 
+/// One texel, one radiance, as the program has it.
 vec3 environment_along(vec3 direction) {
   if (u_environment_texture < 0) return u_environment;
   vec3 d = normalize(direction);
   float right = atan(d.x, -d.z) - u_environment_turn;
-  return u_environment * texture_at(u_environment_texture, vec2(0.5 + right / (2.0 * pi), 0.5 + asin(clamp(d.y, -1.0, 1.0)) / pi), ivec2(1, 0), false);
+  return u_environment * texture_at(u_environment_texture, vec2(0.5 + right / (2.0 * pi), 0.5 + asin(clamp(d.y, -1.0, 1.0)) / pi), ivec2(1, 0), true);
 }
 
 Surface sphere_surface(Hit hit, vec3 origin, vec3 direction) {

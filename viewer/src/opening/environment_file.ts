@@ -34,12 +34,15 @@ function halved({ width, height, values }: Picture): Picture {
   return { width: w, height: h, channels: 3, values: half };
 }
 
-function pictureOf({ width, height, data }: Table, fromBelow: boolean): Picture {
+/** Of the loader's numbers, which take 255 mantissa steps for 1 where Radiance's own programs take 256. */
+const hdrScale = 255 / 256;
+
+function pictureOf({ width, height, data }: Table, fromBelow: boolean, scale: number): Picture {
   const values = new Float32Array(3 * width * height), channels = data.length / (width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x)
       for (let c = 0; c < 3; ++c) {
-        const value = data[channels * ((fromBelow ? height - 1 - y : y) * width + x) + Math.min(c, channels >= 3 ? 2 : 0)] ?? NaN;
+        const value = scale * (data[channels * ((fromBelow ? height - 1 - y : y) * width + x) + Math.min(c, channels >= 3 ? 2 : 0)] ?? NaN);
         if (!Number.isFinite(value) || value < 0) throw new Error(`its pixel (${x}, ${y}) is ${value}, expected a number from 0`);
         values[3 * (y * width + x) + c] = value;
       }
@@ -52,7 +55,7 @@ export function openEnvironment(file: OpenedFile): Picture {
     if (!size) throw new Error('its header states no size');
     if (!(size[0] > 0 && size[1] > 0 && size[0] * size[1] <= mostPixels)) throw new Error(`its header states ${size[0]} × ${size[1]} pixels; this page takes up to ${mostPixels}`);
     const table = (isExr ? new EXRLoader().setDataType(FloatType).parse(file.bytes) : new HDRLoader().setDataType(FloatType).parse(file.bytes)) as unknown as Table;
-    let picture = pictureOf(table, isExr);
+    let picture = pictureOf(table, isExr, isExr ? 1 : hdrScale);
     while (picture.width * picture.height > mostTexels) picture = halved(picture);
     return picture;
   } catch (problem) {

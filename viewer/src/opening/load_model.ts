@@ -80,7 +80,7 @@ export async function openModel(main: OpenedFile, all: OpenedFile[]): Promise<Op
     const pictures = new PicturesOfModel(), materials = new MaterialsOfModel(pictures, loaded.colours ?? (() => null));
     const shape = sceneOfModel(loaded.root, materials), { camera, notes } = others(loaded);
     const scene = { ...shape, materials: materials.facts, textures: pictures.pictures(), lights: [], environment: null };
-    return { scene, camera, document: documentOf(main.name), notDrawn: [...loaded.notes, ...notes, ...materials.notes, ...pictures.notes(), ...said] };
+    return { scene, camera, document: documentOf(main.name), notDrawn: [...loaded.notes, ...notes, ...materials.notes, ...pictures.notes(), ...Array.from(said, (text) => `The file was read with the remark: ${text}`)] };
   } catch (problem) {
     throw new Error(`${main.name} cannot be opened: ${(problem as Error).message ?? String(problem)}.`);
   }

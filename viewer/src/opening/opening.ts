@@ -3,16 +3,16 @@ import './own_three';
 import type { CoreFactory, CoreWithReaders } from '../core_module';
 import { openEnvironment } from './environment_file';
 import { openModel } from './load_model';
-import type { Opening } from './opening_api';
+import type { OpeningFactory } from './opening_api';
 
 let core: Promise<CoreWithReaders> | null = null;
 
-const opening: Opening = {
+const opening: OpeningFactory = (readersModule) => ({
   openModel, openEnvironment,
   readers: () => {
     const factory = (globalThis as { SturmReaders?: CoreFactory<CoreWithReaders> }).SturmReaders;
     if (!factory) throw new Error('This page was built without its readers.');
-    return (core ??= factory());
+    return (core ??= factory({ wasmBinary: readersModule }));
   },
-};
-(globalThis as { sturmOpening?: Opening }).sturmOpening = opening;
+});
+(globalThis as { sturmOpening?: OpeningFactory }).sturmOpening = opening;

@@ -22,3 +22,6 @@ export interface Opening {
   /** The core with the command line's readers. */
   readers(): Promise<CoreWithReaders>;
 }
+
+/** The global function `sturmOpening`; it gets the WebAssembly module of the readers. */
+export type OpeningFactory = (readersModule: Uint8Array) => Opening;
