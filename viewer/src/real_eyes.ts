@@ -13,9 +13,9 @@ export interface RealEye {
 
 export const realEyes: readonly RealEye[] = [
   { title: 'Coma and trefoil (Hofer 5)', file: 'hofer_5.json', document: hofer },
-  { title: 'Oblique astigmatism (Jaeken 36, right)', file: 'jaeken_36_right.json', document: jaekenRight },
-  { title: 'Astigmatism and coma (Jaeken 4, left)', file: 'jaeken_4_left.json', document: jaekenLeft },
-  { title: 'Myopia, astigmatism, coma (Polans 5)', file: 'polans_5.json', document: polans },
+  { title: 'Oblique astigmatism (Jaeken 36)', file: 'jaeken_36_right.json', document: jaekenRight },
+  { title: 'Left eye with coma (Jaeken 4)', file: 'jaeken_4_left.json', document: jaekenLeft },
+  { title: 'Myopia and coma (Polans 5)', file: 'polans_5.json', document: polans },
 ];
 
 /** Whether a wavefront is that of the eye: its coefficients are those of the file. */
