@@ -11,18 +11,20 @@ import { hashOf, stateOfHash } from './hash_state';
 import { Headset, headsetIsThere } from './headset';
 import { LensMaker } from './lens_maker';
 import { LensMap } from './lens_map';
+import { showLeftOut } from './left_out';
 import { rimOf } from './lens_rim';
 import { lessons } from './lessons';
 import { NativeRender, programAnswers } from './native_render';
+import { FileOpener } from './open_files';
 import { Overlay, type PlacedEllipse } from './overlay';
 import { Pace } from './pace';
 import { Pictures, type Panel } from './pictures';
 import { pointOn, type Pointing } from './pointing';
 import { Readout } from './readout';
-import { download, viewDocument } from './save';
+import { download, filesOf, viewDocument } from './save';
 import type { SceneData, Vec3 } from './scene_file';
 import { SceneTree } from './scene_tree';
-import { isTraced, type Mode, type State } from './state';
+import { isTraced, sides, type Mode, type State } from './state';
 import { startState, type ViewData } from './view_data';
 
 const modeWords: Record<Mode, string> = { sharp: 'sharp', raster: 'passes', gather: 'traced passes', path: 'samples', sphere: 'samples' };
@@ -31,14 +33,17 @@ export class App {
   state: State;
   readonly canvas = byId<HTMLCanvasElement>('picture');
   readonly eye: EyeOptics;
-  readonly tree: SceneTree;
-  readonly width: number;
-  readonly height: number;
+  tree: SceneTree;
+  width: number;
+  height: number;
   gpu!: Gpu;
   scene!: GpuScene;
   pictures!: Pictures;
   panels: Panel[] = [];
   private readonly bound: Bound[];
+  private readonly opener: FileOpener;
+  /** What the page came with. */
+  private readonly shipped: ViewData;
   private readonly pointing: Pointing;
   private readonly readout = new Readout();
   private readonly overlay = new Overlay();
@@ -57,22 +62,25 @@ export class App {
   firstPicture_ms = 0;
   private hashTimer = 0;
 
-  constructor(readonly core: Core, readonly view: ViewData, private readonly data: SceneData) {
+  constructor(readonly core: Core, public view: ViewData, public data: SceneData) {
     this.state = startState(view);
     this.width = view.camera.width;
     this.height = view.camera.height;
     this.tree = new SceneTree(data);
     this.eye = new EyeOptics(core);
+    this.shipped = view;
+    this.opener = new FileOpener(this);
+    this.showTitle();
     this.readHash();
     this.setUpGpu();
-    this.bound = fillForm(byId<HTMLFormElement>('controls'), (edit) => this.change(edit), core, view, {
-      lesson: (k) => this.lesson(k), reset: () => { this.adopt(startState(view), ''); this.teach(''); }, saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button), headset: (button) => this.offerHeadset(button),
+    this.bound = fillForm(byId<HTMLFormElement>('controls'), (edit) => this.change(edit), core, () => this.view, {
+      lesson: (k) => this.lesson(k), reset: () => { this.adopt(startState(this.view), ''); this.teach(''); }, files: this.opener.input, realEye: (eye) => void this.opener.takeRealEye(eye), saveView: () => this.saveView(), savePicture: () => this.savePicture(), copyLink: () => void this.copyLink(), native: (button) => void this.offerNative(button), headset: (button) => this.offerHeadset(button),
     });
     this.pointing = pointOn(this.canvas, (edit) => this.change(edit), () => this.panels.length, () => { this.pointed = true; });
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.lost = true;
-      this.say('The graphics context was lost; the picture returns when the browser gives it back.');
+      this.say('The graphics context was lost; the picture returns when the browser gives it back.', true);
     });
     this.canvas.addEventListener('webglcontextrestored', () => {
       this.lost = false;
@@ -84,9 +92,11 @@ export class App {
     requestAnimationFrame((now) => this.frame(now));
   }
 
-  say(text: string): void {
+  /** Above the picture; `isProblem`: something went wrong. */
+  say(text: string, isProblem = false): void {
     const message = byId('message');
     message.textContent = text;
+    message.classList.toggle('problem', isProblem);
     message.hidden = text === '';
   }
 
@@ -94,6 +104,28 @@ export class App {
     const next = structuredClone(this.state);
     edit(next);
     this.adopt(next, '');
+  }
+
+  /** Another view; `data`: with another scene. Throws where the scene does not fit the graphics card. */
+  show(view: ViewData, data: SceneData | null, next: State): void {
+    if (data) {
+      const tree = new SceneTree(data), scene = new GpuScene(this.gpu, data, tree, view.camera.position_m);
+      this.scene.release();
+      [this.data, this.tree, this.scene] = [data, tree, scene];
+    }
+    this.view = view;
+    [this.width, this.height] = [view.camera.width, view.camera.height];
+    this.pictures.showScene(this.scene, view.maxBounces);
+    this.panels.forEach((p) => this.gpu.release(p.sum));
+    this.panels = [];
+    this.showTitle();
+    this.adopt(next, '');
+  }
+
+  private showTitle(): void {
+    byId('title').textContent = this.view.title;
+    document.title = `${this.view.title} · Sturm`;
+    showLeftOut(this.view.notDrawn);
   }
 
   private adopt(next: State, message: string): void {
@@ -107,9 +139,12 @@ export class App {
   private readHash(): void {
     try {
       const state = stateOfHash(location.hash);
-      if (state) this.adopt(state, '');
+      if (!state) return;
+      const bare = sides.find((side) => state.glasses[side].kind === 'view' && !this.view.worn[side].lens);
+      if (bare) throw new Error(`The ${bare} eye of the link wears spectacles of a file: open that file first.`);
+      this.adopt(state, '');
     } catch (problem) {
-      this.say((problem as Error).message);
+      this.say((problem as Error).message, true);
     }
   }
 
@@ -153,7 +188,7 @@ export class App {
       this.pictures.setPose(pose);
       this.rim = state.rimOverlay && this.eye.lens ? rimOf(this.eye.optics, state.camera.gaze, pose) : [];
     } catch (problem) {
-      this.say((problem as Error).message);
+      this.say((problem as Error).message, true);
       return false;
     }
     if (this.panels.map((p) => p.mode).join() !== state.modes.join()) {
@@ -251,8 +286,9 @@ export class App {
   }
 
   private saveView(): void {
-    const text = `${JSON.stringify(viewDocument(this.state, this.view, this.width, this.height), null, 2)}\n`;
-    download('view.json', new Blob([text], { type: 'application/json' }));
+    const document = viewDocument(this.state, this.view, this.width, this.height), files = filesOf(document);
+    download('view.json', new Blob([`${JSON.stringify(document, null, 2)}\n`], { type: 'application/json' }));
+    this.say(files.length > 0 ? `view.json is saved. It names ${files.join(', ')} and is rendered where these names lead to the files.` : 'view.json is saved and needs no other file.');
   }
 
   private savePicture(): void {
@@ -292,7 +328,7 @@ export class App {
       this.say('The picture is in the headset. Hold the trigger, or pinch, to see sharply.');
     } catch (problem) {
       back();
-      this.say((problem as Error).message);
+      this.say((problem as Error).message, true);
     }
   }
 
@@ -301,7 +337,7 @@ export class App {
     history.replaceState(null, '', hashOf(this.state));
     try {
       await navigator.clipboard.writeText(link);
-      this.say('The link is in the clipboard.');
+      this.say(`The link is in the clipboard.${this.view === this.shipped ? '' : ' It does not hold what was opened: open the same files where it is followed.'}`);
     } catch {
       this.say('The browser does not give the clipboard; the link stands in its address bar.');
     }

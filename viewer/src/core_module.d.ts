@@ -261,12 +261,16 @@ export interface Core {
   amplitudeAtAge(age_years: number): number;
 }
 
-/** What the second, larger module adds: the command line's own readers, with its messages. It has all of `Core` too. `name` is what messages call the text. */
+/** A document of Sturm as the command line reads it; `document` has every default spelt out. */
+export type ReadDocument =
+  | { format: 'eye'; document: Record<string, unknown>; eye: EyeNumbers }
+  | { format: 'spectacles'; document: Record<string, unknown>; lens: LensNumbers }
+  | { format: 'render'; document: Record<string, unknown>; view: { camera: CameraNumbers; right: WornNumbers; left: WornNumbers | null; ray_model: string | null } };
+
+/** What the second, larger module adds: the command line's own readers, with its messages. It has all of `Core` too. */
 export interface CoreWithReaders extends Core {
-  /** A sturm.eye/1 document. */
-  readEye(json: string, name: string): EyeNumbers;
-  /** A sturm.spectacles/1 document without files of its own; `eye` is who wears it. Null for the text "null". */
-  readSpectacles(json: string, name: string, eye: EyeNumbers): LensNumbers | null;
+  /** sturm.eye/1, sturm.spectacles/1 or sturm.render/1 without files of its own but the scene, which is not read. `name` is what messages call the text, `wearer` who wears spectacles. */
+  readDocument(json: string, name: string, wearer: EyeNumbers): ReadDocument;
 }
 
 export interface WornNumbers {

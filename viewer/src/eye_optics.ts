@@ -12,12 +12,12 @@ function prescriptionOf(p: { sphere_D: number; cylinder_D: number; axis_deg: num
   return { sphere_D: p.sphere_D, cylinder_D: p.cylinder_D, axis_deg: p.axis_deg, vertex_distance_m: vertex_m, prism_cm_per_m: 0, prism_base_deg: 0 };
 }
 
-/** The wavefront of the view stays; the page's numbers are its prescription. */
+/** Beside a wavefront the prescription is what is left of it. */
 export function eyeNumbers(eye: EyeState, ofView: EyeNumbers): EyeNumbers {
-  const none = eye.sphere_D === 0 && eye.cylinder_D === 0 && ofView.wavefront !== null;
+  const none = eye.sphere_D === 0 && eye.cylinder_D === 0 && eye.wavefront !== null;
   const focus = eye.focus_D > 0 ? ({ mode: 'fixed', focus_distance_m: 1 / eye.focus_D } as const) : ({ mode: 'fixed', power_D: 0 } as const);
   return {
-    prescription: none ? null : prescriptionOf(eye, eye.vertex_mm / 1e3), wavefront: ofView.wavefront, pupil_diameter_m: eye.pupil_mm / 1e3, rotation_center_m: ofView.rotation_center_m,
+    prescription: none ? null : prescriptionOf(eye, eye.vertex_mm / 1e3), wavefront: eye.wavefront, pupil_diameter_m: eye.pupil_mm / 1e3, rotation_center_m: ofView.rotation_center_m,
     accommodation: eye.accommodation === 'relaxed' ? { mode: 'relaxed' } : eye.accommodation === 'best' ? { mode: 'best', amplitude_D: eye.amplitude_D } : focus,
   };
 }

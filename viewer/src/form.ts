@@ -1,7 +1,10 @@
 /** Which controls there are. */
 import { FormPart, type Bound, type Change } from './controls';
 import type { Core } from './core_module';
+import { element } from './elements';
 import { lessons } from './lessons';
+import { prescribed } from './prescription';
+import { isOf, realEyes, type RealEye } from './real_eyes';
 import { isTraced, ranges, type EyeState, type GlassesState, type Mode, type RayModel, type Side, type State } from './state';
 import type { ViewData } from './view_data';
 
@@ -11,6 +14,9 @@ export interface FormActions {
   saveView(): void;
   savePicture(): void;
   copyLink(): void;
+  /** What chooses files to open. */
+  files: HTMLInputElement;
+  realEye(eye: RealEye): void;
   /** Gets the button that is shown where a program answers. */
   native(button: HTMLButtonElement): void;
   /** Gets the button that is shown where there is a headset. */
@@ -33,22 +39,25 @@ function ageOf(core: Core, amplitude_D: number): number {
   return Array.from({ length: largest - least + 1 }, (_, k) => least + k).reduce((best, age) => (away(age) < away(best) ? age : best));
 }
 
-function eyePart(change: Change, core: Core): FormPart {
+/** An option that cannot be chosen now. */
+function hideOption(select: HTMLSelectElement, value: string, hidden: boolean): void {
+  const option = select.querySelector<HTMLOptionElement>(`option[value=${value}]`);
+  if (option) option.hidden = option.disabled = hidden;
+}
+
+function eyePart(change: Change, core: Core, realEye: (eye: RealEye) => void): FormPart {
   const part = new FormPart('Eye', change);
   part.select<Side>('Looks', [['right', 'Right eye'], ['left', 'Left eye']], (s) => s.side, (s, side) => { s.side = side; });
   part.text('Prescription', '-2.00 -1.50 x 30', (text) => {
-    const noted = core.readNotation(text);
-    if (noted.length === 0) throw new Error('Expected a prescription, for example -2.00 -1.50 x 30.');
-    change((s) => {
-      for (const { eye, prescription: p, addition_D } of noted) {
-        const side = eye ?? s.side;
-        for (const [key, value] of [['sphere_D', p.sphere_D], ['cylinder_D', p.cylinder_D]] as const)
-          if (!(value >= ranges[key][0] && value <= ranges[key][1])) throw new Error(`This page shows ${key === 'sphere_D' ? 'spheres' : 'cylinders'} from ${ranges[key][0]} to ${ranges[key][1]} D.`);
-        Object.assign(s.eyes[side], { sphere_D: p.sphere_D, cylinder_D: p.cylinder_D, axis_deg: p.axis_deg });
-        if (addition_D !== null) s.glasses[side].addition_D = Math.min(ranges.addition_D[1], Math.max(0, addition_D));
-      }
-    });
+    change(prescribed(core, text));
   });
+  const real = realEyes.map((eye) => [eye.file, eye.title] as const), known = (s: State) => realEyes.find((eye) => isOf(eye, eyeOf(s).wavefront?.coefficients_m ?? []));
+  const measured = part.select<string>('Wavefront', [['none', 'None: by the prescription'], ...real, ['opened', 'That of a file']], (s) => (eyeOf(s).wavefront ? known(s)?.file ?? 'opened' : 'none'), (s, file) => {
+    if (file === 'none') eyeOf(s).wavefront = null;
+    const eye = realEyes.find((e) => e.file === file);
+    if (eye) realEye(eye);
+  });
+  part.bound.push({ show: (s) => hideOption(measured, 'opened', !eyeOf(s).wavefront || known(s) !== undefined) });
   part.slider('SPH', 'sphere_D', ' D', 2, (s) => eyeOf(s).sphere_D, (s, x) => { eyeOf(s).sphere_D = x; });
   part.slider('CYL', 'cylinder_D', ' D', 2, (s) => eyeOf(s).cylinder_D, (s, x) => { eyeOf(s).cylinder_D = x; });
   part.slider('AXIS', 'axis_deg', '°', 0, (s) => eyeOf(s).axis_deg, (s, x) => { eyeOf(s).axis_deg = x; });
@@ -63,10 +72,10 @@ function eyePart(change: Change, core: Core): FormPart {
   return part;
 }
 
-function glassesPart(change: Change, view: ViewData): FormPart {
+function glassesPart(change: Change, view: () => ViewData): FormPart {
   const part = new FormPart('Spectacles', change), single = (s: State) => glassesOf(s).kind === 'single' || glassesOf(s).kind === 'progressive';
-  const ofView = view.worn.right.lens || view.worn.left.lens ? ([['view', 'Those of the view']] as const) : [];
-  part.select('Worn', [['none', 'None'], ...ofView, ['single', 'Single vision'], ['progressive', 'Progressive']], (s) => glassesOf(s).kind, (s, word) => { glassesOf(s).kind = word; });
+  const worn = part.select('Worn', [['none', 'None'], ['view', 'Those of the file'], ['single', 'Single vision'], ['progressive', 'Progressive']], (s) => glassesOf(s).kind, (s, word) => { glassesOf(s).kind = word; });
+  part.bound.push({ show: (s) => hideOption(worn, 'view', view().worn[s.side].lens === null) });
   part.check('Made for this eye', (s) => glassesOf(s).fitted, (s, on) => { glassesOf(s).fitted = on; }, single);
   const own = (s: State) => single(s) && !glassesOf(s).fitted;
   part.slider('Lens SPH', 'sphere_D', ' D', 2, (s) => glassesOf(s).sphere_D, (s, x) => { glassesOf(s).sphere_D = x; }, own);
@@ -74,9 +83,9 @@ function glassesPart(change: Change, view: ViewData): FormPart {
   part.slider('Lens AXIS', 'axis_deg', '°', 0, (s) => glassesOf(s).axis_deg, (s, x) => { glassesOf(s).axis_deg = x; }, own);
   part.slider('Add', 'addition_D', ' D', 2, (s) => glassesOf(s).addition_D, (s, x) => { glassesOf(s).addition_D = x; }, (s) => glassesOf(s).kind === 'progressive');
   part.slider('Vertex dist.', 'vertex_mm', ' mm', 1, (s) => glassesOf(s).vertex_mm, (s, x) => { glassesOf(s).vertex_mm = x; }, single);
-  const worn = (s: State) => glassesOf(s).kind !== 'none';
-  part.check('Rim on the picture', (s) => s.rimOverlay, (s, on) => { s.rimOverlay = on; }, worn);
-  part.check('Map of the lens', (s) => s.lensMap, (s, on) => { s.lensMap = on; }, worn);
+  const isWorn = (s: State) => glassesOf(s).kind !== 'none';
+  part.check('Rim on the picture', (s) => s.rimOverlay, (s, on) => { s.rimOverlay = on; }, isWorn);
+  part.check('Map of the lens', (s) => s.lensMap, (s, on) => { s.lensMap = on; }, isWorn);
   part.select('Gaze', [['camera', 'Eye looks ahead'], ['foveal', 'Eye turns to each point']], (s) => s.camera.gaze, (s, word) => { s.camera.gaze = word; });
   return part;
 }
@@ -95,7 +104,7 @@ function picturePart(change: Change): FormPart {
 }
 
 /** Fills the form; what it returns follows the state. */
-export function fillForm(form: HTMLFormElement, change: Change, core: Core, view: ViewData, actions: FormActions): Bound[] {
+export function fillForm(form: HTMLFormElement, change: Change, core: Core, view: () => ViewData, actions: FormActions): Bound[] {
   const lessonPart = new FormPart('Lessons', change);
   lessonPart.buttons(...lessons.map((lesson, k): [string, () => void] => [lesson.title, () => actions.lesson(k)]), ['As it came', actions.reset]);
   const keep = new FormPart('Keep', change);
@@ -104,7 +113,11 @@ export function fillForm(form: HTMLFormElement, change: Change, core: Core, view
   native.hidden = headset.hidden = true;
   actions.native(native);
   actions.headset(headset);
-  const parts = [eyePart(change, core), glassesPart(change, view), picturePart(change), lessonPart, keep];
+  const open = new FormPart('Open', change);
+  open.buttons(['Open files…', () => actions.files.click()]);
+  open.add(actions.files);
+  open.add(element('p', { className: 'note', textContent: 'Or drop them here: glTF, OBJ, USD, HDR or EXR, eyes, spectacles and views of Sturm (.json), prescriptions (.txt). A model comes with all files that it names.' }));
+  const parts = [eyePart(change, core, actions.realEye), glassesPart(change, view), picturePart(change), open, lessonPart, keep];
   form.append(...parts.map((part) => part.element));
   form.addEventListener('submit', (event) => event.preventDefault());
   return parts.flatMap((part) => part.bound);

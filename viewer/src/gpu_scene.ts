@@ -21,6 +21,7 @@ export class GpuScene {
   private readonly textures: Record<string, WebGLTexture>;
   private readonly uniforms: Record<string, Uniform>;
   private readonly vertexArray: WebGLVertexArrayObject;
+  private readonly buffers: WebGLBuffer[] = [];
   private readonly places: WebGLTexture;
   private readonly indexCount: number;
   private readonly vertexCount: number;
@@ -71,13 +72,14 @@ export class GpuScene {
   private vertexArrayOf(vertices: Float32Array, index: Uint32Array): WebGLVertexArrayObject {
     const { gl } = this.gpu, array = gl.createVertexArray();
     gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    this.buffers.push(gl.createBuffer(), gl.createBuffer());
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[0] ?? null);
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
     [4, 2, 3].forEach((size, k) => {
       gl.enableVertexAttribArray(k);
       gl.vertexAttribPointer(k, size, gl.FLOAT, false, 36, [0, 16, 24][k] ?? 0);
     });
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.buffers[1] ?? null);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
     gl.bindVertexArray(null);
     return array;
@@ -124,6 +126,14 @@ export class GpuScene {
     this.gpu.into(into);
     this.gpu.fill(false);
     this.shown = into;
+  }
+
+  release(): void {
+    const { gl } = this.gpu;
+    for (const texture of [...Object.values(this.textures), this.places, this.neighbours]) gl.deleteTexture(texture);
+    for (const target of [this.baked, ...this.smoothed]) this.gpu.release(target);
+    for (const buffer of this.buffers) gl.deleteBuffer(buffer);
+    gl.deleteVertexArray(this.vertexArray);
   }
 
   get light(): WebGLTexture {

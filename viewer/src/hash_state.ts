@@ -1,5 +1,5 @@
 /** The state as the part of a link behind #. What comes in is a stranger's: every key and number is checked. */
-import { accommodations, gazes, glassesKinds, modes, ranges, rayModels, sides, type State } from './state';
+import { accommodations, gazes, glassesKinds, modes, ranges, rayModels, secondOrders, sides, type State } from './state';
 
 type Checker = (value: unknown, path: string) => unknown;
 
@@ -33,14 +33,19 @@ const record = (keys: Record<string, Checker>): Checker => (value, path) => {
   }));
 };
 
+const orNull = (check: Checker): Checker => (value, path) => (value === null ? null : check(value, path));
+
 function short(value: unknown): string {
   const text = JSON.stringify(value) ?? 'nothing';
   return text.length > 40 ? `${text.slice(0, 40)}…` : text;
 }
 
+/** 66: orders up to 10, which is what the page traces. */
+const wavefront = record({ coefficients_m: list(number('coefficients_m'), 1, 66), radius_m: number('radius_m'), second_order: word(secondOrders) });
 const eye = record({
   sphere_D: number('sphere_D'), cylinder_D: number('cylinder_D'), axis_deg: number('axis_deg'), vertex_mm: number('vertex_mm'), pupil_mm: number('pupil_mm'),
   accommodation: word(accommodations), focus_D: number('focus_D'), amplitude_D: number('amplitude_D'),
+  wavefront: orNull(wavefront),
 });
 const glasses = record({
   kind: word(glassesKinds), fitted: truth, sphere_D: number('sphere_D'), cylinder_D: number('cylinder_D'), axis_deg: number('axis_deg'),

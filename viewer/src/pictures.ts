@@ -44,12 +44,16 @@ export class Pictures {
   private passPoints: Float32Array = new Float32Array(4);
   private order: number[] = [0];
 
-  constructor(readonly gpu: Gpu, private readonly core: Core, private readonly scene: GpuScene, private readonly maxBounces: number) {
+  constructor(readonly gpu: Gpu, private readonly core: Core, private scene: GpuScene, private maxBounces: number) {
     this.programs = new Programs(gpu);
     this.filter = new NoiseFilter(gpu, this.programs);
     this.sights = gpu.floats(new Float32Array(4), 1, 1);
     this.focus = gpu.floats(new Float32Array(4), 1, 1);
     this.passTable = gpu.floats(new Float32Array(4), 1, 1);
+  }
+
+  showScene(scene: GpuScene, maxBounces: number): void {
+    [this.scene, this.maxBounces] = [scene, maxBounces];
   }
 
   setPasses(count: number): void {

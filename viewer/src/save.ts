@@ -1,6 +1,6 @@
 /** What leaves the page: a document for the program, a picture, a link. */
 import { numbersOf } from './camera';
-import type { EyeNumbers, LensNumbers } from './core_module';
+import type { EyeNumbers, LensNumbers, WavefrontNumbers } from './core_module';
 import { element } from './elements';
 import { eyeNumbers, lensNumbers } from './eye_optics';
 import type { Side, State } from './state';
@@ -14,10 +14,27 @@ function accommodationDocument(a: EyeNumbers['accommodation']): Record<string, u
   return 'power_D' in a ? { mode: 'fixed', power_D: a.power_D } : { mode: 'fixed', focus_distance_m: a.focus_distance_m };
 }
 
-function eyeDocument(state: State, view: ViewData, side: Side, given: Record<string, unknown>): Record<string, unknown> {
-  const eye = eyeNumbers(state.eyes[side], view.worn[side].eye), rx = eye.prescription;
+/** In what `given` says of it besides (its wavelength) nothing changes. */
+function wavefrontDocument(wave: WavefrontNumbers, combine: boolean, given: unknown): Record<string, unknown> {
+  const { wavelength_nm } = (given ?? {}) as { wavelength_nm?: number };
   return {
-    ...given,
+    ...(wavelength_nm === undefined ? {} : { wavelength_nm }), order: 'osa', coefficients_um: Array.from(wave.coefficients_m, (c) => Number((1e6 * c).toPrecision(15))), pupil_diameter_mm: mm(2 * wave.radius_m),
+    second_order: wave.second_order, combine,
+  };
+}
+
+/** Names of the files that a document needs beside itself. */
+export function filesOf(document: unknown, key = ''): string[] {
+  if (typeof document === 'string') return ['scene', 'file', 'spectacles', 'eye'].includes(key) ? [document] : [];
+  if (typeof document !== 'object' || document === null) return [];
+  return [...new Set(Object.entries(document).flatMap(([name, value]) => filesOf(value, Array.isArray(document) ? key : name)))];
+}
+
+function eyeDocument(state: State, view: ViewData, side: Side, given: Record<string, unknown>): Record<string, unknown> {
+  const eye = eyeNumbers(state.eyes[side], view.worn[side].eye), rx = eye.prescription, { prescription: _, wavefront, ...others } = given;
+  return {
+    ...others,
+    ...(eye.wavefront ? { wavefront: wavefrontDocument(eye.wavefront, rx !== null, wavefront) } : {}),
     ...(rx ? { prescription: { sphere_D: rx.sphere_D, cylinder_D: rx.cylinder_D, axis_deg: rx.axis_deg, vertex_distance_mm: mm(rx.vertex_distance_m) } } : {}),
     pupil_diameter_mm: mm(eye.pupil_diameter_m), accommodation: accommodationDocument(eye.accommodation),
   };

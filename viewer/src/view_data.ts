@@ -1,7 +1,7 @@
 /** What `sturm view` has put into the page (docs/formats/viewer_scene.md). */
 import type { CameraNumbers, EyeNumbers, WornNumbers } from './core_module';
 import { readScene, type SceneData } from './scene_file';
-import { ranges, rayModels, startEye, startGlasses, type EyeState, type GlassesState, type RayModel, type State } from './state';
+import { ranges, rayModels, startEye, startGlasses, type CameraState, type EyeState, type GlassesState, type RayModel, type State } from './state';
 
 export interface ViewData {
   title: string;
@@ -15,7 +15,7 @@ export interface ViewData {
   notDrawn: string[];
 }
 
-function textOf(id: string): string {
+export function textOf(id: string): string {
   return document.getElementById(id)?.textContent?.trim() ?? '';
 }
 
@@ -30,17 +30,21 @@ export function viewOfPage(): ViewData | null {
   };
 }
 
+/** Bytes that were packed with gzip and written in base64. */
+export async function unzipped(text: string): Promise<ArrayBuffer> {
+  const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
 export async function sceneOfPage(): Promise<SceneData> {
-  const packed = Uint8Array.from(atob(textOf('sturm-scene')), (c) => c.charCodeAt(0));
-  const bytes = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-  return readScene(bytes);
+  return readScene(await unzipped(textOf('sturm-scene')));
 }
 
 const within = (name: keyof typeof ranges, value: number) => Math.min(ranges[name][1], Math.max(ranges[name][0], value));
 
-function eyeState(eye: EyeNumbers): EyeState {
-  const rx = eye.prescription, a = eye.accommodation;
-  const state: EyeState = { ...startEye, pupil_mm: within('pupil_mm', 1e3 * eye.pupil_diameter_m), accommodation: a.mode };
+export function eyeState(eye: EyeNumbers): EyeState {
+  const rx = eye.prescription, a = eye.accommodation, wave = eye.wavefront;
+  const state: EyeState = { ...startEye, pupil_mm: within('pupil_mm', 1e3 * eye.pupil_diameter_m), accommodation: a.mode, wavefront: wave && { ...wave, coefficients_m: Array.from(wave.coefficients_m) } };
   if (rx) Object.assign(state, { sphere_D: rx.sphere_D, cylinder_D: rx.cylinder_D, axis_deg: rx.axis_deg, vertex_mm: 1e3 * rx.vertex_distance_m });
   if (a.mode === 'fixed') state.focus_D = within('focus_D', 'power_D' in a ? a.power_D : a.focus_distance_m === 'inf' ? 0 : 1 / a.focus_distance_m);
   if (a.mode === 'best') state.amplitude_D = within('amplitude_D', a.amplitude_D);
@@ -51,17 +55,21 @@ function glassesState(worn: WornNumbers): GlassesState {
   return { ...startGlasses, kind: worn.lens ? 'view' : 'none' };
 }
 
+export function cameraState(c: CameraNumbers): CameraState {
+  const ahead = c.look_at_m.map((x, k) => x - (c.position_m[k] ?? 0)), deg = 180 / Math.PI;
+  return {
+    position_m: [...c.position_m], turn_deg: deg * Math.atan2(ahead[0] ?? 0, -(ahead[2] ?? -1)),
+    tilt_deg: within('tilt_deg', deg * Math.atan2(ahead[1] ?? 0, Math.hypot(ahead[0] ?? 0, ahead[2] ?? 0))), field_deg: within('field_deg', deg * c.vfov_rad), gaze: c.gaze,
+  };
+}
+
 /** The state that the page opens with. */
 export function startState(view: ViewData): State {
-  const c = view.camera, ahead = c.look_at_m.map((x, k) => x - (c.position_m[k] ?? 0)), deg = 180 / Math.PI;
   return {
     side: 'right',
     eyes: { right: eyeState(view.worn.right.eye), left: eyeState(view.worn.left.eye) },
     glasses: { right: glassesState(view.worn.right), left: glassesState(view.worn.left) },
-    camera: {
-      position_m: [...c.position_m], turn_deg: deg * Math.atan2(ahead[0] ?? 0, -(ahead[2] ?? -1)),
-      tilt_deg: within('tilt_deg', deg * Math.atan2(ahead[1] ?? 0, Math.hypot(ahead[0] ?? 0, ahead[2] ?? 0))), field_deg: within('field_deg', deg * c.vfov_rad), gaze: c.gaze,
-    },
+    camera: cameraState(view.camera),
     modes: ['raster'], rayModel: view.rayModel, passes: 64, exposure: 1, filter: false, fieldOverlay: false, rimOverlay: false, lensMap: false,
   };
 }
