@@ -110,7 +110,8 @@ class Shipped(unittest.TestCase):
         bench = strict_json((SOURCE / "configs/benchmarks/error_vs_time.json").read_text())
         methods = {method["id"]: method.get("patch", {}).get("method", {}) for method in bench["methods"]}
         self.assertEqual({method.get("sampler", "sobol") for method in methods.values()}, {"sobol", "independent", "halton"})
-        self.assertEqual({method["prediction"] for method in methods.values() if "prediction" in method}, {"ellipses", "layered", "multipass"})
+        self.assertEqual({method["prediction"] for method in methods.values() if "prediction" in method}, {"ellipses", "layered", "multipass", "depth_psf"})
+        self.assertEqual({method.get("psf", "rays") for method in methods.values() if method.get("prediction") == "depth_psf"}, {"rays", "waves"})
         self.assertTrue(any("adaptive" in method for method in methods.values()))
         self.assertTrue(any(method.get("oversampling", 1) > 1 for method in methods.values()))
         self.assertEqual({(level["error"], level["level"]) for level in bench["levels"]},

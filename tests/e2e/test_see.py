@@ -205,6 +205,26 @@ class See(FolderTest):
         self.assertIn("2 planes", text)
         self.assertEqual(snapshot(self.folder), before)
 
+    def test_a_sharp_picture_costs_no_more_than_reading_and_writing_it(self):
+        """In focus, and through a pinhole with half of it at another distance: every layer of every tile is empty or copied."""
+        state, rows = 1, []
+        for _ in range(480):  # noise, so that files do not shrink
+            row = []
+            for _ in range(640):
+                state = state * 1103515245 + 12345 & 0x7FFFFFFF
+                row.append((state >> 23, state >> 15 & 255, state >> 7 & 255))
+            rows.append(row)
+        photo = self.write("noise.png", png_pixels.encode(rows))
+        depth = self.write("halves.pfm", pfm([[0.5 if x < 320 else 4.0 for x in range(640)]] * 480))
+        for options in (["--pupil-mm", 5.7, "--distance-m", 0.5], ["--pupil-mm", 0, "--depth", depth]):
+            self.succeed("see", photo, "--rx", "plano", "--focus-m", 0.5, "--vfov-deg", 28, *options, "-o", self.folder / "sharp.exr")
+            manifest = json.loads((self.folder / "sharp.manifest.json").read_text())
+            [frame] = manifest["counters"]["frames"]
+            self.assertEqual([frame[f"layers_{work}"] for work in ("covered", "spatial", "transform")], [0, 0, 0])
+            seconds = manifest["provenance"]["seconds"]
+            seeing = sum(seconds[part] for part in ("kernels", "hidden_surfaces", "blur"))
+            self.assertLess(seeing, seconds["total"] - seeing)
+
     def test_names_need_not_be_utf8(self):
         """A file's name in Latin-1 stands in the manifest, with a replacement character."""
         picture = os.fsencode(self.folder) + b"/gr\xfcn.png"
