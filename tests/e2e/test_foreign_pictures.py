@@ -127,6 +127,19 @@ class Layers(Compared):
         shown = {c: [[0.0] + row[: WIDTH - 1] for row in rows] for c, rows in A.items()}
         self.assertAlmostEqual(self.compared("a.exr", file)["metrics"]["rmse_linear"], rmse(shown, B), delta=1e-7)
 
+        self.refused("a.exr", files.exr(A, corner=(100, 0), display=(0, 0, WIDTH - 1, HEIGHT - 1)), "a.exr", "no pixel inside of its display window")
+
+    def test_blocks_of_pixels_with_one_value(self):
+        """Red for 2 × 2 pixels, blue for 4 × 4; and a luminance for 2 × 2 alone."""
+        def blocks(rows, side):
+            return [[rows[y - y % side][x - x % side] for x in range(WIDTH)] for y in range(HEIGHT)]
+
+        result = self.compared("a.exr", files.exr({"R": (files.HALF, A["R"], 2), "G": A["G"], "B": (files.FLOAT, A["B"], 4)}))
+        self.assertAlmostEqual(result["metrics"]["rmse_linear"], rmse({"R": blocks(A["R"], 2), "G": A["G"], "B": blocks(A["B"], 4)}, B), delta=1e-7)
+        self.assertTrue(any("block of pixels" in note for note in result["notes"]), result["notes"])
+        grey = self.compared("a.exr", files.exr({"Y": (files.FLOAT, A["R"], 2)}, corner=(-2, 4)))
+        self.assertAlmostEqual(grey["metrics"]["rmse_linear"], rmse(dict.fromkeys("RGB", blocks(A["R"], 2)), B), delta=1e-7)
+
     def test_other_primaries_are_converted(self):
         """Rec. 2020 green is (-0.5876, 1.1329, -0.1006) in Rec. 709 (ITU-R BT.2087-0, table 4); ACES white stays white under Bradford's transform."""
         rec2020 = (0.708, 0.292, 0.170, 0.797, 0.131, 0.046, 0.3127, 0.3290)
