@@ -4,6 +4,7 @@ import random
 import unittest
 
 import picture_files as files
+from srgb import srgb_to_linear
 from sturm_process import WRONG_INPUT, FolderTest, strict_json, sturm
 
 WIDTH, HEIGHT = 16, 12
@@ -31,10 +32,6 @@ def renamed(channels, pattern):
 
 def tuples(channels):
     return [list(zip(*rows)) for rows in zip(*(channels[c] for c in "RGB"))]
-
-
-def srgb_to_linear(v):
-    return v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4
 
 
 A, B = colours(1), colours(10)
