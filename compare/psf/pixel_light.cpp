@@ -58,6 +58,13 @@ double part_place(int part) {
   return (part + 0.5) / parts - 0.5;
 }
 
+/// What `gaussian` has at 0, 1, …, `count` − 1.
+Eigen::VectorXd sampled(const PixelGaussian& gaussian, int count, double (PixelGaussian::*what)(double) const) {
+  Eigen::VectorXd values(count);
+  for (int i = 0; i < count; ++i) values(i) = (gaussian.*what)(i);
+  return values;
+}
+
 PartWeights part_weights() {
   PartWeights weights;
   for (int part = 0; part < parts; ++part)
@@ -80,11 +87,17 @@ PixelLight::PixelLight(const PointSpread& spread) : side_arcmin_(spread.cell_arc
     const Eigen::Vector2i cell = cell_of(spread.points[i]);
     coefficients_(cell.x(), cell.y()) += spread.weights[i];
   }
+  gaussians_ = {PixelGaussian(coefficients_.rowwise().sum()), PixelGaussian(coefficients_.colwise().sum().transpose())};
+  const Eigen::VectorXd of_column = sampled(gaussians_[0], size.x(), &PixelGaussian::pixel),
+                        of_row = sampled(gaussians_[1], size.y(), &PixelGaussian::pixel);
+  coefficients_ -= of_column * of_row.transpose();
   for (int y = 0; y < size.y(); ++y) filter(coefficients_.col(y));
   for (int x = 0; x < size.x(); ++x) filter(coefficients_.row(x));
   Eigen::MatrixXd light = coefficients_;
   for (int y = 0; y < size.y(); ++y) integrate_over_cells(light.col(y));
   for (int x = 0; x < size.x(); ++x) integrate_over_cells(light.row(x));
+  light += sampled(gaussians_[0], size.x(), &PixelGaussian::cell) *
+           sampled(gaussians_[1], size.y(), &PixelGaussian::cell).transpose();
   for (int y = 3; y + 3 < size.y(); ++y)
     for (int x = 3; x + 3 < size.x(); ++x)
       cells_.push_back({(Eigen::Vector2d(x, y) - centroid_).norm(), light(x, y), x, y});
@@ -95,8 +108,13 @@ PixelLight::PixelLight(const PointSpread& spread) : side_arcmin_(spread.cell_arc
 
 double PixelLight::light_on_circle(const Cell& cell, double radius) const {
   static const PartWeights weights = part_weights();
+  Eigen::Vector<double, parts> column, row;
+  for (int part = 0; part < parts; ++part) {
+    column(part) = gaussians_[0].pixel(cell.x + part_place(part));
+    row(part) = gaussians_[1].pixel(cell.y + part_place(part));
+  }
   const Eigen::Matrix<double, parts, parts> density =
-      weights * coefficients_.block<7, 7>(cell.x - 3, cell.y - 3) * weights.transpose();
+      weights * coefficients_.block<7, 7>(cell.x - 3, cell.y - 3) * weights.transpose() + column * row.transpose();
   const Eigen::Vector2d middle = Eigen::Vector2d(cell.x, cell.y) - centroid_;
   double inside = 0.0, area = 0.0;
   for (int j = 0; j < parts; ++j)

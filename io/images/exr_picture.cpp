@@ -3,6 +3,7 @@
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "io/files/error.h"
@@ -94,6 +95,9 @@ PictureFile read_layer(const std::filesystem::path& path, const ExrReader& file,
     result.notes.emplace_back("stored as luminance and chroma, which OpenEXR decodes in half precision");
   } else {
     read_picture_and_depth(file, layer, depth_beside(layers, layer), result.picture);
+    const auto is_subsampled = [&](const std::string& name) { return file.is_subsampled(layer.part, name); };
+    if (std::any_of(layer.channels.begin(), layer.channels.end(), is_subsampled))
+      result.notes.emplace_back("some channels have one value for each block of pixels, which all of them get");
     if (layer.kind == ExrLayer::Kind::Luminance) result.notes.emplace_back("luminance alone, shown as grey");
   }
   const Imf::Header& header = file.header(layer.part);

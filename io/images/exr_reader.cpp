@@ -42,6 +42,23 @@ double largest_ratio(Imf::Compression compression) {
   }
 }
 
+/// Where `image` has values of a subsampled channel: at the first pixel of each block.
+Imf::Slice blocks_of(Imf::Slice slice, const Imf::Channel& channel) {
+  slice.xSampling = channel.xSampling;
+  slice.ySampling = channel.ySampling;
+  slice.xStride *= static_cast<std::size_t>(channel.xSampling);
+  slice.yStride *= static_cast<std::size_t>(channel.ySampling);
+  return slice;
+}
+
+/// The value of each block for all of its pixels. A data window starts with a whole block.
+void fill_blocks(Image& image, int c, const Imf::Channel& channel) {
+  if (channel.xSampling == 1 && channel.ySampling == 1) return;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      image.at(x, y)[c] = image.at(x - x % channel.xSampling, y - y % channel.ySampling)[c];
+}
+
 double stored_bytes(const Imf::Header& header) {
   double bytes_of_a_pixel = 0.0;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
@@ -57,8 +74,10 @@ Image in_display_window(Image stored, const Imf::Header& header) {
   if (data == display) return stored;
   Image image(static_cast<int>(extent(display.min.x, display.max.x)),
               static_cast<int>(extent(display.min.y, display.max.y)), stored.channels);
-  const int left = std::max(data.min.x, display.min.x), right = std::min(data.max.x, display.max.x);
-  for (int y = std::max(data.min.y, display.min.y); y <= std::min(data.max.y, display.max.y) && left <= right; ++y) {
+  const int left = std::max(data.min.x, display.min.x), right = std::min(data.max.x, display.max.x),
+            top = std::max(data.min.y, display.min.y), bottom = std::min(data.max.y, display.max.y);
+  if (left > right || top > bottom) throw std::runtime_error("no pixel inside of its display window");
+  for (int y = top; y <= bottom; ++y) {
     const float* from = stored.at(left - data.min.x, y - data.min.y);
     std::copy_n(from, extent(left, right) * stored.channels, image.at(left - display.min.x, y - display.min.y));
   }
@@ -80,9 +99,13 @@ std::vector<std::string> ExrReader::channels(int part) const {
   std::vector<std::string> names;
   if (is_deep(part)) return names;
   const Imf::ChannelList& list = header(part).channels();
-  for (auto c = list.begin(); c != list.end(); ++c)
-    if (c.channel().xSampling == 1 && c.channel().ySampling == 1) names.emplace_back(c.name());
+  for (auto c = list.begin(); c != list.end(); ++c) names.emplace_back(c.name());
   return names;
+}
+
+bool ExrReader::is_subsampled(int part, const std::string& name) const {
+  const Imf::Channel& channel = header(part).channels()[name.c_str()];
+  return channel.xSampling != 1 || channel.ySampling != 1;
 }
 
 bool ExrReader::has_channel(int part, const std::string& name) const {
@@ -106,20 +129,27 @@ std::vector<Image> ExrReader::read(int part, const std::vector<std::vector<std::
   for (const auto& group : groups) channel_count += group.size();
   require_room(part, channel_count, max_bytes);
   const Imath::Box2i data = header(part).dataWindow();
+  const Imf::ChannelList& stored = header(part).channels();
   std::vector<Image> images;
   Imf::FrameBuffer frame;
   for (const auto& group : groups) {
     Image& image =
         images.emplace_back(static_cast<int>(extent(data.min.x, data.max.x)),
                             static_cast<int>(extent(data.min.y, data.max.y)), static_cast<int>(group.size()));
-    for (std::size_t c = 0; c < group.size(); ++c)
-      frame.insert(group[c], exr_slice(image.pixels.data(), image.width, image.channels, static_cast<int>(c),
-                                       data.min.x, data.min.y));
+    for (std::size_t c = 0; c < group.size(); ++c) {
+      const Imf::Slice whole =
+          exr_slice(image.pixels.data(), image.width, image.channels, static_cast<int>(c), data.min.x, data.min.y);
+      frame.insert(group[c], blocks_of(whole, stored[group[c].c_str()]));
+    }
   }
   Imf::InputPart pixels(*file_, part);
   pixels.setFrameBuffer(frame);
   pixels.readPixels(data.min.y, data.max.y);
-  for (Image& image : images) image = in_display_window(std::move(image), header(part));
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t c = 0; c < groups[i].size(); ++c)
+      fill_blocks(images[i], static_cast<int>(c), stored[groups[i][c].c_str()]);
+    images[i] = in_display_window(std::move(images[i]), header(part));
+  }
   return images;
 }
 

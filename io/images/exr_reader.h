@@ -22,15 +22,18 @@ class ExrReader {
   const Imf::Header& header(int part) const { return file_->header(part); }
   bool is_deep(int part) const;
 
-  /// The channels of a part that have a value for each pixel; none of a deep part.
+  /// The channels of a part; none of a deep part.
   std::vector<std::string> channels(int part) const;
 
   /// Whether a part has a channel, subsampled or not.
   bool has_channel(int part, const std::string& name) const;
 
+  /// Whether a channel of a part has one value for a block of several pixels.
+  bool is_subsampled(int part, const std::string& name) const;
+
   /// One image for each group of channels of a part, as floats, in the display window; pixels that the file does not
-  /// store are 0. More than `max_bytes` of memory, and more pixels than a file of this size can hold, are refused
-  /// before anything is allocated.
+  /// store are 0, and those of a block have its value. More than `max_bytes` of memory, and more pixels than a file of
+  /// this size can hold, are refused before anything is allocated.
   std::vector<Image> read(int part, const std::vector<std::vector<std::string>>& groups, std::size_t max_bytes) const;
 
   /// Throws where images of `channels` floats for each pixel of a part are refused.
@@ -42,7 +45,7 @@ class ExrReader {
 };
 
 /// The part of `stored` (first pixel at the corner of the header's data window) that lies in its display window; 0
-/// elsewhere.
+/// elsewhere. Throws std::runtime_error where none does.
 Image in_display_window(Image stored, const Imf::Header& header);
 
 }  // namespace sturm

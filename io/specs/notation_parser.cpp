@@ -21,15 +21,6 @@ void set_once(std::optional<Value>& place, Value value, const char* what) {
   place = value;
 }
 
-/// "-200" stands for -2.00 to some, "-075" for -0.75.
-bool may_lack_its_point(const NotationToken& number) {
-  if (number.has_point || number.value == 0.0) return false;
-  const std::size_t first = number.has_sign ? 1 : 0;
-  const bool leading_zero = number.text.size() > first + 1 && number.text[first] == '0';
-  return leading_zero || (std::abs(number.value) >= 25.0 && std::fmod(number.value, 25.0) == 0.0) ||
-         std::abs(number.value) > largest_power_D;
-}
-
 }  // namespace
 
 const NotationToken* NotationParser::peek(std::size_t ahead) const {
@@ -256,7 +247,7 @@ double NotationParser::angle(const char* what, double largest) {
 }
 
 double NotationParser::dioptres(const NotationToken& number, const char* what, double largest) const {
-  if (may_lack_its_point(number)) {
+  if (may_lack_its_point(number.text) || (!number.has_point && std::abs(number.value) > largest_power_D)) {
     NotedPrescription quarters;
     quarters.sphere_D = number.value / 100.0;
     std::string with_point = in_notation(quarters);

@@ -153,6 +153,8 @@ class Scanner {
         word();
       else if (c == '^' || c == '@')
         add_word(text_.substr(at_++, 1));
+      else if (c == '-' && at_ > 0 && (is_digit(text_[at_ - 1]) || text_[at_ - 1] == '.'))
+        throw NotationError("a sign before its number, not behind it");
       else if (" \t\r\n/,;:()[]=|.&-_"sv.find(c) != std::string_view::npos)
         ++at_;
       else
@@ -250,6 +252,14 @@ std::vector<NotationToken> notation_tokens(std::string_view text) {
   if (text.size() > longest_text)
     throw NotationError("a prescription of at most " + std::to_string(longest_text) + " bytes");
   return Scanner(utf8_text(std::string(text))).run();
+}
+
+bool may_lack_its_point(std::string_view number) {
+  if (number.starts_with('+') || number.starts_with('-')) number.remove_prefix(1);
+  if (number.size() < 2 || !std::ranges::all_of(number, is_digit)) return false;
+  if (number.front() == '0') return true;
+  const std::string_view end = number.substr(number.size() - 2);
+  return end == "00" || end == "25" || end == "50" || end == "75";
 }
 
 }  // namespace sturm

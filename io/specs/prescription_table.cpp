@@ -11,7 +11,9 @@
 #include "io/files/csv_table.h"
 #include "io/files/error.h"
 #include "io/files/readable_text.h"
+#include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
+#include "io/specs/notation_tokens.h"
 #include "io/specs/prescription_notation.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/units.h"
@@ -105,6 +107,10 @@ class Rows {
         cell.erase(cell.find_last_not_of(' ') + 1);
         break;
       }
+    if (may_lack_its_point(with_keyboard_signs(cell)))
+      fail(readable(cell, 80), "a number with a point in column " + column.name +
+                                   ", since this could be hundredths (numbers with a decimal comma need quotes, or "
+                                   "semicolons between fields)");
     return number(cell, column);
   }
 
@@ -116,6 +122,8 @@ class Rows {
       if (cell.starts_with(sign)) cell.erase(0, sign.size());
     cell.erase(0, std::min(cell.find_first_not_of(' '), cell.size()));
     cell.erase(cell.find_last_not_of(' ') + 1);
+    if (with_keyboard_signs(cell).starts_with('-'))
+      fail(readable(cell, 80), "an axis from 0 to 180 in column " + axis_column.name);
     return number(cell, axis_column);
   }
 

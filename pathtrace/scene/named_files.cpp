@@ -4,6 +4,7 @@
 
 #include "io/files/error.h"
 #include "io/files/sandbox.h"
+#include "io/files/text_encoding.h"
 #include "pathtrace/scene/obj/obj_words.h"
 
 namespace sturm {
@@ -58,6 +59,8 @@ std::optional<NamedFiles::Found> NamedFiles::find(std::string_view name) const {
   const fs::path path = path_of(name);
   if (path.empty()) return std::nullopt;
   if (const auto found = in_folders(path)) return Found{allowed(*found)};
+  if (!is_utf8(name))
+    if (const auto found = in_folders(path_of(utf8_text(std::string(name))))) return Found{allowed(*found)};
   if (path.has_parent_path() && path.has_filename())
     if (const auto found = in_folders(path.filename())) return Found{allowed(*found), true};
   return std::nullopt;

@@ -18,9 +18,10 @@ class NamedFiles {
   /// `folders` are looked through in their order.
   explicit NamedFiles(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
-  /// A file of this name: as it is written; then with letters in another case; then, without the folders that it names,
-  /// beside the model. Quotes about the name are taken off, and backslashes separate folders.
-  /// Throws InputError where the sandbox forbids it (io/files/sandbox.h).
+  /// A file of this name: as it is written; then, if it is no UTF-8, as the
+  /// Latin-1 that it may be; each first by the letter and then with letters in another case; then, without the folders
+  /// that it names, beside the model. Quotes about the name are taken off, and backslashes separate folders. Throws
+  /// InputError where the sandbox forbids it (io/files/sandbox.h).
   std::optional<Found> find(std::string_view name) const;
 
   /// Where the name leads to if it is taken by the letter.

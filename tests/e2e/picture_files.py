@@ -12,8 +12,9 @@ def _attribute(name, kind, data):
 
 
 def _exr_header(channels, data, display, extra):
-    """channels: {name: (type, rows)}"""
-    listed = b"".join(name.encode("latin-1") + b"\0" + struct.pack("<iB3xii", channels[name][0], 0, 1, 1) for name in sorted(channels)) + b"\0"
+    """channels: {name: (type, rows, side of the blocks that have one value)}"""
+    listed = b"".join(name.encode("latin-1") + b"\0" + struct.pack("<iB3xii", kind, 0, step, step)
+                      for name, (kind, _, step) in sorted(channels.items())) + b"\0"
     return (_attribute("channels", "chlist", listed) + _attribute("compression", "compression", b"\0") +
             _attribute("dataWindow", "box2i", struct.pack("<4i", *data)) + _attribute("displayWindow", "box2i", struct.pack("<4i", *display)) +
             _attribute("lineOrder", "lineOrder", b"\0") + _attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) +
@@ -27,13 +28,14 @@ def _window(channels, corner):
 
 
 def exr(channels, corner=(0, 0), display=None, chromaticities=None):
-    """One part. channels: {name: rows} as floats, or {name: (type, rows)}; corner: where the stored pixels start."""
-    channels = {name: value if isinstance(value, tuple) else (FLOAT, value) for name, value in channels.items()}
+    """One part. channels: {name: rows} as floats, {name: (type, rows)}, or {name: (type, rows, step)}, of which every step-th value of
+    every step-th row is stored; corner: where the stored pixels start."""
+    channels = {name: (*value, 1)[:3] if isinstance(value, tuple) else (FLOAT, value, 1) for name, value in channels.items()}
     data = _window(channels, corner)
     extra = [_attribute("chromaticities", "chromaticities", struct.pack("<8f", *chromaticities))] if chromaticities else []
     header = struct.pack("<II", 20000630, 2) + _exr_header(channels, data, display or data, extra) + b"\0"
-    lines = [b"".join(struct.pack(f"<{len(rows[y])}{SYMBOL[kind]}", *rows[y]) for _, (kind, rows) in sorted(channels.items()))
-             for y in range(data[3] - data[1] + 1)]
+    lines = [b"".join(struct.pack(f"<{len(rows[y][::step])}{SYMBOL[kind]}", *rows[y][::step])
+                      for _, (kind, rows, step) in sorted(channels.items()) if y % step == 0) for y in range(data[3] - data[1] + 1)]
     at, offsets, body = len(header) + 8 * len(lines), b"", b""
     for y, line in enumerate(lines):
         offsets += struct.pack("<Q", at + len(body))
@@ -45,9 +47,9 @@ def exr_parts(parts):
     """Several parts. parts: {name: {channel: rows}}"""
     header, tables, chunks = struct.pack("<II", 20000630, 2 | 0x1000), [], []
     first = next(iter(parts.values()))
-    display = _window({name: (FLOAT, rows) for name, rows in first.items()}, (0, 0))
+    display = _window({name: (FLOAT, rows, 1) for name, rows in first.items()}, (0, 0))
     for number, (name, channels) in enumerate(parts.items()):
-        channels = {channel: (FLOAT, rows) for channel, rows in channels.items()}
+        channels = {channel: (FLOAT, rows, 1) for channel, rows in channels.items()}
         data = _window(channels, (0, 0))
         count = data[3] + 1
         extra = [_attribute("chunkCount", "int", struct.pack("<i", count)), _attribute("name", "string", name.encode()),
@@ -55,7 +57,7 @@ def exr_parts(parts):
         header += _exr_header(channels, data, display, extra) + b"\0"
         tables.append(count)
         for y in range(count):
-            line = b"".join(struct.pack(f"<{len(rows[y])}f", *rows[y]) for _, (_, rows) in sorted(channels.items()))
+            line = b"".join(struct.pack(f"<{len(rows[y])}f", *rows[y]) for _, (_, rows, _) in sorted(channels.items()))
             chunks.append(struct.pack("<iii", number, y, len(line)) + line)
     header += b"\0"
     at, offsets = len(header) + 8 * sum(tables), b""

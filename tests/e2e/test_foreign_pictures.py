@@ -4,6 +4,7 @@ import random
 import unittest
 
 import picture_files as files
+from srgb import srgb_to_linear
 from sturm_process import WRONG_INPUT, FolderTest, strict_json, sturm
 
 WIDTH, HEIGHT = 16, 12
@@ -31,10 +32,6 @@ def renamed(channels, pattern):
 
 def tuples(channels):
     return [list(zip(*rows)) for rows in zip(*(channels[c] for c in "RGB"))]
-
-
-def srgb_to_linear(v):
-    return v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4
 
 
 A, B = colours(1), colours(10)
@@ -126,6 +123,19 @@ class Layers(Compared):
         file = files.exr(wide, corner=(2, 1), display=(1, 1, WIDTH, HEIGHT))
         shown = {c: [[0.0] + row[: WIDTH - 1] for row in rows] for c, rows in A.items()}
         self.assertAlmostEqual(self.compared("a.exr", file)["metrics"]["rmse_linear"], rmse(shown, B), delta=1e-7)
+
+        self.refused("a.exr", files.exr(A, corner=(100, 0), display=(0, 0, WIDTH - 1, HEIGHT - 1)), "a.exr", "no pixel inside of its display window")
+
+    def test_blocks_of_pixels_with_one_value(self):
+        """Red for 2 × 2 pixels, blue for 4 × 4; and a luminance for 2 × 2 alone."""
+        def blocks(rows, side):
+            return [[rows[y - y % side][x - x % side] for x in range(WIDTH)] for y in range(HEIGHT)]
+
+        result = self.compared("a.exr", files.exr({"R": (files.HALF, A["R"], 2), "G": A["G"], "B": (files.FLOAT, A["B"], 4)}))
+        self.assertAlmostEqual(result["metrics"]["rmse_linear"], rmse({"R": blocks(A["R"], 2), "G": A["G"], "B": blocks(A["B"], 4)}, B), delta=1e-7)
+        self.assertTrue(any("block of pixels" in note for note in result["notes"]), result["notes"])
+        grey = self.compared("a.exr", files.exr({"Y": (files.FLOAT, A["R"], 2)}, corner=(-2, 4)))
+        self.assertAlmostEqual(grey["metrics"]["rmse_linear"], rmse(dict.fromkeys("RGB", blocks(A["R"], 2)), B), delta=1e-7)
 
     def test_other_primaries_are_converted(self):
         """Rec. 2020 green is (-0.5876, 1.1329, -0.1006) in Rec. 709 (ITU-R BT.2087-0, table 4); ACES white stays white under Bradford's transform."""

@@ -186,6 +186,8 @@ class Textures(ModelTest):
                      "..\\x\\t.png", "C:\\textures\\t.png", "/textures/of another/t.png", "-s.png", "-s 1 1 t.png", "t.png # ours", ".\\t.png"):
             with self.subTest(text):
                 self.assert_quarters(self.obj(USING, f"{PAINTED}map_Kd {text}\n"), *IN_PLACE)
+        self.write("gr\u00fcn.png", QUARTERS)  # a library in Latin-1 that came with files whose names became UTF-8
+        self.assert_quarters(self.obj(USING, f"{PAINTED}map_Kd gr\u00fcn.png\n".encode("latin-1")), *IN_PLACE)
         self.obj(USING, f"{PAINTED}map_Kd C:\\textures\\t.png\n")
         self.assert_noted("t.png", "does not exist")
         self.write("m.mtl", f"{PAINTED}map_Kd gone.png\n")

@@ -1,8 +1,12 @@
 """PLY models as scanners and modelling programs write them: text, bytes of either order, colours, textures, polygons."""
+import math
 import struct
 import unittest
 
-from model_pictures import BLUE, GREEN, QUARTERS, RED, YELLOW, ModelTest
+import png_pixels
+from gltf_models import Model
+from model_pictures import BLUE, FACE, GREEN, QUARTERS, RED, SQUARE, YELLOW, ModelTest
+from srgb import srgb_to_linear
 
 CORNERS = [(-1, -1, -2), (1, -1, -2), (1, 1, -2), (-1, 1, -2)]  # pixels 8 to 23
 COORDINATES = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -49,6 +53,31 @@ class Ply(ModelTest):
                 self.assert_noted("m.ply", "vertex colours", "linear")
         self.write("m.ply", text([(-1, 0, 0)] * 4, colours.format("float")))
         self.refused(self.with_model("m.ply"), "m.ply", "vertex colours", "-1", "0 to 255")
+
+    def test_light_as_from_other_formats(self):
+        """One colour, of the vertices or in a texture, from PLY, OBJ and glTF; glTF alone states vertex colours as linear."""
+        stored = (51, 102, 255)
+        colour = [srgb_to_linear(v / 255) for v in stored]
+        self.write("t.png", png_pixels.encode([[stored]]))
+        self.write("colours.ply", text([stored] * 4, "property uchar red\nproperty uchar green\nproperty uchar blue\n"))
+        self.write("texture.ply", text(COORDINATES, "property float s\nproperty float t\n", comments="comment TextureFile t.png\n"))
+        self.write("m.mtl", "newmtl m\nmap_Kd t.png\n")
+        self.write("colours.obj", "".join(f"v {x} {y} {z} {' '.join(str(v / 255) for v in stored)}\n" for x, y, z in CORNERS) + "f 1 2 3 4\n")
+        self.write("texture.obj", "mtllib m.mtl\n" + SQUARE + "usemtl m\n" + FACE)
+        for name, material, attributes in (("colours", {}, {"COLOR_0": [colour] * 4}), ("texture", {"picture": [[stored]]}, {})):
+            model = Model()
+            texture = model.picture(material["picture"]) if material else None
+            model.square(model.material(texture=texture), **{k: model.accessor(v) for k, v in attributes.items()})
+            model.write(self.folder / f"{name}.glb")
+        x = y = 0.0625  # the middle of the pixel; the sample lies within 1/16 of it, which changes 2/r³ by 1.5 %
+        r = math.hypot(x, y, 2)
+        for name in ("colours", "texture"):
+            pictures = [self.model(f"{name}.{suffix}") for suffix in ("obj", "ply", "glb")]
+            for channel, albedo in zip("RGB", colour):
+                seen = [picture[channel][15][16] for picture in pictures]
+                self.assertAlmostEqual(seen[0], albedo / math.pi * 2 / r**3, delta=0.015 * seen[0])
+                for other in seen[1:]:
+                    self.assertAlmostEqual(other, seen[0], delta=1e-5 * seen[0], msg=f"{name} {channel}: {seen}")  # single precision
 
     def test_a_texture_that_a_comment_names(self):
         self.write("scan.png", QUARTERS)

@@ -137,6 +137,9 @@ TEST(PrescriptionNotation, WhatIsAmbiguousSaysHowItCouldBeRead) {
   EXPECT_THAT(refused("-2.00 x 30"),
               AllOf(HasSubstr("\"-2.00 DS\""), HasSubstr("\"PL -2.00 x 30\""), HasSubstr("if a cylinder is missing")));
   EXPECT_THAT(refused("-2.00 30"), HasSubstr("30 could be an axis"));
+  // Bookkeepers write a minus behind the number.
+  for (const char* text : {"1.00-", "2.00- 1.50- x 30", "1.- DS", "1.00\u2212", "-2.00 -1.50- x 30"})
+    EXPECT_THAT(refused(text), HasSubstr("a sign before its number"));
 }
 
 TEST(PrescriptionNotation, WhatIsWrongIsRefused) {

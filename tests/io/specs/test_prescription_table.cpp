@@ -128,6 +128,15 @@ TEST_F(PrescriptionTableFile, WhatCouldBeMisreadIsRefused) {
               AllOf(HasSubstr("line 2"), HasSubstr("axis_deg, which a cylinder needs")));
   EXPECT_THAT(error(heading + "OD,P1,-1.25,-0.75,190\n"), HasSubstr("axis [deg] is 190, expected 0 to 180"));
   EXPECT_THAT(error(heading + "OD,P1,-40.0000001,0,\n"), HasSubstr("sphere [D] is -40.0000001, expected -40 to 40"));
+  // Where the heading has names left for the shifted fields, the decimals give it away.
+  const std::string wide = "id,eye,sph,cyl,axis,va,note\n";
+  EXPECT_THAT(error(wide + "P1,OD,-1,25,-0,75,80\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("25"), HasSubstr("column cyl_D"), HasSubstr("hundredths")));
+  EXPECT_THAT(error(wide + "P1,OD,-1,00,0,00,0\n"), HasSubstr("got 00"));
+  EXPECT_THAT(error(wide + "P1,OD,-1,5,-0,75,80\n"), AllOf(HasSubstr("got -0"), HasSubstr("axis_deg")));
+  EXPECT_THAT(error(heading + "OD,P1,-075,,\n"), AllOf(HasSubstr("got -075"), HasSubstr("hundredths")));
+  EXPECT_THAT(error(heading + "OD,P1,+25 D,,\n"), HasSubstr("hundredths"));
+  EXPECT_EQ(only(read_prescription_table(file(heading + "OD,P1,-12,-3,0\n"), 0.0)).sphere_D, -12.0);
   EXPECT_THAT(error("eye,id,sph,Sphere,cyl,axis\nOD,P1,1,2,,\n"),
               AllOf(HasSubstr("\"sph\" and \"Sphere\""), HasSubstr("one column for sph_D")));
   EXPECT_THAT(error("eye,id,rx\nOD,P1,-2.00 -1.50\n"),
