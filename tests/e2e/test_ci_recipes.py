@@ -44,9 +44,12 @@ class Action(FolderTest):
 
     def test_a_pair_that_agrees(self):
         self.pair("reference")
+        (self.folder / "summary.md").write_text("of an earlier step\n")
+        (self.folder / "outputs").write_text("earlier=yes\n")
         status, outputs, summary = self.run_step(suite="suite", options="--max-rmse 0 --bound flip=0", sturm=str(STURM))
         self.assertEqual(status, PASSED)
-        self.assertIn("status=0", outputs)
+        self.assertEqual(outputs, "earlier=yes\nstatus=0\n")
+        self.assertTrue(summary.startswith("of an earlier step\n"))
         self.assertIn("2 of 2 gates passed", summary)
         root = xml.etree.ElementTree.parse(self.folder / "sturm-suite.xml").getroot()
         self.assertEqual((root.get("tests"), root.get("failures")), ("2", "0"))
@@ -65,8 +68,29 @@ class Action(FolderTest):
         self.assertEqual(status, WRONG_INPUT)
         self.assertIn("status=2", outputs)
 
+    def test_what_it_asks_for_and_tells(self):
+        step, written = re.search(r"steps\.(\w+)\.outputs\.(\w+)", ACTION).groups()
+        self.assertIn(f"\n    - id: {step}\n", ACTION)
+        self.assertIn(f'echo "{written}=', ACTION)
+        required = re.findall(r"(?m)^  (\w+):\n    description: .*\n    required: true$", ACTION)
+        self.assertEqual(required, ["suite"])
+        self.assertIsNone(default_of("suite"))
+
 
 class Hooks(FolderTest):
+    def test_what_is_handed_to_them(self):
+        said = {}
+        for hook in re.split(r"(?m)^- ", (SOURCE / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))[1:]:
+            keys = dict(re.findall(r"(?m)^(?:  )?(\w+): (.*)$", hook))
+            said[keys["id"]] = keys
+        self.assertEqual(said["sturm-validate"]["types"], "[json]")
+        self.assertNotIn("pass_filenames", said["sturm-validate"])
+        suite = said["sturm-compare-suite"]
+        self.assertEqual(suite["pass_filenames"], "false")  # its arguments name the folder
+        for name in ("test.exr", "reference.png", "reference.hdr"):
+            self.assertRegex(name, suite["files"])
+        self.assertNotRegex("suite.json", suite["files"])
+
     def run_hook(self, name, *arguments):
         hooks = (SOURCE / ".pre-commit-hooks.yaml").read_text(encoding="utf-8")
         entry = re.search(rf"- id: {name}\n(?:  .*\n)*?  entry: (\S+)\n", hooks).group(1)
