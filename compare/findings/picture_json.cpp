@@ -135,6 +135,7 @@ Json json_of(const PredictionFinding& prediction) {
                {"cost_in_paths", number_or_null(prediction.cost_in_paths)},
                {"rmse_needed", number_or_null(prediction.rmse_needed)}};
   if (prediction.kind == PredictionKind::DepthPsf) json["psf"] = seen_psf_words.word_of(prediction.psf);
+  if (prediction.layer_sum) json["layer_sum"] = true;
   return json;
 }
 
@@ -142,6 +143,7 @@ PredictionFinding prediction_of(const Json& json) {
   PredictionFinding prediction;
   prediction.kind = prediction_kind_words.value_of(text_at(json, "kind"));
   prediction.psf = seen_psf_words.value_of(text_at(json, "psf")).value_or(SeenPsf::Rays);
+  prediction.layer_sum = boolean_at(json, "layer_sum").value_or(false);
   prediction.files = files_of(json, "predicted");
   prediction.seconds = numbers_of(value_at(json, "seconds"));
   for (const Json& part : array_at(json, "parts")) prediction.parts.push_back(part_of(part));

@@ -29,7 +29,7 @@ PartErrors PredictionFinding::whole() const {
 }
 
 std::string PredictionFinding::kind_name() const {
-  return kind ? name_of(*kind, psf) : "";
+  return kind ? name_of(*kind, psf) + (layer_sum ? "_sum" : "") : "";
 }
 
 PredictionFinding PictureFinding::prediction() const {

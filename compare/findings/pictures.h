@@ -80,6 +80,7 @@ struct ErrorBudget {
 struct PredictionFinding {
   std::optional<PredictionKind> kind;
   SeenPsf psf = SeenPsf::Rays;  ///< of PredictionKind::DepthPsf
+  bool layer_sum = false;       ///< of PredictionKind::DepthPsf: layers blurred and added, without one hiding another
   PictureFiles files;
   std::map<std::string, Number> seconds;         ///< by part of the work, with their "total"
   std::map<std::string, PictureMetric> metrics;  ///< of means over all replicates (PictureMeasures::Metrics)
@@ -93,8 +94,9 @@ struct PredictionFinding {
 
   PictureMetric metric(const std::string& name) const;  ///< without a value if there is none
   Number seconds_of(const std::string& part) const;
-  PartErrors whole() const;       ///< without numbers if there is none
-  std::string kind_name() const;  ///< as statistics have it: "depth_psf_waves" for waves; or ""
+  PartErrors whole() const;  ///< without numbers if there is none
+  /// As statistics have it: "depth_psf_waves" for waves, "depth_psf_sum" for the sum of layers; or "".
+  std::string kind_name() const;
   bool operator==(const PredictionFinding&) const = default;
 };
 

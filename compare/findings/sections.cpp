@@ -3,6 +3,7 @@
 #include <array>
 
 #include "compare/findings/bench.h"
+#include "compare/findings/depth_psf_study.h"
 #include "compare/findings/ellipse_numbers.h"
 #include "compare/findings/gate_power.h"
 #include "compare/findings/lens_study.h"
@@ -21,6 +22,7 @@ std::span<const FindingSection> finding_sections() {
       FindingSection{"ellipses", measure_ellipses, ellipse_rules(), true},
       FindingSection{"psfs", measure_psfs, psf_rules(), true},
       FindingSection{"pictures", measure_pictures, picture_rules()},
+      FindingSection{"depth_psf_study", measure_depth_psf_study, {}},
       FindingSection{"lens_study", measure_lens_study, lens_study_rules()},
       FindingSection{"sin2_study", measure_sin2_study, sin2_study_rules()},
       FindingSection{"sampling_study", measure_sampling_study, sampling_study_rules()},

@@ -10,6 +10,7 @@
 #include "compare/metrics/ssim.h"
 #include "compare/statistics/equal_error.h"
 #include "compare/studies/agreement/agreement_measures.h"
+#include "experiments/run/layer_sum.h"
 #include "experiments/run/point_spread_mutations.h"
 #include "experiments/run/replicates.h"
 #include "experiments/standard/noise_floor.h"
@@ -139,6 +140,20 @@ class RegionStudy {
     for (Image& picture : *pictures) wrong.add(std::move(picture), honest.seconds);
     wrong.seconds = honest.seconds;
     return measured_against_traced(wrong);
+  }
+
+  /// What the layers of point spreads over depth give without composition.
+  Pictures summed(const PredictionSpec& prediction, const Pictures& composited) const {
+    std::map<std::string, double> parts = composited.seconds;
+    for (const char* part : {"total", "kernels", "hidden_surfaces", "blur"}) parts.erase(part);
+    Pictures sums;
+    for (const SurfacesPicture& surfaces : composited.surfaces) {
+      Stopwatch watch;
+      Image sum = sum_of_layers(surfaces, spec_.worn.eye, pixel_slope(camera_pose(spec_.camera)), prediction);
+      parts["layer_sum"] = watch.lap();
+      sums.add(std::move(sum), parts);
+    }
+    return sums;
   }
 
   Image mean() const { return Replicates{traced_linear_}.mean(); }
@@ -282,10 +297,15 @@ PictureFinding region_finding(const PictureExperiment& spec, const SceneDescript
   std::map<std::string, std::map<std::size_t, PredictionFinding>> mutated;  // of each mutation, by prediction
   for (const PredictionSpec& prediction : spec.predictions) {
     const Pictures predicted = study.predict_all(prediction);
-    PredictionFinding found = study.measured_against_traced(predicted);
-    found.kind = prediction.kind;
-    found.psf = prediction.psf;
-    found.files = stored_picture(folder, spec.id + "_" + found.kind_name(), predicted.linear.front());
+    const auto finding_of = [&](const Pictures& pictures, bool layer_sum) {
+      PredictionFinding found = study.measured_against_traced(pictures);
+      found.kind = prediction.kind;
+      found.psf = prediction.psf;
+      found.layer_sum = layer_sum;
+      found.files = stored_picture(folder, spec.id + "_" + found.kind_name(), pictures.linear.front());
+      return found;
+    };
+    PredictionFinding found = finding_of(predicted, false);
     for (const Mutation& mutation : mutations)
       if (auto wrong = study.mutated(mutation, prediction, predicted)) {
         wrong->kind = found.kind;
@@ -293,6 +313,8 @@ PictureFinding region_finding(const PictureExperiment& spec, const SceneDescript
         mutated[mutation.id].emplace(finding.predictions.size(), std::move(*wrong));
       }
     finding.predictions.push_back(std::move(found));
+    if (spec.layer_sum && prediction.kind == PredictionKind::DepthPsf && prediction.psf == SeenPsf::Rays)
+      finding.predictions.push_back(finding_of(study.summed(prediction, predicted), true));
   }
   const PictureFinding honest = finding;
   for (auto& [mutation, predictions] : mutated) {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "reports/sections/depth_psf.h"
+
 namespace sturm {
 
 namespace {
@@ -30,6 +32,7 @@ std::span<const ReportSection> report_sections() {
       ReportSection{"sin2_study", "sin² study", sin2_study_section, "sin2_study_sentence", "The verdict on sin²"},
       ReportSection{"lens_study", "Spectacles", of_folder<lens_study_section>, "lens_sentence",
                     "What was measured of conoid tracing"},
+      ReportSection{"depth_psf_study", "Point spreads over depth", of_folder<depth_psf_section>},
       ReportSection{"sampling_study", "Pupil samplings", of_folder<sampling_section>},
       ReportSection{"bench", "Run time against error", of_folder<bench_section>},
       ReportSection{"figures", "Figures", of_folder<figure_section>},

@@ -161,6 +161,10 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.sampling_study = read_sampling_study(document["sampling_study"], root / "sampling_study");
     add_files(spec.input_files, spec.sampling_study->scene.input_files);
   }
+  if (document.contains("depth_psf_study")) {
+    spec.depth_psf_study = read_depth_psf_study(resolved["depth_psf_study"], root / "depth_psf_study");
+    add_files(spec.input_files, spec.depth_psf_study->input_files);
+  }
   if (document.contains("bench")) {
     spec.bench = read_bench_section(document["bench"], root / "bench", spec.seed, spec.input_files);
     add_files(spec.input_files, spec.bench->input_files);

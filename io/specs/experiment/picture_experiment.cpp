@@ -1,5 +1,6 @@
 #include "io/specs/experiment/picture_experiment.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/files/error.h"
@@ -76,6 +77,10 @@ std::vector<PredictionSpec> read_predictions(const Json& value, const Source& wh
   return predictions;
 }
 
+bool is_by_rays(const PredictionSpec& prediction) {
+  return prediction.kind == PredictionKind::DepthPsf && prediction.psf == SeenPsf::Rays;
+}
+
 /// An entry of "agreement".
 PictureExperiment read_regions(const Json& value, const Source& where) {
   PictureExperiment view = read_view(value, where, PictureMeasures::Regions);
@@ -90,6 +95,9 @@ PictureExperiment read_regions(const Json& value, const Source& where) {
   if (!foveal) require_camera_accommodation(view.worn.eye.accommodation, std::nullopt, where / "eye" / "accommodation");
   view.ray_models = {word_or(value, "ray_model", RayModel::power_matrix, where, ray_model_words)};
   view.predictions = read_predictions(value, where, view.worn, !foveal && !view.worn.spectacles);
+  view.layer_sum = value.value("layer_sum", view.layer_sum);
+  if (view.layer_sum && std::ranges::none_of(view.predictions, is_by_rays))
+    (where / "layer_sum").fail(value["layer_sum"], "a prediction \"depth_psf\" by rays, whose layers are summed");
   view.sharp_samples_per_pixel = value.value("sharp_samples_per_pixel", view.sharp_samples_per_pixel);
   view.guide_emitters = true;
   return view;

@@ -23,6 +23,7 @@ struct PictureExperiment {
   WornEye worn;
   std::vector<RayModel> ray_models;
   std::vector<PredictionSpec> predictions;
+  bool layer_sum = false;                      ///< beside depth_psf by rays: the plain sum of its blurred layers
   std::uint64_t samples_per_pixel = 0;         ///< of each path-traced replicate
   std::uint64_t sharp_samples_per_pixel = 16;  ///< of each prediction's sharp view
   int replicates = 2;                          ///< independently seeded pictures of each kind, ≥ 2

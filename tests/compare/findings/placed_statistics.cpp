@@ -131,13 +131,19 @@ const std::map<std::string, Place>& places() {
   return known;
 }
 
-/// "bench/VIEW/METHOD/KIND/ERROR".
-bool place_in_bench(Json& report, const std::string& name, double value) {
+/// What stands between the slashes of a statistic's name.
+std::vector<std::string> parts_of(const std::string& name) {
   std::vector<std::string> parts;
   for (std::size_t from = 0, to = 0; to != std::string::npos; from = to + 1) {
     to = name.find('/', from);
     parts.push_back(name.substr(from, to == std::string::npos ? to : to - from));
   }
+  return parts;
+}
+
+/// "bench/VIEW/METHOD/KIND/ERROR".
+bool place_in_bench(Json& report, const std::string& name, double value) {
+  const std::vector<std::string> parts = parts_of(name);
   if (parts.size() != 4) return false;
   const Json number = {{"value", value}, {"standard_error", 0.01}};
   Json view = {{"id", parts[0]}, {"methods", Json::array()}, {"ratios", Json::array()}};
@@ -156,6 +162,26 @@ bool place_in_bench(Json& report, const std::string& name, double value) {
   return true;
 }
 
+/// "map/LIGHT/PUPIL", "eyes/ID/QUANTITY" or "banding/WEIGHTS/PARTS/SPACING/QUANTITY".
+bool place_in_depth_psf_study(Json& report, const std::string& name, double value) {
+  const std::vector<std::string> parts = parts_of(name);
+  Json& study = report["depth_psf_study"];
+  if (parts.size() == 3 && parts[0] == "map")
+    study["map"] = {{{"light", parts[1]}, {"pupil_mm", std::stod(parts[2])}, {"total_variation", value}}};
+  else if (parts.size() == 3 && parts[2] == "median_D")
+    study["eyes"] = {{{"id", parts[1]}, {"defocus_D", {0.0, value, 9.0}}}};
+  else if (parts.size() == 3 && parts[2] == "share_above_step")
+    study["eyes"] = {{{"id", parts[1]}, {"share_above_step", value}}};
+  else if (parts.size() == 5 && parts[0] == "banding")
+    study["banding"] = {{{"weights", parts[1]},
+                         {"pupil_parts", std::stoi(parts[2])},
+                         {"spacing_px", std::stod(parts[3])},
+                         {parts[4] == "step" ? "largest_step" : "rmse", value}}};
+  else
+    return false;
+  return true;
+}
+
 /// Statistics whose names are made of a family and of names in the report.
 bool place_of_family(Json& report, const std::string& statistic, double value) {
   const std::size_t first = statistic.find('/'), last = statistic.rfind('/');
@@ -168,6 +194,7 @@ bool place_of_family(Json& report, const std::string& statistic, double value) {
     report["agreement"] = {{{"id", first == last ? "by hand" : statistic.substr(first + 1, last - first - 1)},
                             {"predictions", Json::array({prediction})}}};
   };
+  if (family == "depth_psf_study") return place_in_depth_psf_study(report, name, value);
   if (family == "sin2_study")
     report["sin2_study"]["checks"][name] = {{"value", value}, {"cases", 1}, {"worst_case", "by hand"}};
   else if (family == "must_fail")
