@@ -46,13 +46,14 @@ void CommandLine::add_lens() {
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   l->add_option("--map", lens.map_file,
-                "picture of mean power error and cylinder over the lens, as worn (.svg or .png)");
+                "picture of mean power error and cylinder over the lens, as worn (.svg, .png or .pdf)");
   l->add_option("--defocus-map", lens.defocus_map_file,
-                "picture of what the eye lacks for targets at given distances (.svg or .png)");
-  l->add_option("--target-distance-m", lens.target_distances_m, "of the defocus map, up to four [m]; inf = far away")
-      ->expected(1, 4)
+                "picture of what the eye lacks for targets at given distances (.svg, .png or .pdf)");
+  l->add_option("--distance", lens.target_distances_m, "of the targets of the defocus map [m], with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
-  l->add_option("--amplitude-D", lens.amplitude_D, "of the eye's accommodation, for the defocus map [D]")
+  l->add_option("--amplitude", lens.amplitude_D, "of the eye's accommodation, for the defocus map [D]")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   l->add_option("-o,--output", output, "file instead of standard output");

@@ -30,13 +30,14 @@ void CommandLine::add_plot() {
   p->add_option("--pupil", plot.worn.pupil_mm, "pupil diameter in place of the eye's own [mm] (default: 4)")
       ->check(CLI::Range(0.01, 100.0));
   auto* age =
-      p->add_option("--age", plot.worn.age_years, "age of the eye, from which its amplitude of accommodation follows");
+      p->add_option("--age", plot.worn.age_years, "age of the eye, from which its accommodation follows [years]");
   age->check(CLI::Range(0.0, 150.0));
-  p->add_option("--amplitude-D", plot.worn.amplitude_D, "amplitude of accommodation itself [D]")
+  p->add_option("--amplitude", plot.worn.amplitude_D, "or its amplitude of accommodation itself [D]")
       ->check(CLI::Range(0.0, 100.0))
       ->excludes(age);
-  p->add_option("--distance", plot.distances_m, "of targets [m]; inf = far away; commas or blanks between")
-      ->delimiter(',');
+  p->add_option("--distance", plot.distances_m, "of targets [m], with commas between; inf = far away")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   p->add_option("--nearest-m", plot.nearest_m, "nearest target of a curve of blur")->check(CLI::Range(0.01, 10.0));
   p->add_option("--range", plot.range, "end of the scale: D, um or arcmin")->check(CLI::PositiveNumber);
   p->add_option("--clear-D", plot.clear_D, "defocus up to which vision counts as clear [D]")
@@ -59,12 +60,13 @@ void CommandLine::add_wearers() {
   c->add_option("lenses", wearers.lenses, "single-vision or progressive lenses, which are made for each wearer")
       ->required()
       ->transform(lens_of_name, "");
-  c->add_option("--distance", wearers.distances_m, "of targets [m]; inf = far away; commas or blanks between")
+  c->add_option("--distance", wearers.distances_m, "of targets [m], with commas between; inf = far away")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
-  auto* age = c->add_option("--age", wearers.age, "of the wearers, from which their accommodation follows");
+  auto* age = c->add_option("--age", wearers.age, "of all wearers, in place of the ages in the table [years]");
   age->check(CLI::Range(0.0, 150.0));
-  c->add_option("--amplitude-D", wearers.amplitude_D, "amplitude of accommodation itself [D]")
+  c->add_option("--amplitude", wearers.amplitude_D, "or their amplitude of accommodation itself [D]")
       ->check(CLI::Range(0.0, 100.0))
       ->excludes(age);
   c->add_option("--clear-D", wearers.clear_D, "defocus up to which vision counts as clear [D]")
@@ -76,7 +78,7 @@ void CommandLine::add_wearers() {
   c->add_option("--step-deg", wearers.step_deg, "from gaze to gaze [deg]")
       ->check(CLI::Range(0.5, 80.0))
       ->capture_default_str();
-  c->add_option("--vertex-mm", wearers.vertex_mm, "vertex distance of rows that state none [mm]")
+  c->add_option("--vertex", wearers.vertex_mm, "vertex distance of rows that state none [mm]")
       ->check(CLI::Range(0.0, 50.0))
       ->capture_default_str();
   c->add_option("-o,--output", wearers.output, "file instead of standard output");
@@ -94,7 +96,7 @@ void CommandLine::add_validate_camera() {
   c->add_option("--pupil", v.pupil_mm, "diameter of its pupil [mm] (default: 6)")
       ->check(CLI::Range(0.01, 100.0))
       ->needs(write);
-  c->add_option("--focus-m", v.focus_m, "distance that it is in focus at [m] (default: 1)")
+  c->add_option("--focus", v.focus_m, "distance that it is in focus at [m] (default: 1)")
       ->check(CLI::Range(0.05, 1e6))
       ->needs(write)
       ->excludes(eye);

@@ -28,10 +28,16 @@ Json lens_file_document(const std::string& file) {
 /// A name that is neither a file nor that of a shipped document.
 void refuse_unknown_name(const std::string& name, const std::string& schema) {
   std::error_code code;
-  if (name.find_first_of("/.") != std::string::npos || std::filesystem::exists(name, code)) return;
+  if (std::filesystem::exists(name, code)) return;
+  if (name.find_first_not_of("0123456789.,") == std::string::npos || name == "inf")
+    throw InputError(name, "", "a number", "a file; several distances have commas between: --distance 0.4,1,inf");
+  if (name.find_first_of("/.") != std::string::npos) return;
   const std::vector<std::string> known = shipped_names(shipped_kind(schema));
   if (!known.empty())
     throw InputError(name, "", "No such file" + did_you_mean(name, known), "a file, or " + one_of(known));
+  for (const char* kind : {"views", "lenses", "eyes", "scenes", "experiments"})
+    if (shipped_document(kind, name))
+      throw InputError(name, "", std::string("a name of the shipped ") + kind, "a file of sturm." + schema + "/1");
 }
 
 Json loaded(const CommonOptions& options, const Json& otherwise) {

@@ -9,7 +9,6 @@
 #include "experiments/figures/lens_maps.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
-#include "io/files/plain_file.h"
 #include "io/json/schema.h"
 #include "io/specs/spectacles_spec.h"
 #include "lensmodel/units.h"
@@ -78,18 +77,18 @@ Json lens_document(const CommonOptions& options, const LensOptions& lens) {
 
 /// Throws where a picture could not be written as named.
 void check_picture_name(const std::string& name, const char* option) {
-  if (!name.empty() && !has_suffix(name, ".svg") && !has_suffix(name, ".png"))
-    throw InputError("", option, "\"" + name + "\"", "a file name that ends in .svg or .png");
+  if (!name.empty() && !is_picture_name(name))
+    throw InputError("", option, "\"" + name + "\"", "a file name that ends in .svg, .png or .pdf");
 }
 
 std::vector<double> distances(const std::vector<std::string>& texts) {
   std::vector<double> result;
-  for (const std::string& text : texts) result.push_back(distance_option(text, "--target-distance-m"));
+  for (const std::string& text : texts) result.push_back(distance_option(text, "--distance"));
   return result;
 }
 
 void write_picture(const std::string& name, const std::vector<LensMap>& maps) {
-  write_file_atomically(name, has_suffix(name, ".png") ? lens_map_png_file(maps) : lens_map_svg_file(maps));
+  write_file_atomically(name, plot_file(lens_map_plot(maps), name));
 }
 
 }  // namespace

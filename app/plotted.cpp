@@ -1,10 +1,10 @@
 #include "app/plotted.h"
 
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/configuration.h"
+#include "app/document_names.h"
 #include "app/eye_options.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/files/error.h"
@@ -24,15 +24,11 @@ Json load(const std::string& file, const std::string& prescription) {
   return load_configuration(common);
 }
 
-std::string name_of(const std::string& file) {
-  return file == "-" ? "standard input" : std::filesystem::path(file).stem().string();
-}
-
-PlottedLens read_plotted_lens(const Json& document, const std::string& file) {
+PlottedLens read_plotted_lens(const Json& document, const std::string& file, const std::string& name) {
   validate(document, "spectacles", file);
   const SpectaclesSpec spec = read_lens_alone(document, {file, ""});
   for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
-  return {name_of(file), spec.lens.value(), nominal_power(spec, {file, ""})};
+  return {name, spec.lens.value(), nominal_power(spec, {file, ""})};
 }
 
 bool is_lens(const Json& document, const std::string& file) {
@@ -60,8 +56,8 @@ PlottedEye with_eye(PlottedEye plotted, const PlotOptions& options) {
   return plotted;
 }
 
-PlottedEye eye_in(const Json& document, const std::string& file, const PlotOptions& options) {
-  PlottedEye plotted{name_of(file), {}, {}, file};
+PlottedEye eye_in(const Json& document, const std::string& file, const std::string& name, const PlotOptions& options) {
+  PlottedEye plotted{name, {}, {}, file};
   const std::string format = format_of(document, file);
   if (format == "eye") {
     plotted.eye = document;
@@ -94,10 +90,12 @@ std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
     const Json eye = {{"format", "sturm.eye/1"}, {"prescription", options.prescription}};
     eyes.push_back(with_eye({options.prescription, {}, eye, "--rx"}, options));
   }
-  for (const std::string& file : options.files) {
+  const std::vector<std::string> names = document_names(options.files);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& file = options.files[i];
     const Json document = load(file, options.prescription);
-    eyes.push_back(is_lens(document, file) ? eye_behind(read_plotted_lens(document, file), file, options)
-                                           : eye_in(document, file, options));
+    eyes.push_back(is_lens(document, file) ? eye_behind(read_plotted_lens(document, file, names[i]), file, options)
+                                           : eye_in(document, file, names[i], options));
   }
   if (options.spectacles.empty()) return eyes;
   const Json document = load(options.spectacles, "");
@@ -106,7 +104,7 @@ std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
   validate(document, "spectacles", options.spectacles);
   for (PlottedEye& eye : eyes) {
     eye.worn.spectacles = read_spectacles(document, {options.spectacles, ""}, eye.worn.eye).lens;
-    eye.name += " behind " + name_of(options.spectacles);
+    eye.name += " behind " + document_name(options.spectacles);
   }
   return eyes;
 }
@@ -114,11 +112,13 @@ std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
 std::vector<PlottedLens> plotted_lenses(const PlotOptions& options) {
   if (options.files.empty()) throw InputError("", "FILE", "nothing", "at least one lens");
   std::vector<PlottedLens> lenses;
-  for (const std::string& file : options.files) {
+  const std::vector<std::string> names = document_names(options.files);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& file = options.files[i];
     const Json document = load(file, options.prescription);
     if (!is_lens(document, file))
       throw InputError(file, "/format", document.at("format").dump(), "\"sturm.spectacles/1\"");
-    lenses.push_back(read_plotted_lens(document, file));
+    lenses.push_back(read_plotted_lens(document, file, names[i]));
   }
   return lenses;
 }

@@ -118,6 +118,9 @@ class Demands {
 int validate_camera_command(const ValidateCameraOptions& options) {
   if (options.write) return write_check(options);
   const std::string expected = (fs::path(options.folder) / "expected.json").string();
+  if (std::error_code code; !fs::exists(expected, code))
+    throw InputError(expected, "", "No such file",
+                     "a folder that \"sturm validate-camera " + options.folder + " --write\" has written");
   const CameraCheck check = read_camera_check(load_json(expected), expected);
   const std::string file =
       options.picture.empty() ? (fs::path(options.folder) / "picture.exr").string() : options.picture;

@@ -1,12 +1,14 @@
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/document_names.h"
 #include "app/option_values.h"
 #include "experiments/figures/wearer_table.h"
 #include "io/files/atomic_file.h"
+#include "io/files/error.h"
+#include "io/files/plain_file.h"
 #include "io/json/schema.h"
 #include "lensmodel/units.h"
 
@@ -16,17 +18,20 @@ int wearers_command(const WearersOptions& options) {
   WearerQuestion question;
   for (const std::string& text : options.distances_m)
     question.distances_m.push_back(distance_option(text, "--distance"));
-  question.amplitude_D = amplitude_option(options.age, options.amplitude_D);
+  if (options.age || options.amplitude_D) question.amplitude_D = amplitude_option(options.age, options.amplitude_D);
   question.clear_D = options.clear_D;
   question.reach_deg = options.reach_deg;
   question.step_deg = options.step_deg;
+  const std::vector<std::string> names = document_names(options.lenses);
+  if (has_suffix(options.table, ".json"))
+    throw InputError(options.table, "", "a JSON document", "a table of prescriptions (CSV)");
   std::vector<TriedDesign> designs;
   for (const std::string& file : options.lenses) {
     const Json document = load_json(file);
     if (format_of(document, file) != "spectacles")
       Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");
     validate(document, "spectacles", file);
-    designs.push_back({std::filesystem::path(file).stem().string(), file, document});
+    designs.push_back({names[designs.size()], file, document});
   }
   const auto wearers = read_prescription_table(options.table, metres_per_millimetre * options.vertex_mm);
   if (!options.output.empty()) require_writable(options.output);

@@ -33,6 +33,19 @@ double border(const WornEye& worn, double clear_D, double blurred_D, double limi
   return clear_D;
 }
 
+/// Where vision that is clear at the nearest target stops being so still nearer; 0 where it does not.
+double near_end(const WornEye& worn, double nearest_m, double limit_arcmin) {
+  constexpr double nearest_of_all_m = 1e-3;
+  double clear_D = vergence_of(nearest_m);
+  while (clear_D < 1.0 / nearest_of_all_m) {
+    const double nearer_D = 2.0 * clear_D;
+    if (!is_clear(blur_at(worn, distance_of(nearer_D)), limit_arcmin))
+      return distance_of(border(worn, clear_D, nearer_D, limit_arcmin));
+    clear_D = nearer_D;
+  }
+  return 0.0;
+}
+
 std::vector<ClearInterval> clear_intervals(const WornEye& worn, const BlurCurve& curve) {
   std::vector<ClearInterval> intervals;
   double far_D = 0.0;
@@ -48,7 +61,8 @@ std::vector<ClearInterval> clear_intervals(const WornEye& worn, const BlurCurve&
            distance_of(far_D)});
     inside = clear;
   }
-  if (inside) intervals.push_back({curve.targets.back().distance_m, distance_of(far_D)});
+  if (inside)
+    intervals.push_back({near_end(worn, curve.targets.back().distance_m, curve.clear_arcmin), distance_of(far_D)});
   return intervals;
 }
 

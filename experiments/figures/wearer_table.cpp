@@ -13,6 +13,7 @@
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
 #include "io/specs/spectacles_spec.h"
+#include "lensmodel/accommodation.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/units.h"
 
@@ -32,6 +33,18 @@ Json unmade(const TriedDesign& design) {
     }
   throw InputError(design.file, "", "a lens of given surfaces",
                    "a single_vision or progressive lens, which can be made for each wearer");
+}
+
+/// The design with the wearer's addition, if it has one and the table states it.
+Json with_addition(Json document, const std::optional<double>& addition_D) {
+  if (const auto made = document.find("progressive"); made != document.end() && addition_D)
+    (*made)["addition_D"] = *addition_D;
+  return document;
+}
+
+std::optional<double> addition_of(const Json& document) {
+  const auto made = document.find("progressive");
+  return made == document.end() ? std::nullopt : std::optional(made->value("addition_D", 0.0));
 }
 
 /// A design made for one wearer, or why it cannot be.
@@ -57,7 +70,7 @@ void require_made(const std::vector<WearerRow>& rows, const TriedDesign& design,
 }
 
 WearerRow looked_through(const Spectacles& lens, const PowerMatrix& correction, const WearerQuestion& question,
-                         double distance_m) {
+                         double distance_m, double amplitude_D) {
   WearerRow row;
   row.distance_m = distance_m;
   std::vector<double> blur;
@@ -69,7 +82,7 @@ WearerRow looked_through(const Spectacles& lens, const PowerMatrix& correction, 
       ++row.gazes;
       const auto defocus = defocus_as_worn(lens, correction,
                                            gaze_direction(radians_per_degree * azimuth, radians_per_degree * elevation),
-                                           question.rotation_center_m, distance_m, question.amplitude_D);
+                                           question.rotation_center_m, distance_m, amplitude_D);
       if (!defocus) {
         ++row.lost;
         continue;
@@ -96,16 +109,25 @@ std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& weare
   for (const TriedDesign& design : designs) documents.push_back(unmade(design));
   std::vector<std::vector<WearerRow>> rows(wearers.size());
   tbb::parallel_for(std::size_t{0}, wearers.size(), [&](std::size_t w) {
-    const Eye eye = Eye::with(wearers[w].prescription, any_pupil_m);
+    const TabledPrescription& wearer = wearers[w];
+    const Eye eye = Eye::with(wearer.prescription, any_pupil_m);
+    const double of_age_D = wearer.age_years ? hofstetter_amplitude(*wearer.age_years) : 0.0,
+                 amplitude_D = question.amplitude_D.value_or(of_age_D);
     for (std::size_t d = 0; d < designs.size(); ++d) {
-      const MadeLens made = made_for(eye, documents[d], designs[d].file);
+      const Json design = with_addition(documents[d], wearer.addition_D);
+      const MadeLens made = made_for(eye, design, designs[d].file);
       for (const double distance : question.distances_m) {
-        rows[w].push_back(made.lens ? looked_through(*made.lens, eye.correction, question, distance) : WearerRow{});
-        rows[w].back().distance_m = distance;
-        rows[w].back().not_made = made.not_made;
-        rows[w].back().wearer = wearers[w].id;
-        rows[w].back().lens = designs[d].name;
-        rows[w].back().prescription = wearers[w].prescription;
+        WearerRow row =
+            made.lens ? looked_through(*made.lens, eye.correction, question, distance, amplitude_D) : WearerRow{};
+        row.distance_m = distance;
+        row.not_made = made.not_made;
+        row.wearer = wearer.id;
+        row.lens = designs[d].name;
+        row.prescription = wearer.prescription;
+        row.age_years = wearer.age_years;
+        row.addition_D = addition_of(design);
+        row.amplitude_D = amplitude_D;
+        rows[w].push_back(std::move(row));
       }
     }
   });
@@ -118,7 +140,8 @@ std::vector<WearerRow> wearer_table(const std::vector<TabledPrescription>& weare
 
 std::string wearer_csv(const std::vector<WearerRow>& rows, double clear_D) {
   CsvWriter csv;
-  for (const char* heading : {"wearer", "sphere_D", "cylinder_D", "axis_deg", "lens", "distance_m", "gazes", "lost"})
+  for (const char* heading : {"wearer", "sphere_D", "cylinder_D", "axis_deg", "age_years", "amplitude_D", "lens",
+                              "addition_D", "distance_m", "gazes", "lost"})
     csv.text(heading);
   csv.text("share_above_" + plain_number(clear_D) + "_D");
   for (const char* heading : {"median_D", "largest_D", "largest_azimuth_deg", "largest_elevation_deg", "status"})
@@ -129,7 +152,10 @@ std::string wearer_csv(const std::vector<WearerRow>& rows, double clear_D) {
     csv.number(row.prescription.sphere_D);
     csv.number(row.prescription.cylinder_D);
     csv.number(row.prescription.axis_deg);
+    csv.number(row.age_years);
+    csv.number(row.amplitude_D);
     csv.text(row.lens);
+    csv.number(row.addition_D);
     if (std::isinf(row.distance_m))
       csv.text("inf");
     else

@@ -33,6 +33,9 @@ const CsvColumn notation_column{"rx",
 const CsvColumn vertex_column{"vertex_distance_mm",
                               {"vertexdistance", "vdmm", "vd", "bvd", "bvdmm", "vertexmm", "hsa", "hsamm"}};
 
+const CsvColumn age_column{"age", {"ageyears", "years", "alter", "edad"}};
+const CsvColumn addition_column{"add_D", {"add", "addition", "additiond", "nearaddition", "zusatz"}};
+
 /// Words for "none" in cells of cylinder and axis, and the sphere's unit, which opticians write there.
 constexpr std::array<std::string_view, 9> nothings{"-", "--", "---", "/", "DS", "SPH", "sph", "ds", "Sph"};
 constexpr std::array<std::string_view, 6> plano_cells{"PL", "pl", "Pl", "Plano", "plano", "PLANO"};
@@ -48,6 +51,7 @@ class Rows {
     id_ = table_.find(id_column), eye_ = table_.find(eye_column);
     sphere_ = table_.find(sphere_column), cylinder_ = table_.find(cylinder_column), axis_ = table_.find(axis_column);
     notation_ = table_.find(notation_column), vertex_ = table_.find(vertex_column);
+    age_ = table_.find(age_column), addition_ = table_.find(addition_column);
     if (!id_) fail_at_heading("a column id");
     if (notation_ && (sphere_ || cylinder_ || axis_))
       fail_at_heading("a column rx, or columns sph_D, cyl_D and axis_deg");
@@ -75,7 +79,7 @@ class Rows {
       rx.axis_deg = degrees(axis);
     else if (rx.cylinder_D != 0.0)
       fail(axis.empty() ? "" : axis, "a value in column axis_deg, which a cylinder needs");
-    return {{text(*id_, id_column) + "-" + text(*eye_, eye_column), valid(rx, vertex_distance_m)}};
+    return {{text(*id_, id_column) + "-" + text(*eye_, eye_column), valid(rx, vertex_distance_m), age(), addition()}};
   }
 
  private:
@@ -127,10 +131,35 @@ class Rows {
     return number(cell, axis_column);
   }
 
+  /// A cell that may be empty, or that the table may not have at all.
+  const std::string* stated(const std::optional<std::size_t>& index) const {
+    if (!index || *index >= row_.fields.size() || is_nothing(row_.fields[*index])) return nullptr;
+    return &row_.fields[*index];
+  }
+
+  std::optional<double> age() const {
+    constexpr double oldest = 150.0;
+    const std::string* cell = stated(age_);
+    if (!cell) return std::nullopt;
+    const double years = number(*cell, age_column);
+    if (!(years >= 0.0 && years <= oldest)) fail(readable(*cell, 80), "an age from 0 to 150 in column age");
+    return years;
+  }
+
+  std::optional<double> addition() const {
+    constexpr double largest_D = 10.0;
+    const std::string* cell = stated(addition_);
+    if (!cell) return std::nullopt;
+    const double power_D = dioptres(*cell, addition_column);
+    if (!(power_D >= 0.0 && power_D <= largest_D))
+      fail(readable(*cell, 80), "an addition from 0 to 10 D in column add_D");
+    return power_D;
+  }
+
   Prescription valid(Prescription rx, double vertex_distance_m) const {
     rx.vertex_distance_m = vertex_distance_m;
-    if (vertex_ && *vertex_ < row_.fields.size() && !is_nothing(row_.fields[*vertex_]))
-      rx.vertex_distance_m = metres_per_millimetre * number(row_.fields[*vertex_], vertex_column);
+    if (const std::string* cell = stated(vertex_))
+      rx.vertex_distance_m = metres_per_millimetre * number(*cell, vertex_column);
     try {
       validate(rx);
       power_at_cornea(rx);
@@ -158,7 +187,8 @@ class Rows {
       const double distance_m =
           rx.vertex_distance_mm ? metres_per_millimetre * *rx.vertex_distance_mm : vertex_distance_m;
       result.push_back({eye.empty() ? id : id + "-" + eye,
-                        valid({rx.sphere_D, rx.cylinder_D, rx.axis_deg.value_or(180.0)}, distance_m)});
+                        valid({rx.sphere_D, rx.cylinder_D, rx.axis_deg.value_or(180.0)}, distance_m), age(),
+                        rx.addition_D ? rx.addition_D : addition()});
     }
     return result;
   }
@@ -180,7 +210,7 @@ class Rows {
   }
 
   CsvTable table_;
-  std::optional<std::size_t> id_, eye_, sphere_, cylinder_, axis_, notation_, vertex_;
+  std::optional<std::size_t> id_, eye_, sphere_, cylinder_, axis_, notation_, vertex_, age_, addition_;
   CsvRow row_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,14 @@ namespace sturm {
 struct TabledPrescription {
   std::string id;  ///< "P172-OS": id and eye
   Prescription prescription;
+  std::optional<double> age_years, addition_D;  ///< where the table states them
 };
 
 /// Reads a table (io/files/csv_table.h) of which the columns eye, id, sph_D, cyl_D, axis_deg and vertex_distance_mm are
 /// used (configs/data/papila_prescriptions.csv), or rx in optical notation (io/specs/prescription_notation.h) in place
-/// of the numbers. Names that opticians give to these columns are known. A sphere may leave cylinder and axis empty.
-/// Rows that state no vertex distance get `vertex_distance_m`. Throws InputError with file and line.
+/// of the numbers; age and add where they are there. Names that opticians give to these columns are known. A sphere may
+/// leave cylinder and axis empty. Rows that state no vertex distance get `vertex_distance_m`. Throws InputError with
+/// file and line.
 std::vector<TabledPrescription> read_prescription_table(const std::filesystem::path& file, double vertex_distance_m);
 
 }  // namespace sturm

@@ -45,13 +45,14 @@ std::string rows_of(const BlurCurve& curve, std::optional<double> BlurAtDistance
   return rows;
 }
 
-std::string tint(const BlurCurve& curve, const char* colour, int& number) {
+std::string tint(const BlurCurve& curve, double largest_D, const char* colour, int& number) {
   std::string script;
   for (const ClearInterval& clear : curve.clear)
     script += formatted(
         "set object %d rectangle from first %.9g,graph 0 to first %.9g,graph 1 behind fc rgb '%s' fs transparent solid "
         "0.13 noborder\n",
-        ++number, vergence_of(clear.far_m), vergence_of(clear.near_m), colour);
+        ++number, vergence_of(clear.far_m),
+        clear.near_m > 0.0 ? std::min(largest_D, vergence_of(clear.near_m)) : largest_D, colour);
   return script;
 }
 
@@ -86,9 +87,12 @@ std::string clear_words(const std::vector<ClearInterval>& clear) {
   if (clear.empty()) return "clear nowhere within this range";
   std::string words;
   for (const ClearInterval& interval : clear) {
-    words += words.empty() ? "clear from " : " and from ";
-    words += distance_words(interval.near_m) +
-             (std::isinf(interval.far_m) ? " on" : " to " + distance_words(interval.far_m));
+    words += words.empty() ? "clear " : " and ";
+    if (interval.near_m > 0.0)
+      words += "from " + distance_words(interval.near_m) +
+               (std::isinf(interval.far_m) ? " on" : " to " + distance_words(interval.far_m));
+    else
+      words += std::isinf(interval.far_m) ? "at any distance" : "up to " + distance_words(interval.far_m);
   }
   return words;
 }
@@ -105,7 +109,7 @@ Plot blur_plot(std::span<const BlurCurve> curves, std::optional<double> range_ar
   int number = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const BlurCurve& curve = curves[i];
-    script += tint(curve, plot_colour(i), number);
+    script += tint(curve, largest, plot_colour(i), number);
     const std::string id = std::to_string(i);
     blocks += data_block("major" + id, rows_of(curve, &BlurAtDistance::semi_major_arcmin)) +
               data_block("minor" + id, rows_of(curve, &BlurAtDistance::semi_minor_arcmin));

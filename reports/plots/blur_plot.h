@@ -16,7 +16,7 @@ struct BlurAtDistance {
   std::optional<double> orientation_deg;                       ///< of the long axis, wearer frame; none for a circle
 };
 
-/// Distances between which vision is clear [m], near < far ≤ ∞.
+/// Distances between which vision is clear [m], 0 ≤ near < far ≤ ∞; 0: however near.
 struct ClearInterval {
   double near_m, far_m;
 };

@@ -40,6 +40,21 @@ class Mistyped(unittest.TestCase):
             self.assertIn(text, message)
 
 
+    def test_what_was_taken_for_a_file(self):
+        for arguments, texts in (
+            (["ellipse", "--rx", "-2.00", "--distance", "0.4", "1"], ("1: got a number", "--distance 0.4,1,inf")),
+            (["ellipse", "cornell"], ("a name of the shipped views", "sturm.ellipse/1")),
+            (["wearers", SOURCE / "configs/eyes/polans_5.json", "glasses"], ("a JSON document", "CSV")),
+            (["validate-camera", "nowhere"], ("sturm validate-camera nowhere --write",)),
+            (["lens", "progressive_regular", "--rx", "-1.00 -2.00"], ("--rx", "axis behind the cylinder")),
+            (["ellipse", "--rx", "OD -1.00 OS -2.00"], ("OD -1.00 DS", "OS -2.00 DS")),
+        ):
+            with self.subTest(arguments=arguments):
+                message = self.refused(*arguments)
+                for text in texts:
+                    self.assertIn(text, message)
+
+
 class OtherKinds(FolderTest):
     def test_each_kind_is_told_its_command(self):
         view = self.write("view.json", documents.view())

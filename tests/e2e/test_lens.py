@@ -117,8 +117,8 @@ class Report(FolderTest):
             ([LENS, "--elevation-deg", "nan"], "--elevation-deg", "nan"),
             ([LENS, "--elevation-deg", "1:2:3x"], "--elevation-deg", "3x"),
             ([LENS, "--rotation-center-mm", "-1"], "--rotation-center-mm"),
-            ([LENS, "--map", self.folder / "map.gif"], "--map", "map.gif", ".svg or .png"),
-            ([LENS, "--defocus-map", self.folder / "map.svg", "--target-distance-m", "0"], "--target-distance-m", "0.001"),
+            ([LENS, "--map", self.folder / "map.gif"], "--map", "map.gif", ".svg, .png or .pdf"),
+            ([LENS, "--defocus-map", self.folder / "map.svg", "--distance", "0"], "--distance", "0.001"),
             ([REGULAR, "--set", "/progressive/prescription=null"], "/progressive/prescription"),
             ([REGULAR, "--set", "/progressive/eye=\"both\""], "/progressive/eye", "both"),
             ([REGULAR, "--set", "/progressive/inset_mm=9.5"], "/progressive/inset_mm", "half"),
@@ -215,13 +215,16 @@ class Report(FolderTest):
 
     def test_maps(self):
         svg, png = self.folder / "map.svg", self.folder / "defocus.png"
-        self.succeed("lens", REGULAR, "--map", svg, "--defocus-map", png, "--target-distance-m", "0.4", "inf", "--amplitude-D", "0.5", "-o", self.folder / "r.json")
+        self.succeed("lens", REGULAR, "--map", svg, "--defocus-map", png, "--distance", "0.4,inf", "--amplitude", "0.5", "-o", self.folder / "r.json")
         root = xml.etree.ElementTree.parse(svg).getroot()
         self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
         text = svg.read_text()
         for words in ("mean power error, as worn", "cylinder of the error, as worn", "data:image/png"):
             self.assertIn(words, text)
         self.assertEqual(png.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        pdf = self.folder / "map.pdf"
+        self.succeed("lens", REGULAR, "--map", pdf, "-o", self.folder / "r.json")
+        self.assertTrue(pdf.read_bytes().startswith(b"%PDF"))
 
 
 if __name__ == "__main__":

@@ -54,8 +54,18 @@ class Eyes(Plot):
         self.assertLessEqual(max(clear), 1 / 1.75 + 1e-9)
         self.assertIn("clear from 44.4 cm to 57.1 cm", " ".join(self.texts()[1]))
         # Two dioptres of accommodation bring the near end to 1/4.25 m.
-        self.rows("blur", eye, "--amplitude-D", 2)
+        self.rows("blur", eye, "--amplitude", 2)
         self.assertIn("clear from 23.5 cm to 57.1 cm", " ".join(self.texts()[1]))
+
+    def test_clear_vision_goes_on_beyond_the_plot(self):
+        # At the cornea -2 D and 6 D of accommodation: clear to 0.25 D from 1/8.25 m, nearer than the plot's 0.2 m.
+        eye = self.write("eye.json", {"format": "sturm.eye/1", "pupil_diameter_mm": 4,
+                                      "prescription": {"sphere_D": -2, "vertex_distance_mm": 0}})
+        self.rows("blur", eye, "--amplitude", 6)
+        self.assertIn("clear from 12.1 cm to 57.1 cm", " ".join(self.texts()[1]))
+        # 10 D count as clear: from infinity to 1/(1.953 + 10) m, where 1.953 D is what the lens of -2 D at 12 mm is at the cornea.
+        self.rows("blur", "--rx", "-2.00 DS", "--clear-D", 10)
+        self.assertIn("clear from 8.37 cm on", " ".join(self.texts()[1]))
 
     def test_options_stand_for_a_document(self):
         one_line = self.rows("blur", "--rx", "-2.00 -1.50 x 30", "--pupil", 4)
@@ -94,7 +104,6 @@ class Eyes(Plot):
             got, = [float(r["mtf"]) for r in rows if float(r["direction_deg"]) == direction and float(r["frequency_cpd"]) == 10]
             self.assertAlmostEqual(got, expected, delta=1e-12)
 
-
     def test_mtf_of_waves_in_the_light_that_the_eye_is_in_focus_at(self):
         rows = self.rows("mtf", EYE, "--distance", "0.5", "--psf", "both")
         spec = {"format": "sturm.psf/1", "eye": json.loads(EYE.read_text()), "lights": [{"wavelength_nm": 555}], "distances_m": [0.5],
@@ -103,6 +112,11 @@ class Eyes(Plot):
         got, = [float(r["mtf"]) for r in rows if r["model"] == "waves" and float(r["direction_deg"]) == 0 and float(r["frequency_cpd"]) == 10]
         self.assertAlmostEqual(got, expected, delta=1e-12)
         self.assertEqual({r["model"] for r in rows}, {"waves", "rays"})
+
+    def test_an_eye_and_a_lens_of_one_name(self):
+        rows = self.rows("blur", EYE, LENS)
+        self.assertEqual({row["eye"] for row in rows}, {"eyes/oblique_astigmat", "lenses/oblique_astigmat"})
+        self.assertIn("eyes/oblique_astigmat, shortest", [text.strip() for text in self.texts()[1]])
 
 
 class Lenses(Plot):
@@ -182,43 +196,6 @@ class Files(Plot):
             self.assertEqual(process.returncode, WRONG_INPUT, process.stdout)
             self.assertIn(words, process.stderr)
         self.assertEqual(snapshot(self.folder), before)
-
-
-class Wearers(FolderTest):
-    def table(self, *arguments):
-        return list(csv.DictReader(self.succeed("wearers", *arguments).stdout.splitlines()))
-
-    def test_a_row_for_each_wearer_lens_and_distance(self):
-        prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\nB,OS,-6,-2,30\n")
-        lens = self.write("lens.json", {"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}})
-        rows = self.table(prescriptions, lens, "--distance", "inf,0.5")
-        self.assertEqual([(r["wearer"], r["lens"], r["distance_m"]) for r in rows],
-                         [(w, "lens", d) for w in ("A-OD", "B-OS") for d in ("inf", "0.5")])
-        plano_far, plano_near = rows[:2]
-        # A lens without power leaves a far target sharp in every direction, and 2 D (less what lies before the eye) at 0.5 m.
-        self.assertEqual(float(plano_far["share_above_0.25_D"]), 0)
-        self.assertEqual(float(plano_near["share_above_0.25_D"]), 1)
-        self.assertAlmostEqual(float(plano_near["median_D"]), 1.95, delta=0.05)
-        self.assertGreater(float(rows[2]["largest_D"]), 0.05)  # oblique astigmatism
-        accommodated, = self.table(prescriptions, lens, "--distance", "0.5", "--age", 30)[:1]
-        self.assertLess(float(accommodated["median_D"]), 0.02)  # what is left is astigmatism of oblique rays, which no accommodation takes away
-
-    def test_a_lens_that_cannot_be_made_for_one_of_them(self):
-        # A front of +15 D and the addition is steeper than a surface that reaches a rim of 60 mm.
-        prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\nB,OD,15,0,\n")
-        made, not_made = self.table(prescriptions, REGULAR)
-        self.assertEqual((made["wearer"], made["status"]), ("A-OD", "ok"))
-        self.assertEqual((not_made["wearer"], not_made["gazes"], not_made["median_D"]), ("B-OD", "0", ""))
-        self.assertIn("before the rim", not_made["status"])
-        alone = sturm("wearers", self.write("b.csv", "id,eye,sph_D,cyl_D,axis_deg\nB,OD,15,0,\n"), REGULAR)
-        self.assertEqual(alone.returncode, WRONG_INPUT)
-        self.assertIn("before the rim", alone.stderr)
-
-    def test_a_lens_that_cannot_be_made(self):
-        prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\n")
-        lens = self.write("lens.json", {"format": "sturm.spectacles/1", "front": {"type": "sphere", "radius_mm": 100}, "back": {"type": "sphere", "radius_mm": 100},
-                                        "center_thickness_mm": 2, "refractive_index": 1.5})
-        self.assertEqual(sturm("wearers", prescriptions, lens).returncode, WRONG_INPUT)
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ class Camera(FolderTest):
 
 class Scene(Camera):
     def test_what_is_expected_of_a_thin_lens(self):
-        check = self.write_scene("--pupil", 6, "--focus-m", 1)
+        check = self.write_scene("--pupil", 6, "--focus", 1)
         self.succeed("validate", self.folder / "check/expected.json")
         self.succeed("validate", self.folder / "check/view.json")
         camera = strict_json((self.folder / "check/camera.json").read_text())
@@ -56,7 +56,7 @@ class Scene(Camera):
         self.write_scene()
         self.assertEqual(self.judge().returncode, WRONG_INPUT)  # no picture yet
         self.assertEqual(sturm("validate-camera", self.folder / "nowhere").returncode, WRONG_INPUT)
-        self.assertEqual(sturm("validate-camera", self.folder / "x", "--write", "--focus-m", 0).returncode, WRONG_INPUT)
+        self.assertEqual(sturm("validate-camera", self.folder / "x", "--write", "--focus", 0).returncode, WRONG_INPUT)
 
 
 class Pictures(Camera):
