@@ -3,6 +3,7 @@
 #include <array>
 
 #include "experiments/bench/section.h"
+#include "experiments/design_study/section.h"
 #include "experiments/lens_study/section.h"
 #include "experiments/samplings/section.h"
 #include "experiments/sin2_study/section.h"
@@ -21,6 +22,7 @@ std::span<const ExperimentSection> experiment_sections() {
       ExperimentSection{"pictures", nullptr, nullptr, prepared_pictures},
       ExperimentSection{"lens_study", "lens_sentence", "lens_study.csv", prepared_lens_study},
       ExperimentSection{"sin2_study", "sin2_study_sentence", "sin2_study.csv", prepared_sin2_study},
+      ExperimentSection{"design_study", "design_sentence", "design_study.csv", prepared_design_study},
       ExperimentSection{"sampling_study", nullptr, nullptr, prepared_sampling_study},
       ExperimentSection{"bench", "bench_sentence", nullptr, prepared_bench},
   };

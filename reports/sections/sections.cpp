@@ -30,6 +30,8 @@ std::span<const ReportSection> report_sections() {
       ReportSection{"sin2_study", "sin² study", sin2_study_section, "sin2_study_sentence", "The verdict on sin²"},
       ReportSection{"lens_study", "Spectacles", of_folder<lens_study_section>, "lens_sentence",
                     "What was measured of conoid tracing"},
+      ReportSection{"design_study", "Lens designs", of_folder<design_study_section>, "design_sentence",
+                    "What wearers see through the designs"},
       ReportSection{"sampling_study", "Pupil samplings", of_folder<sampling_section>},
       ReportSection{"bench", "Run time against error", of_folder<bench_section>},
       ReportSection{"figures", "Figures", of_folder<figure_section>},
