@@ -1,7 +1,10 @@
 #include "app/command_help.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
+
+#include "io/files/shipped_files.h"
 
 namespace sturm {
 
@@ -17,12 +20,34 @@ std::vector<std::string> words_of(const std::string& type) {
   return words;
 }
 
-OptionHelp option_help(const CLI::Option& option) {
+/// Folders of configs/ whose documents can be named.
+constexpr const char* shipped_kinds[] = {"benchmarks", "blurfields", "experiments", "eyes",
+                                         "lenses",     "scenes",     "views"};
+
+/// Names of all documents that the option may be given by name.
+std::vector<std::string> shipped_for(CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const char* kind : shipped_kinds) {
+    try {
+      option.get_validator(shipped_validator(kind));
+    } catch (const CLI::OptionNotFound&) {
+      continue;
+    }
+    const std::vector<std::string> some = shipped_names(kind);
+    names.insert(names.end(), some.begin(), some.end());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+OptionHelp option_help(CLI::Option& option) {
   OptionHelp help;
   const std::string type = option.get_type_name();
   help.text = option.get_description();
   help.positional = option.get_positional();
   help.words = words_of(type);
+  help.shipped = shipped_for(option);
   if (option.get_items_expected_max() > 0) help.value = type.substr(0, type.find(':'));
   if (help.positional) {
     help.names = {option.get_single_name()};
@@ -35,10 +60,14 @@ OptionHelp option_help(const CLI::Option& option) {
 
 }  // namespace
 
-CommandHelp command_help(const CLI::App& app) {
+std::string shipped_validator(const std::string& kind) {
+  return "shipped:" + kind;
+}
+
+CommandHelp command_help(CLI::App& app) {
   CommandHelp help{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
-  for (const CLI::Option* option : app.get_options({})) help.options.push_back(option_help(*option));
-  for (const CLI::App* command : app.get_subcommands({})) help.commands.push_back(command_help(*command));
+  for (CLI::Option* option : app.get_options({})) help.options.push_back(option_help(*option));
+  for (CLI::App* command : app.get_subcommands({})) help.commands.push_back(command_help(*command));
   return help;
 }
 

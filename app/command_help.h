@@ -10,10 +10,11 @@ namespace sturm {
 
 /// An option or a positional argument, as `--help` has it.
 struct OptionHelp {
-  std::vector<std::string> names;  ///< "-o", "--output"; of a positional argument its only name, without dashes
-  std::string value;               ///< what stands behind it, "TEXT"; "" for a flag
-  std::string text;                ///< what it is for
-  std::vector<std::string> words;  ///< all values that it may have; empty: any
+  std::vector<std::string> names;    ///< "-o", "--output"; of a positional argument its only name, without dashes
+  std::string value;                 ///< what stands behind it, "TEXT"; "" for a flag
+  std::string text;                  ///< what it is for
+  std::vector<std::string> words;    ///< all values that it may have; empty: any
+  std::vector<std::string> shipped;  ///< names of shipped documents that may stand in place of a file
   bool positional = false;
 };
 
@@ -24,8 +25,11 @@ struct CommandHelp {
   std::vector<CommandHelp> commands;
 };
 
+/// The name of the validator of an option that takes shipped documents of this folder by their names.
+std::string shipped_validator(const std::string& kind);
+
 /// What was defined for the command line, for pages and completions.
-CommandHelp command_help(const CLI::App& app);
+CommandHelp command_help(CLI::App& app);
 
 std::vector<std::string> command_names(const CommandHelp& program);
 

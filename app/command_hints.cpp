@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
+#include <sstream>
 
+#include "io/files/formatted_text.h"
 #include "io/json/suggest.h"
 
 namespace sturm {
@@ -38,6 +41,13 @@ std::string hint(const std::string& word, const std::vector<std::string>& candid
   return only ? " (did you mean \"" + *only + "\"?)" : "";
 }
 
+std::vector<std::string> words_between_commas(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream list(text);
+  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+  return words;
+}
+
 }  // namespace
 
 std::string unknown_command(const CommandHelp& program, const std::vector<std::string>& arguments) {
@@ -60,6 +70,29 @@ std::string unknown_option(const CommandHelp& program, const std::vector<std::st
   }
   const std::string whose = command ? "sturm " + command->name : "sturm";
   return "\"" + word + "\" is no option of " + whose + hint(word, known) + "; " + whose + " --help lists them all";
+}
+
+std::string unusable_value(const CommandHelp& program, const std::vector<std::string>& arguments,
+                           const std::string& complaint) {
+  const std::string line = complaint.substr(0, complaint.find('\n'));
+  static const std::regex range(R"((\S+): Value (.+) not in range (\S+) to (\S+))"),
+      choice(R"((\S+): (.*) not in \{(.*)\})"), number(R"(Could not convert: (\S+) = (.*))"),
+      missing(R"((.+) is required)");
+  std::smatch part;
+  std::string said = line;
+  if (std::regex_match(line, part, range)) {
+    said = part.str(1) + ": got " + part.str(2) + ", expected a number from " + plain_number(std::stod(part[3])) +
+           " to " + plain_number(std::stod(part[4]));
+  } else if (std::regex_match(line, part, choice)) {
+    const std::vector<std::string> words = words_between_commas(part[3]);
+    said = part.str(1) + ": got \"" + part.str(2) + "\"" + did_you_mean(part.str(2), words) + ", expected " + one_of(words);
+  } else if (std::regex_match(line, part, number)) {
+    said = part.str(1) + ": got \"" + part.str(2) + "\", expected a number";
+  } else if (std::regex_match(line, part, missing)) {
+    said = part.str(1) + " is missing";
+  }
+  const CommandHelp* command = find_command(program, command_in(arguments));
+  return said + "; sturm" + (command ? " " + command->name : "") + " --help explains";
 }
 
 }  // namespace sturm

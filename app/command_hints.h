@@ -13,4 +13,8 @@ std::string unknown_command(const CommandHelp& program, const std::vector<std::s
 std::string unknown_option(const CommandHelp& program, const std::vector<std::string>& arguments,
                            const std::vector<std::string>& unexpected);
 
+/// The parser's complaint about what stands behind an option, or is missing, in the words of other messages.
+std::string unusable_value(const CommandHelp& program, const std::vector<std::string>& arguments,
+                           const std::string& complaint);
+
 }  // namespace sturm

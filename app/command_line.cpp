@@ -27,7 +27,7 @@ void print_error(const std::exception& error) {
 }
 
 /// Help goes to standard output. Of what is wrong, a mistyped name explains more than what follows from it.
-int answer_parse_error(const CLI::App& app, const std::vector<std::string>& arguments, const CLI::ParseError& error) {
+int answer_parse_error(CLI::App& app, const std::vector<std::string>& arguments, const CLI::ParseError& error) {
   std::ostringstream help, complaint;
   const int code = app.exit(error, help, complaint);
   std::cout << help.str();
@@ -35,10 +35,11 @@ int answer_parse_error(const CLI::App& app, const std::vector<std::string>& argu
   const CommandHelp program = command_help(app);
   std::string mistake = unknown_command(program, arguments);
   if (mistake.empty()) mistake = unknown_option(program, arguments, app.remaining(true));
+  if (mistake.empty()) mistake = unusable_value(program, arguments, complaint.str());
   if (arguments.empty())
     std::cerr << app.help();
   else
-    std::cerr << readable_lines(mistake.empty() ? complaint.str() : "error: " + mistake + "\n");
+    std::cerr << readable_lines("error: " + mistake + "\n");
   return wrong_input;
 }
 

@@ -1,5 +1,6 @@
 #include "app/command_options.h"
 
+#include "app/command_help.h"
 #include "io/files/build_info.h"
 #include "io/files/sandbox.h"
 #include "io/files/shipped_files.h"
@@ -26,18 +27,46 @@ std::string file_of_name(const std::string& kind, const std::string& name) {
   return shipped ? shipped->string() : name;
 }
 
-CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema) {
-  const std::string kind = shipped_kind(schema);
-  auto* file = command.add_option(
-      "file", options.file,
-      std::string(what) + (kind.empty() ? "" : ", or the name of a shipped one") + " (- is standard input)");
-  file->required()->transform([kind](const std::string& name) { return file_of_name(kind, name); }, "");
+void take_shipped_names(CLI::Option& option, const std::string& kind) {
+  if (kind.empty()) return;
+  option.transform([kind](const std::string& name) { return file_of_name(kind, name); }, "", shipped_validator(kind));
+}
+
+void know_shipped_names(CLI::Option& option, const std::string& kind) {
+  option.check([](const std::string&) { return std::string(); }, "", shipped_validator(kind));
+}
+
+namespace {
+
+/// What changes a document on the command line.
+void add_changes(CLI::App& command, CommonOptions& options, const char* schema) {
   command.preparse_callback([&options, schema](std::size_t) { options.schema = schema; });
   command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")
       ->allow_extra_args(false);
   command.add_flag("--print-config", options.print_config,
                    "print the document that the command line stands for, and do nothing else");
+}
+
+std::string described(const char* what, const std::string& kind, const char* named) {
+  return std::string(what) + (kind.empty() ? "" : named) + " (- is standard input)";
+}
+
+}  // namespace
+
+CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema) {
+  const std::string kind = shipped_kind(schema);
+  auto* file = command.add_option("file", options.file, described(what, kind, ", or the name of a shipped one"));
+  take_shipped_names(*file->required(), kind);
+  add_changes(command, options, schema);
   return file;
+}
+
+CLI::Option* add_documents(CLI::App& command, CommonOptions& options, const char* what, const char* schema) {
+  const std::string kind = shipped_kind(schema);
+  auto* files = command.add_option("files", options.files, described(what, kind, ", or names of shipped ones"));
+  take_shipped_names(*files, kind);
+  add_changes(command, options, schema);
+  return files;
 }
 
 void add_prescription(CLI::App& command, CommonOptions& options, const char* whose) {
@@ -63,7 +92,8 @@ void add_wearer(CLI::App& command, CommonOptions& options) {
 }
 
 void add_spectacles(CLI::App& command, CommonOptions& options) {
-  command.add_option("--lens", options.worn.lens, "spectacles: a file, or the name of a shipped lens");
+  auto* lens = command.add_option("--lens", options.worn.lens, "spectacles: a file, or the name of a shipped lens");
+  know_shipped_names(*lens, "lenses");
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {

@@ -76,9 +76,15 @@ struct CommandLine {
 // What several commands share.
 /// The shipped document of a folder of configs/ that a plain name means; anything else as it stands.
 std::string file_of_name(const std::string& kind, const std::string& name);
+/// A plain name given to the option means a shipped document of this folder, and completions offer these.
+void take_shipped_names(CLI::Option& option, const std::string& kind);
+/// Completions offer these names; the command itself knows what they mean.
+void know_shipped_names(CLI::Option& option, const std::string& kind);
 /// `schema` is the kind of document, whose shipped ones may be named. Returns the option of the file, which must be
 /// given.
 CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
+/// The same for commands that answer several documents, each by itself; none need be given.
+CLI::Option* add_documents(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
 void add_prescription(CLI::App& command, CommonOptions& options, const char* whose);
 /// Prescription, vertex distance, pupil and accommodation of the eye.
 void add_wearer(CLI::App& command, CommonOptions& options);

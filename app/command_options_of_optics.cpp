@@ -5,7 +5,8 @@ namespace sturm {
 
 void CommandLine::add_ellipse() {
   auto* e = app.add_subcommand("ellipse", "blur ellipses at a list of targets, from a query or from --rx");
-  add_common_options(*e, common, "query (sturm.ellipse/1)", "ellipse")->required(false);
+  add_documents(*e, common, "queries (sturm.ellipse/1)", "ellipse");
+  add_run_options(*e, common);
   add_wearer(*e, common);
   add_spectacles(*e, common);
   e->add_option("--distance", ellipse.distances_m, "of the targets [m], with commas between: 0.4,1,6,inf")
@@ -17,22 +18,24 @@ void CommandLine::add_ellipse() {
                 "how it is computed: conoid (default), rays:power_matrix, …; may be repeated")
       ->delimiter(',')
       ->allow_extra_args(false);
-  auto* table = e->add_flag("--table", ellipse.table, "a table (default without a query)");
+  auto* table = e->add_flag("--table", ellipse.table, "a table (default without a query, and for several)");
   auto* csv = e->add_flag("--csv", ellipse.csv, "a table for programs")->excludes(table);
   e->add_flag("--json", ellipse.json, "all numbers as JSON (default with a query)")->excludes(table)->excludes(csv);
-  e->add_option("-o,--output", ellipse.output, "file instead of standard output");
+  e->add_option("-o,--output", ellipse.output,
+                "file instead of standard output; of several queries' JSON a folder, or a name with {name}");
   e->footer(
       "Examples:\n"
       "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --vertex 12 --pupil 5 --age 52 --distance 0.4,1,6,inf\n"
       "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --lens glasses --gaze 0,0 --gaze 20,-10 --distance 1 --csv\n"
-      "  sturm ellipse query.json --pupil 6");
+      "  sturm ellipse query.json --pupil 6\n"
+      "  sturm ellipse one.json two.json --csv -o both.csv");
   e->callback([this] { action = [this] { return ellipse_command(common, ellipse); }; });
 }
 
 void CommandLine::add_lens() {
   auto* l = app.add_subcommand("lens",
                                "powers, thickness and as-worn power map of a spectacle lens, from a file or from --rx");
-  add_document(*l, common, "lens (sturm.spectacles/1, .oma, .vca, .sdf or .zmx)", "spectacles")->required(false);
+  add_documents(*l, common, "lenses (sturm.spectacles/1, .oma, .vca, .sdf or .zmx)", "spectacles");
   add_prescription(*l, common, "a single-vision or progressive lens");
   l->add_option("--index", lens.refractive_index, "its refractive index")->check(CLI::Range(1.0, 4.0));
   l->add_option("--thickness", lens.center_thickness_mm, "its thickness at the centre [mm]")
@@ -45,22 +48,35 @@ void CommandLine::add_lens() {
   l->add_option("--rotation-center-mm", lens.rotation_center_mm, "the eye's centre of rotation behind its pupil [mm]")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  l->add_option("--map", lens.map_file,
-                "picture of mean power error and cylinder over the lens, as worn (.svg, .png or .pdf)");
+  l->add_option(
+      "--map", lens.map_file,
+      "picture of mean power error and cylinder over each lens, as worn, and of what each further lens has more "
+      "than the first (.svg, .png or .pdf)");
   l->add_option("--defocus-map", lens.defocus_map_file,
-                "picture of what the eye lacks for targets at given distances (.svg, .png or .pdf)");
-  l->add_option("--distance", lens.target_distances_m, "of the targets of the defocus map [m], with commas between")
+                "picture of what the eye has too much or too little for targets at given distances");
+  l->add_option("--corridor", lens.corridor_file, "picture of progressive lenses along their corridors");
+  l->add_option("--ellipses", lens.ellipses_file,
+                "picture of the blur ellipses over the field of gaze of the eyes that the lenses correct");
+  l->add_option("--distance", lens.distances_m,
+                "of the targets of these pictures [m], with commas between; inf = far away")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
-  l->add_option("--amplitude", lens.amplitude_D, "of the eye's accommodation, for the defocus map [D]")
+  l->add_option("--pupil", lens.eye.pupil_mm, "of the eye, for --ellipses [mm] (default: 4)")
+      ->check(CLI::Range(0.01, 100.0));
+  auto* age = l->add_option("--age", lens.eye.age_years, "of the eye, from which its accommodation follows [years]");
+  age->check(CLI::Range(0.0, 150.0));
+  l->add_option("--amplitude", lens.eye.amplitude_D, "or its amplitude of accommodation itself [D]")
       ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
-  l->add_option("-o,--output", output, "file instead of standard output");
+      ->excludes(age);
+  l->add_option("--range", lens.range, "end of the scale of all maps [D]")->check(CLI::PositiveNumber);
+  l->add_option("-o,--output", output,
+                "file instead of standard output; of several lenses a folder, or a name with {name}");
   l->footer(
       "Examples:\n"
       "  sturm lens --rx \"-3.25 -1.75 x 160\" --index 1.6 --map map.svg\n"
-      "  sturm lens progressive_regular --azimuth-deg 0 --elevation-deg -40:40:10");
+      "  sturm lens progressive_regular --azimuth-deg 0 --elevation-deg -40:40:10\n"
+      "  sturm lens progressive_regular progressive_wide_near --map maps.pdf --corridor corridors.svg --range 3");
   l->callback([this] { action = [this] { return lens_command(common, lens, output); }; });
 }
 
@@ -80,10 +96,11 @@ void CommandLine::add_blurfield() {
 
 void CommandLine::add_psf() {
   auto* p = app.add_subcommand("psf", "point spreads of an eye over distance, by rays and by waves: JSON in, JSON out");
-  add_document(*p, common, "point spreads (sturm.psf/1)", "psf")->required(false);
+  add_documents(*p, common, "point spreads (sturm.psf/1)", "psf");
   add_wearer(*p, common);
   p->add_option("--threads", common.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
-  p->add_option("-o,--output", psf.output, "file instead of standard output");
+  p->add_option("-o,--output", psf.output,
+                "file instead of standard output; of several documents a folder, or a name with {name}");
   p->add_option("--images", psf.images, "EXR file with a picture of each point spread; a PNG of all appears beside it");
   p->callback([this] { action = [this] { return psf_command(common, psf); }; });
 }

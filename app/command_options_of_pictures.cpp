@@ -4,13 +4,16 @@ namespace sturm {
 
 void CommandLine::add_render() {
   auto* render = app.add_subcommand("render", "one image, path traced or predicted");
-  add_common_options(*render, common, "view (sturm.render/1)", "render");
+  add_documents(*render, common, "views (sturm.render/1)", "render")->required();
+  add_run_options(*render, common);
   add_wearer(*render, common);
   add_spectacles(*render, common);
   render->add_option("--samples", preview.samples_per_pixel, "samples per pixel")->check(CLI::Range(1, 16777216));
   render->add_option("--size", preview.size, "WIDTHxHEIGHT of the picture [px]");
   auto* file_option =
-      render->add_option("-o,--output", output, "EXR file, with a PNG beside it, or PNG file alone; and a manifest");
+      render->add_option("-o,--output", output,
+                         "EXR file, with a PNG beside it, or PNG file alone; and a manifest. Of several views a "
+                         "folder, or a name with {name}");
   render->add_option("--preview", preview.file, "PNG file that shows the picture while it grows");
   render->add_option("--preview-interval-s", preview.interval_s, "seconds between two previews, at least")
       ->check(CLI::Range(0.0, 86400.0))
@@ -20,7 +23,8 @@ void CommandLine::add_render() {
   render->footer(
       "Examples:\n"
       "  sturm render cornell --rx \"-3.25 -1.75 x 160\" --pupil 5 -o seen.png\n"
-      "  sturm render desk --rx \"-3.25 -1.75 x 160\" --lens glasses --samples 256 -o corrected.exr");
+      "  sturm render desk --rx \"-3.25 -1.75 x 160\" --lens glasses --samples 256 -o corrected.exr\n"
+      "  sturm render desk street --samples 16 -o seen_{name}.png");
   render->callback([this, file_option] {
     if (!explain && !common.print_config && file_option->empty()) throw CLI::RequiredError("--output");
     action = [this] { return explain ? explain_command(common, preview) : render_command(common, preview, output); };
@@ -53,7 +57,7 @@ void CommandLine::add_view() {
 void CommandLine::add_see() {
   auto* s = app.add_subcommand("see", "any picture with a depth map, as an eye sees it");
   s->add_option("picture", see.picture, "sharp picture: EXR, HDR, PFM (linear), PNG, JPEG … (sRGB)")->required();
-  s->add_option("--eye", see.eye, "eye (sturm.eye/1), or the name of a shipped one");
+  know_shipped_names(*s->add_option("--eye", see.eye, "eye (sturm.eye/1), or the name of a shipped one"), "eyes");
   add_prescription(*s, common, "the eye");
   auto* output_option = s->add_option("-o,--output", see.output, "PNG or EXR file; a manifest appears beside it");
   add_see_depth(*s);
@@ -94,7 +98,7 @@ void CommandLine::add_see_view(CLI::App& s) {
       ->excludes(vfov);
   s.add_option("--pupil,--pupil-mm", see.pupil_mm, "pupil diameter in place of the eye's own [mm]")
       ->check(CLI::Range(0.0, 100.0));
-  auto* focus_m = s.add_option("--focus-m", see.focus_m, "accommodation as a distance [m]; inf = relaxed");
+  auto* focus_m = s.add_option("--focus,--focus-m", see.focus_m, "accommodation as a distance [m]; inf = relaxed");
   s.add_option("--focus-D", see.focus_D, "accommodation as a power [D]")
       ->check(CLI::Range(0.0, 1000.0))
       ->excludes(focus_m);

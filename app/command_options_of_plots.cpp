@@ -3,30 +3,19 @@
 
 namespace sturm {
 
-namespace {
-
-std::string lens_of_name(const std::string& name) {
-  return file_of_name("lenses", name);
-}
-
-std::string eye_or_lens_of_name(const std::string& name) {
-  return file_of_name("eyes", lens_of_name(name));
-}
-
-}  // namespace
-
 void CommandLine::add_plot() {
   auto* p = app.add_subcommand("plot", "figures of eyes and lenses with their numbers: SVG, PNG or PDF, and CSV");
   p->add_option("kind", plot.kind, "what is drawn")->required()->check(CLI::IsMember(plot_kind_words.all()));
   p->add_option("files", plot.files,
-                "eyes, lenses (also shipped ones by name), or documents that have an eye; none: the eye of --rx")
-      ->transform(eye_or_lens_of_name, "");
+                "eyes, lenses (also shipped ones by name), or documents that have an eye; none: the eye of --rx");
+  take_shipped_names(*p->get_option("files"), "eyes");
+  take_shipped_names(*p->get_option("files"), "lenses");
   p->add_option("-o,--output", plot.output, "picture: .svg, .png or .pdf")->required();
   p->add_option("--csv", plot.csv, "file for its numbers (default: beside the picture)");
   p->add_option("--rx", plot.prescription, "prescription in optical notation: \"-2.00 -1.50 x 30\"");
   p->add_option("--lens", plot.spectacles,
-                "spectacle lens that the eye looks through: a file, or the name of a shipped one")
-      ->transform(lens_of_name, "");
+                "spectacle lens that the eye looks through: a file, or the name of a shipped one");
+  take_shipped_names(*p->get_option("--lens"), "lenses");
   p->add_option("--pupil", plot.worn.pupil_mm, "pupil diameter in place of the eye's own [mm] (default: 4)")
       ->check(CLI::Range(0.01, 100.0));
   auto* age =
@@ -46,7 +35,7 @@ void CommandLine::add_plot() {
   p->add_option("--psf", plot.psf, "of a modulation transfer: waves, rays or both")
       ->check(CLI::IsMember({"waves", "rays", "both"}))
       ->capture_default_str();
-  p->add_flag("--difference", plot.difference, "of power: also what the second lens has more than the first");
+  p->add_flag("--difference", plot.difference, "of power: also what each further lens has more than the first");
   p->add_option("--rotation-center-mm", plot.rotation_center_mm, "of lenses: centre of rotation behind the pupil [mm]")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
@@ -58,8 +47,8 @@ void CommandLine::add_wearers() {
       app.add_subcommand("wearers", "what each wearer of a table of prescriptions sees through lens designs: CSV");
   c->add_option("table", wearers.table, "prescriptions (CSV)")->required();
   c->add_option("lenses", wearers.lenses, "single-vision or progressive lenses, which are made for each wearer")
-      ->required()
-      ->transform(lens_of_name, "");
+      ->required();
+  take_shipped_names(*c->get_option("lenses"), "lenses");
   c->add_option("--distance", wearers.distances_m, "of targets [m], with commas between; inf = far away")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -90,7 +79,9 @@ void CommandLine::add_validate_camera() {
   auto* c = app.add_subcommand("validate-camera", "scenes with known blur, and whether a renderer's picture has it");
   c->add_option("folder", v.folder, "of the scene, and of picture.exr")->required();
   auto* write = c->add_flag("--write", v.write, "write the scene instead of judging its picture");
-  auto* eye = c->add_option("--eye", v.eye, "eye that the camera has (sturm.eye/1), instead of a thin lens");
+  auto* eye = c->add_option("--eye", v.eye,
+                            "eye that the camera has: a file or the name of a shipped one, instead of a thin lens");
+  take_shipped_names(*eye, "eyes");
   eye->needs(write);
   c->add_option("--rx", v.prescription, "prescription of the camera's eye, for cameras with a cylinder")->needs(write);
   c->add_option("--pupil", v.pupil_mm, "diameter of its pupil [mm] (default: 6)")

@@ -31,6 +31,7 @@ struct CommonOptions {
   std::optional<std::uint64_t> seed;
   int threads = 0;  ///< 0: one per processor
   bool quiet = false;
+  std::vector<std::string> files;  ///< of a command that answers several by themselves; `file` is one of them
 };
 
 /// Bounds that turn `sturm compare` into a gate; none of them set: it only reports.
@@ -74,9 +75,10 @@ struct LensOptions {
   std::optional<double> refractive_index, center_thickness_mm, diameter_mm;  ///< of a lens that is made
   std::string azimuths_deg = "-40:40:10", elevations_deg = "-40:40:10";      ///< FIRST:LAST:STEP, or one angle
   double rotation_center_mm = 1e3 * mean_rotation_center_m;                  ///< behind the pupil
-  std::string map_file, defocus_map_file;                                    ///< .svg or .png; "" = none
-  std::vector<std::string> target_distances_m{"0.4"};                        ///< of the defocus map: > 0 or "inf"
-  double amplitude_D = 0.0;                                                  ///< of accommodation, for the defocus map
+  std::string map_file, defocus_map_file, corridor_file, ellipses_file;      ///< .svg, .png or .pdf; "" = none
+  std::vector<std::string> distances_m{"0.4"};                               ///< of targets: > 0 or "inf"
+  WearerOptions eye;            ///< pupil and accommodation of the eye behind the lens
+  std::optional<double> range;  ///< end of the scale of all maps [D]
 };
 
 /// What `sturm plot` is asked for.
@@ -110,7 +112,7 @@ struct WearersOptions {
   std::string table;                            ///< CSV of prescriptions
   std::vector<std::string> lenses;              ///< designs that each wearer tries
   std::vector<std::string> distances_m{"inf"};  ///< of targets: > 0 or "inf"
-  std::optional<double> age, amplitude_D;       ///< of the eyes; none: they do not accommodate
+  std::optional<double> age, amplitude_D;       ///< of all wearers, in place of the ages in the table
   double clear_D = 0.25, reach_deg = 30.0, step_deg = 5.0, vertex_mm = 12.0;
   std::string output;  ///< CSV, "" = standard output
 };

@@ -12,10 +12,11 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
   return text;
 }
 
-std::vector<std::string> positional_words(const CommandHelp& command) {
+/// The words, or the names of shipped documents, that stand without an option.
+std::vector<std::string> positional(const CommandHelp& command, std::vector<std::string> OptionHelp::*member) {
   std::vector<std::string> words;
   for (const OptionHelp& option : command.options)
-    if (option.positional) words.insert(words.end(), option.words.begin(), option.words.end());
+    if (option.positional) words.insert(words.end(), (option.*member).begin(), (option.*member).end());
   return words;
 }
 
@@ -26,12 +27,12 @@ std::string shell_quoted(const std::string& text) {
   return result + "'";
 }
 
-/// Calls with each option that may have one of a few words: "render|--psf" and the words.
+/// Calls with each option that may have one of a few words or names: "render|--psf" and the words.
 void for_each_choice(const CommandHelp& program,
                      const std::function<void(const CommandHelp&, const OptionHelp&)>& put) {
   for (const CommandHelp& command : program.commands)
     for (const OptionHelp& option : command.options)
-      if (!option.positional && !option.words.empty()) put(command, option);
+      if (!option.positional && !(option.words.empty() && option.shipped.empty())) put(command, option);
 }
 
 std::string bash_script(const CommandHelp& program) {
@@ -39,7 +40,7 @@ std::string bash_script(const CommandHelp& program) {
       "# Completion of sturm for bash.\n"
       "_sturm() {\n"
       "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command='' word words='' "
-      "options='' chosen=''\n"
+      "shipped='' options='' chosen=''\n"
       "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n"
       "    case $word in\n"
       "      " +
@@ -50,24 +51,35 @@ std::string bash_script(const CommandHelp& program) {
       "  case \"$command $previous\" in\n";
   for_each_choice(program, [&](const CommandHelp& command, const OptionHelp& option) {
     for (const std::string& name : option.names)
-      text += "    \"" + command.name + " " + name + "\") words=\"" + joined(option.words, " ") + "\" chosen=1 ;;\n";
+      text += "    \"" + command.name + " " + name + "\") words=\"" + joined(option.words, " ") + "\" shipped=\"" +
+              joined(option.shipped, " ") + "\" chosen=1 ;;\n";
   });
   text += "  esac\n  case $command in\n";
   const auto put_words = [&](const std::string& command, const std::vector<std::string>& words,
-                             const std::vector<std::string>& options) {
+                             const std::vector<std::string>& shipped, const std::vector<std::string>& options) {
     text += "    " + command + ") options=\"" + joined(options, " ") + "\"";
     if (!words.empty()) text += "; words=${words:-" + joined(words, " ") + "}";
+    if (!shipped.empty()) text += "; shipped=${shipped:-" + joined(shipped, " ") + "}";
     text += " ;;\n";
   };
-  put_words("\"\"", command_names(program), option_names(program));
+  put_words("\"\"", command_names(program), {}, option_names(program));
   for (const CommandHelp& command : program.commands)
-    put_words(command.name, positional_words(command), option_names(command));
+    put_words(command.name, positional(command, &OptionHelp::words), positional(command, &OptionHelp::shipped),
+              option_names(command));
   return text +
          "  esac\n"
-         "  [[ $current == -* && -z $chosen ]] && words=$options\n"
-         "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n"
+         "  [[ $current == -* && -z $chosen ]] && words=$options shipped=''\n"
+         "  [[ -n $shipped ]] && compopt -o filenames 2>/dev/null\n"
+         "  mapfile -t COMPREPLY < <(compgen -W \"$words $shipped\" -- \"$current\"; [[ -n $shipped ]] && compgen -f "
+         "-- "
+         "\"$current\")\n"
          "}\n"
          "complete -o default -F _sturm sturm\n";
+}
+
+/// A name or a file.
+std::string zsh_names(const std::vector<std::string>& shipped) {
+  return "{_alternative \"names:shipped document:(" + joined(shipped, " ") + ")\" \"files:file:_files\"}";
 }
 
 std::string zsh_option(const OptionHelp& option, const std::string& name) {
@@ -76,6 +88,8 @@ std::string zsh_option(const OptionHelp& option, const std::string& name) {
   std::string spec = "*" + name + "[" + text + "]";
   if (!option.words.empty())
     spec += ":value:(" + joined(option.words, " ") + ")";
+  else if (!option.shipped.empty())
+    spec += ":value:" + zsh_names(option.shipped);
   else if (!option.value.empty())
     spec += ":value:_files";
   return shell_quoted(spec);
@@ -101,8 +115,9 @@ std::string zsh_script(const CommandHelp& program) {
     for (const OptionHelp& option : command.options)
       if (!option.positional)
         for (const std::string& name : option.names) text += " \\\n        " + zsh_option(option, name);
-    const std::vector<std::string> words = positional_words(command);
-    text += " \\\n        " + shell_quoted(words.empty() ? "*:file:_files" : "*:name:(" + joined(words, " ") + ")") +
+    const auto words = positional(command, &OptionHelp::words), shipped = positional(command, &OptionHelp::shipped);
+    const std::string files = shipped.empty() ? "_files" : zsh_names(shipped);
+    text += " \\\n        " + shell_quoted(words.empty() ? "*:file:" + files : "*:name:(" + joined(words, " ") + ")") +
             " ;;\n";
   }
   return text +
@@ -129,6 +144,7 @@ std::string fish_script(const CommandHelp& program) {
         text += (option.positional ? " -f -a " : " -x -a ") + shell_quoted(joined(option.words, " "));
       else if (!option.value.empty() && !option.positional)
         text += " -r";
+      if (!option.shipped.empty()) text += " -a " + shell_quoted(joined(option.shipped, " "));
       text += " -d " + shell_quoted(option.text) + "\n";
     }
   return text;

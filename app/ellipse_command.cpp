@@ -5,6 +5,7 @@
 #include "app/configuration.h"
 #include "app/ellipse_table.h"
 #include "app/option_values.h"
+#include "app/several_documents.h"
 #include "io/json/values.h"
 #include "stages/ellipse_stage.h"
 
@@ -54,20 +55,34 @@ Json asked_for(const CommonOptions& common, const EllipseOptions& options) {
 }  // namespace
 
 int ellipse_command(const CommonOptions& given, const EllipseOptions& options) {
-  const CommonOptions common = with_source(given);
-  const bool as_table = options.table || (given.file.empty() && !options.json && !options.csv);
-  const Json document = asked_for(common, options);
-  const EllipseQuery query = read_ellipse_query(document, common.file);
-  if (common.print_config) return print_configuration(document, common.file, options.output);
-  const Json answer = blur_ellipses(query);
+  if (given.print_config) {
+    const CommonOptions one = with_source(with_one_document(given, "--print-config"));
+    return print_configuration(asked_for(one, options), one.file, options.output);
+  }
+  const bool several = given.files.size() > 1;
+  const bool usually_table = given.files.empty() || (several && options.output.empty());
+  const bool as_table = options.table || (usually_table && !options.json && !options.csv);
+  std::vector<std::string> files = given.files;
+  if (files.empty()) files = {with_source(given).file};
+  const std::vector<std::string> names = document_names(files);
+  std::vector<AnsweredQuery> answers;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    CommonOptions common = given;
+    common.file = files[i];
+    const EllipseQuery query = read_ellipse_query(asked_for(common, options), common.file);
+    answers.push_back({names[i], query, blur_ellipses(query)});
+  }
+  std::vector<std::string> outputs;
+  if (!as_table && !options.csv) outputs = outputs_of(files, options.output, ".json", "--output");
   if (options.csv)
-    write_text(ellipse_csv(answer, query), options.output);
+    write_text(ellipse_csv(answers), options.output);
   else if (as_table)
-    write_text(ellipse_table(answer, query), options.output);
+    write_text(ellipse_table(answers), options.output);
   else
-    write_result(answer, options.output);
+    for (std::size_t i = 0; i < files.size(); ++i) write_result(answers[i].answer, outputs[i]);
   if (options.csv || as_table)
-    for (const std::string& note : query.notes) std::cerr << "note: " << note << "\n";
+    for (const AnsweredQuery& one : answers)
+      for (const std::string& note : one.query.notes) std::cerr << "note: " << note << "\n";
   return 0;
 }
 

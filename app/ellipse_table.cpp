@@ -75,6 +75,27 @@ std::string gaze_text(const Target& target) {
          plain_number(target.elevation / radians_per_degree, 4);
 }
 
+void put_result(CsvWriter& csv, const Target& target, const Json& r) {
+  const auto put = [&](const Json& value) {
+    csv.number(value.is_number() ? std::optional(value.get<double>()) : std::nullopt);
+  };
+  csv.text(exact_number(target.distance_m));
+  csv.number(target.azimuth / radians_per_degree, 15);
+  csv.number(target.elevation / radians_per_degree, 15);
+  csv.text(r.at("method").get_ref<const std::string&>());
+  csv.text(r.at("status").get_ref<const std::string&>());
+  put(r.at("accommodation_D"));
+  for (const char* key : {"semi_axes_arcmin", "semi_axes_D", "semi_axes_m"})
+    for (const std::size_t i : {0, 1}) put(r.at(key).is_array() ? r.at(key)[i] : Json());
+  put(r.at("orientation_deg"));
+  put(r.at("orientation_tabo_deg"));
+  const Json lines = r.value("focal_lines", Json());
+  for (const std::size_t i : {0, 1})
+    for (const char* key : {"vergence_D", "orientation_deg"}) put(lines.is_array() ? lines[i].at(key) : Json());
+  csv.text(ellipse_in_words(r));
+  csv.end_row();
+}
+
 }  // namespace
 
 std::string ellipse_in_words(const Json& result) {
@@ -87,62 +108,57 @@ std::string ellipse_in_words(const Json& result) {
   return how_blurred(result) + (clear.empty() ? "" : "; " + clear);
 }
 
-std::string ellipse_table(const Json& answer, const EllipseQuery& query) {
-  const bool gazes = std::any_of(query.targets.begin(), query.targets.end(),
+std::string ellipse_table(const std::vector<AnsweredQuery>& answers) {
+  const bool several = answers.size() > 1;
+  bool gazes = false, methods = false;
+  for (const AnsweredQuery& one : answers) {
+    gazes = gazes || std::any_of(one.query.targets.begin(), one.query.targets.end(),
                                  [](const Target& t) { return t.azimuth != 0.0 || t.elevation != 0.0; });
-  const bool methods = query.methods.size() > 1;
-  std::vector<Row> rows{{"target [m]"}};
+    methods = methods || one.query.methods.size() > 1;
+  }
+  std::vector<Row> rows(1);
+  if (several) rows[0].emplace_back("query");
+  rows[0].emplace_back("target [m]");
   if (gazes) rows[0].emplace_back("gaze [deg]");
   if (methods) rows[0].emplace_back("method");
   for (const char* title : {"accommodation [D]", "semi-axes [arcmin]", "[D]", "[mm]", "wearer", "TABO", "in words"})
     rows[0].emplace_back(title);
-  for (const Json& r : answer.at("results")) {
-    const Target& target = query.targets.at(r.at("target").get<std::size_t>());
-    Row row{plain_number(target.distance_m)};
-    if (gazes) row.push_back(gaze_text(target));
-    if (methods) row.push_back(r.at("method").get<std::string>());
-    row.push_back(r.at("accommodation_D").is_number() ? formatted("%.2f", r.at("accommodation_D").get<double>())
-                                                      : none);
-    row.push_back(axes(r.at("semi_axes_arcmin")));
-    row.push_back(axes(r.at("semi_axes_D")));
-    row.push_back(axes(r.at("semi_axes_m"), 1.0 / metres_per_millimetre));
-    row.push_back(degrees(r.at("orientation_deg")));
-    row.push_back(degrees(r.at("orientation_tabo_deg")));
-    row.push_back(ellipse_in_words(r));
-    rows.push_back(std::move(row));
-  }
+  for (const AnsweredQuery& one : answers)
+    for (const Json& r : one.answer.at("results")) {
+      const Target& target = one.query.targets.at(r.at("target").get<std::size_t>());
+      Row row;
+      if (several) row.push_back(one.name);
+      row.push_back(plain_number(target.distance_m));
+      if (gazes) row.push_back(gaze_text(target));
+      if (methods) row.push_back(r.at("method").get<std::string>());
+      row.push_back(r.at("accommodation_D").is_number() ? formatted("%.2f", r.at("accommodation_D").get<double>())
+                                                        : none);
+      row.push_back(axes(r.at("semi_axes_arcmin")));
+      row.push_back(axes(r.at("semi_axes_D")));
+      row.push_back(axes(r.at("semi_axes_m"), 1.0 / metres_per_millimetre));
+      row.push_back(degrees(r.at("orientation_deg")));
+      row.push_back(degrees(r.at("orientation_tabo_deg")));
+      row.push_back(ellipse_in_words(r));
+      rows.push_back(std::move(row));
+    }
   return text_columns(rows);
 }
 
-std::string ellipse_csv(const Json& answer, const EllipseQuery& query) {
+std::string ellipse_csv(const std::vector<AnsweredQuery>& answers) {
+  const bool several = answers.size() > 1;
   CsvWriter csv;
+  if (several) csv.text("query");
   for (const char* column : {"distance_m", "gaze_azimuth_deg", "gaze_elevation_deg", "method", "status",
                              "accommodation_D", "semi_major_arcmin", "semi_minor_arcmin", "semi_major_D",
                              "semi_minor_D", "semi_major_m", "semi_minor_m", "orientation_deg", "orientation_tabo_deg",
                              "near_line_D", "near_line_deg", "far_line_D", "far_line_deg", "in_words"})
     csv.text(column);
   csv.end_row();
-  const auto put = [&](const Json& value) {
-    csv.number(value.is_number() ? std::optional(value.get<double>()) : std::nullopt);
-  };
-  for (const Json& r : answer.at("results")) {
-    const Target& target = query.targets.at(r.at("target").get<std::size_t>());
-    csv.text(exact_number(target.distance_m));
-    csv.number(target.azimuth / radians_per_degree, 15);
-    csv.number(target.elevation / radians_per_degree, 15);
-    csv.text(r.at("method").get_ref<const std::string&>());
-    csv.text(r.at("status").get_ref<const std::string&>());
-    put(r.at("accommodation_D"));
-    for (const char* key : {"semi_axes_arcmin", "semi_axes_D", "semi_axes_m"})
-      for (const std::size_t i : {0, 1}) put(r.at(key).is_array() ? r.at(key)[i] : Json());
-    put(r.at("orientation_deg"));
-    put(r.at("orientation_tabo_deg"));
-    const Json lines = r.value("focal_lines", Json());
-    for (const std::size_t i : {0, 1})
-      for (const char* key : {"vergence_D", "orientation_deg"}) put(lines.is_array() ? lines[i].at(key) : Json());
-    csv.text(ellipse_in_words(r));
-    csv.end_row();
-  }
+  for (const AnsweredQuery& one : answers)
+    for (const Json& r : one.answer.at("results")) {
+      if (several) csv.text(one.name);
+      put_result(csv, one.query.targets.at(r.at("target").get<std::size_t>()), r);
+    }
   return csv.table();
 }
 

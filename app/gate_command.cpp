@@ -51,8 +51,8 @@ std::string short_name(const std::filesystem::path& file) {
 Json baseline_of(const Json& report) {
   Json baseline = report;
   for (Json& input : baseline["provenance"]["inputs"]) input["file"] = short_name(input["file"].get<std::string>());
-  for (const char* bulky :
-       {"ellipses", "sin2", "psfs", "lens_study", "sampling_study", "sin2_study", "gate_power", "bench"})
+  for (const char* bulky : {"ellipses", "sin2", "psfs", "lens_study", "design_study", "sampling_study", "sin2_study",
+                            "gate_power", "bench"})
     baseline.erase(bulky);
   return baseline;
 }

@@ -5,14 +5,17 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/lens_table.h"
 #include "app/option_values.h"
+#include "app/plotted.h"
+#include "app/several_documents.h"
 #include "experiments/figures/lens_maps.h"
+#include "experiments/figures/lens_plots.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
 #include "io/json/schema.h"
 #include "io/specs/spectacles_spec.h"
 #include "lensmodel/units.h"
-#include "lensmodel/vertex_power.h"
 #include "stages/lens_stage.h"
 
 namespace sturm {
@@ -20,7 +23,7 @@ namespace sturm {
 namespace {
 
 constexpr double largest_angle_deg = 89.0;
-constexpr double most_angles = 721.0;
+constexpr double most_angles = 721.0, usual_clear_D = 0.25;
 
 /// FIRST:LAST:STEP or one angle.
 std::vector<double> angles(const std::string& text, const char* option) {
@@ -75,52 +78,112 @@ Json lens_document(const CommonOptions& options, const LensOptions& lens) {
   return document;
 }
 
-/// Throws where a picture could not be written as named.
-void check_picture_name(const std::string& name, const char* option) {
-  if (!name.empty() && !is_picture_name(name))
-    throw InputError("", option, "\"" + name + "\"", "a file name that ends in .svg, .png or .pdf");
+/// A lens as the options have it, and what is asked of it.
+struct AskedLens {
+  std::string file;
+  SpectaclesSpec spec;
+  LensQuery query;
+  NamedLens plotted;  ///< without a nominal power where no picture needs one
+};
+
+bool has_pictures(const LensOptions& lens) {
+  return !(lens.map_file.empty() && lens.defocus_map_file.empty() && lens.corridor_file.empty() &&
+           lens.ellipses_file.empty());
 }
 
-std::vector<double> distances(const std::vector<std::string>& texts) {
+AskedLens asked_lens(const Json& document, const std::string& file, const std::string& name, const LensOptions& lens) {
+  AskedLens asked{file, read_lens(document, file), {}, {}};
+  for (const std::string& note : asked.spec.notes) std::cerr << "note: " << note << "\n";
+  asked.query = {.lens = asked.spec.lens.value(),
+                 .material = asked.spec.material,
+                 .fits = asked.spec.fits,
+                 .rotation_center_m = metres_per_millimetre * lens.rotation_center_mm,
+                 .azimuths_deg = angles(lens.azimuths_deg, "--azimuth-deg"),
+                 .elevations_deg = angles(lens.elevations_deg, "--elevation-deg")};
+  asked.plotted = {name, asked.query.lens, has_pictures(lens) ? nominal_power(asked.spec, {file, ""}) : PowerMatrix()};
+  return asked;
+}
+
+/// Throws where a picture could not be written as named.
+void check_pictures(const LensOptions& lens) {
+  for (const auto& [name, option] :
+       {std::pair(lens.map_file, "--map"), std::pair(lens.defocus_map_file, "--defocus-map"),
+        std::pair(lens.corridor_file, "--corridor"), std::pair(lens.ellipses_file, "--ellipses")}) {
+    if (name.empty()) continue;
+    if (!is_picture_name(name))
+      throw InputError("", option, "\"" + name + "\"", "a file name that ends in .svg, .png or .pdf");
+    require_writable(name);
+  }
+}
+
+std::vector<double> distances(const LensOptions& lens) {
   std::vector<double> result;
-  for (const std::string& text : texts) result.push_back(distance_option(text, "--distance"));
+  for (const std::string& text : lens.distances_m) result.push_back(distance_option(text, "--distance"));
   return result;
 }
 
-void write_picture(const std::string& name, const std::vector<LensMap>& maps) {
-  write_file_atomically(name, plot_file(lens_map_plot(maps), name));
+Plot maps_of(const std::vector<NamedLens>& lenses, double rotation_center_m, std::optional<double> range) {
+  if (lenses.size() > 1) return power_plot(lenses, rotation_center_m, true, range);
+  return lens_map_plot(as_worn_maps(lenses[0].lens, lenses[0].nominal, rotation_center_m), {1, range});
+}
+
+/// The pictures that are asked for, by the names of their files.
+std::vector<std::pair<std::string, std::string>> drawn_pictures(const std::vector<AskedLens>& asked,
+                                                                const LensOptions& lens) {
+  const std::vector<double> targets = distances(lens);
+  const double rotation_center_m = metres_per_millimetre * lens.rotation_center_mm;
+  std::vector<NamedLens> lenses;
+  std::vector<NamedEye> eyes;
+  for (const AskedLens& one : asked) {
+    lenses.push_back(one.plotted);
+    if (!lens.ellipses_file.empty())
+      eyes.push_back({one.plotted.name, eye_behind(one.plotted, one.file, lens.eye).worn});
+  }
+  std::vector<std::pair<std::string, std::string>> pictures;
+  const auto draw = [&](const std::string& name, std::size_t panels, const auto& plot) {
+    if (name.empty()) return;
+    require_few_panels(panels);
+    pictures.emplace_back(name, plot_file(plot(), name));
+  };
+  draw(lens.map_file, 2 * lenses.size() - 1, [&] { return maps_of(lenses, rotation_center_m, lens.range); });
+  draw(lens.defocus_map_file, lenses.size(), [&] {
+    const double amplitude_D = amplitude_option(lens.eye.age_years, lens.eye.amplitude_D);
+    return defocus_plot(lenses, rotation_center_m, targets, amplitude_D, lens.range);
+  });
+  draw(lens.corridor_file, 1, [&] { return corridor_plot(corridor_profiles(lenses, rotation_center_m)); });
+  draw(lens.ellipses_file, eyes.size() * targets.size(),
+       [&] { return fields_plot(eyes, targets, usual_clear_D, std::nullopt); });
+  return pictures;
 }
 
 }  // namespace
 
 int lens_command(const CommonOptions& given, const LensOptions& lens, const std::string& output) {
-  const CommonOptions options = with_source(given);
-  const Json document = lens_document(options, lens);
-  if (options.print_config) return print_configuration(document, options.file, output);
-  LensQuery query;
-  query.azimuths_deg = angles(lens.azimuths_deg, "--azimuth-deg");
-  query.elevations_deg = angles(lens.elevations_deg, "--elevation-deg");
-  query.rotation_center_m = metres_per_millimetre * lens.rotation_center_mm;
-  check_picture_name(lens.map_file, "--map");
-  check_picture_name(lens.defocus_map_file, "--defocus-map");
-  const std::vector<double> targets = distances(lens.target_distances_m);
-  const SpectaclesSpec spec = read_lens(document, options.file);
-  for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
-  query.lens = spec.lens.value();
-  query.material = spec.material;
-  query.fits = spec.fits;
-  if (!lens.map_file.empty())
-    write_picture(lens.map_file,
-                  as_worn_maps(query.lens, nominal_power(spec, {options.file, ""}), query.rotation_center_m));
-  if (!lens.defocus_map_file.empty()) {
-    const PowerMatrix correction =
-        nominal_power(spec, {options.file, ""}).moved_towards_eye(query.lens.vertex_distance_m);
-    std::vector<LensMap> maps;
-    for (const double distance : targets)
-      maps.push_back(defocus_map(query.lens, correction, query.rotation_center_m, distance, lens.amplitude_D));
-    write_picture(lens.defocus_map_file, maps);
+  if (given.print_config) {
+    const CommonOptions options = with_source(with_one_document(given, "--print-config"));
+    return print_configuration(lens_document(options, lens), options.file, output);
   }
-  write_result(lens_report(query), output);
+  check_pictures(lens);
+  std::vector<std::string> files = given.files;
+  if (files.empty()) files = {with_source(given).file};
+  const std::vector<std::string> names = given.files.empty() ? std::vector{given.prescription} : document_names(files);
+  std::vector<AskedLens> asked;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    CommonOptions options = given;
+    options.file = files[i];
+    asked.push_back(asked_lens(lens_document(options, lens), files[i], names[i], lens));
+  }
+  const bool several = files.size() > 1, as_table = several && output.empty();
+  std::vector<std::string> outputs;
+  if (!as_table) outputs = outputs_of(files, output, ".json", "--output");
+  const auto pictures = drawn_pictures(asked, lens);
+  std::vector<NamedLensReport> reports;
+  for (std::size_t i = 0; i < files.size(); ++i) reports.push_back({names[i], lens_report(asked[i].query)});
+  for (const auto& [name, picture] : pictures) write_file_atomically(name, picture);
+  if (as_table)
+    write_text(lens_table(reports), output);
+  else
+    for (std::size_t i = 0; i < files.size(); ++i) write_result(reports[i].report, outputs[i]);
   return 0;
 }
 

@@ -7,8 +7,7 @@
 #include "app/plot_kinds.h"
 #include "app/plotted.h"
 #include "experiments/figures/blur_curve.h"
-#include "experiments/figures/gaze_figures.h"
-#include "experiments/figures/lens_maps.h"
+#include "experiments/figures/lens_plots.h"
 #include "experiments/figures/psf_figures.h"
 #include "experiments/figures/wavefront_map.h"
 #include "io/files/atomic_file.h"
@@ -20,13 +19,7 @@ namespace sturm {
 
 namespace {
 
-constexpr std::size_t most_panels = 6, spot_rays = 3000;
-constexpr double corridor_limit_D = 0.5;
-
-void require_few(std::size_t panels) {
-  if (panels > most_panels)
-    throw InputError("", "FILE, --distance", std::to_string(panels) + " panels side by side", "at most 6");
-}
+constexpr std::size_t spot_rays = 3000;
 
 std::vector<double> distances(const PlotOptions& options, const std::vector<std::string>& usual) {
   std::vector<double> result;
@@ -49,7 +42,7 @@ PsfSpec psf_spec(const PlottedEye& eye, const PlotOptions& options, const Json& 
   Json document = {
       {"format", "sturm.psf/1"}, {"eye", eye.eye}, {"models", {"rays"}}, {"distances_m", Json::array()}, {"mtf", mtf}};
   const std::vector<double> targets = distances(options, {"inf", "2", "1", "0.5", "0.33"});
-  require_few(targets.size());
+  require_few_panels(targets.size());
   for (const double distance : targets) document["distances_m"].push_back(distance_json(distance));
   return read_psf_spec(document, eye.file);
 }
@@ -79,63 +72,35 @@ Plot draw_mtf(const PlotOptions& options) {
 
 Plot draw_wavefronts(const PlotOptions& options) {
   const std::vector<PlottedEye> eyes = plotted_eyes(options);
-  require_few(eyes.size());
+  require_few_panels(eyes.size());
   std::vector<LensMap> maps;
   for (const PlottedEye& eye : eyes) maps.push_back(wavefront_map(eye.worn.eye, eye.name));
   return lens_map_plot(maps, {1, options.range});
 }
 
-Plot draw_ellipses(const PlotOptions& options) {
-  std::vector<EllipseField> fields;
-  for (const PlottedEye& eye : plotted_eyes(options))
-    for (const double distance : distances(options, {"inf"}))
-      fields.push_back(ellipse_field(eye.worn, eye.name, distance, {}, options.clear_D));
-  require_few(fields.size());
-  return ellipse_field_plot(fields, options.range);
+double rotation_center(const PlotOptions& options) {
+  return metres_per_millimetre * options.rotation_center_mm;
 }
 
-/// A row of mean powers above a row of cylinders.
 Plot draw_power(const PlotOptions& options) {
-  const std::vector<PlottedLens> lenses = plotted_lenses(options);
-  const double rotation_center = metres_per_millimetre * options.rotation_center_mm;
-  if (options.difference && lenses.size() != 2)
-    throw InputError("", "--difference", std::to_string(lenses.size()) + " lenses", "two lenses");
-  require_few(lenses.size() + (options.difference ? 1 : 0));
-  std::vector<LensMap> mean, cylinder;
-  const auto add = [&](const std::vector<LensMap>& pair, const std::string& name) {
-    mean.push_back(pair[0]);
-    cylinder.push_back(pair[1]);
-    for (LensMap* map : {&mean.back(), &cylinder.back()}) map->title = name + "\\n" + map->title;
-  };
-  for (const PlottedLens& lens : lenses) add(as_worn_maps(lens.lens, lens.nominal, rotation_center), lens.name);
-  if (options.difference)
-    add(as_worn_difference(lenses[0].lens, lenses[1].lens, rotation_center),
-        lenses[1].name + " less " + lenses[0].name);
-  mean.insert(mean.end(), cylinder.begin(), cylinder.end());
-  return lens_map_plot(mean, {2, options.range});
+  const std::vector<NamedLens> lenses = plotted_lenses(options);
+  if (options.difference && lenses.size() < 2) throw InputError("", "--difference", "one lens", "at least two lenses");
+  require_few_panels(options.difference ? 2 * lenses.size() - 1 : lenses.size());
+  return power_plot(lenses, rotation_center(options), options.difference, options.range);
 }
 
 Plot draw_defocus(const PlotOptions& options) {
+  const std::vector<NamedLens> lenses = plotted_lenses(options);
+  require_few_panels(lenses.size());
   const double amplitude_D = amplitude_option(options.worn.age_years, options.worn.amplitude_D);
-  std::vector<LensMap> maps;
-  const std::vector<double> targets = distances(options, {"0.4"});
-  const std::vector<PlottedLens> lenses = plotted_lenses(options);
-  require_few(lenses.size());
-  for (const double distance : targets)
-    for (const PlottedLens& lens : lenses) {
-      maps.push_back(defocus_map(lens.lens, lens.nominal.moved_towards_eye(lens.lens.vertex_distance_m),
-                                 metres_per_millimetre * options.rotation_center_mm, distance, amplitude_D));
-      maps.back().title = lens.name + "\\n" + maps.back().title;
-    }
-  return lens_map_plot(maps, {targets.size(), options.range});
+  return defocus_plot(lenses, rotation_center(options), distances(options, {"0.4"}), amplitude_D, options.range);
 }
 
-Plot draw_corridor(const PlotOptions& options) {
-  std::vector<CorridorProfile> profiles;
-  for (const PlottedLens& lens : plotted_lenses(options))
-    profiles.push_back(corridor_profile(lens.lens, lens.nominal, metres_per_millimetre * options.rotation_center_mm,
-                                        lens.name, corridor_limit_D));
-  return corridor_plot(profiles);
+Plot draw_ellipses(const PlotOptions& options) {
+  const std::vector<PlottedEye> eyes = plotted_eyes(options);
+  const std::vector<double> targets = distances(options, {"inf"});
+  require_few_panels(eyes.size() * targets.size());
+  return fields_plot(named_eyes(eyes), targets, options.clear_D, options.range);
 }
 
 Plot draw(const PlotOptions& options) {
@@ -155,7 +120,7 @@ Plot draw(const PlotOptions& options) {
     case PlotKind::Defocus:
       return draw_defocus(options);
     case PlotKind::Corridor:
-      return draw_corridor(options);
+      return corridor_plot(corridor_profiles(plotted_lenses(options), rotation_center(options)));
   }
   throw std::logic_error("a kind of plot without a picture");
 }

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/configuration.h"
-#include "app/document_names.h"
 #include "app/eye_options.h"
+#include "app/several_documents.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/files/error.h"
 #include "io/json/schema.h"
@@ -24,7 +24,7 @@ Json load(const std::string& file, const std::string& prescription) {
   return load_configuration(common);
 }
 
-PlottedLens read_plotted_lens(const Json& document, const std::string& file, const std::string& name) {
+NamedLens read_plotted_lens(const Json& document, const std::string& file, const std::string& name) {
   validate(document, "spectacles", file);
   const SpectaclesSpec spec = read_lens_alone(document, {file, ""});
   for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
@@ -36,7 +36,7 @@ bool is_lens(const Json& document, const std::string& file) {
 }
 
 /// The eye that a lens corrects.
-Json corrected_eye(const PlottedLens& lens) {
+Json corrected_eye(const NamedLens& lens) {
   const Prescription rx = lens.nominal.as_prescription();
   Json text = {{"sphere_D", rx.sphere_D}, {"vertex_distance_mm", 1e3 * lens.lens.vertex_distance_m}};
   if (rx.cylinder_D != 0.0) {
@@ -46,9 +46,9 @@ Json corrected_eye(const PlottedLens& lens) {
   return {{"format", "sturm.eye/1"}, {"prescription", text}};
 }
 
-PlottedEye with_eye(PlottedEye plotted, const PlotOptions& options) {
+PlottedEye with_eye(PlottedEye plotted, const WearerOptions& worn) {
   if (!plotted.eye.contains("pupil_diameter_mm")) plotted.eye["pupil_diameter_mm"] = usual_pupil_mm;
-  apply_wearer(plotted.eye, options.worn, {plotted.file, ""});
+  apply_wearer(plotted.eye, worn, {plotted.file, ""});
   validate(plotted.eye, "eye", plotted.file);
   const EyeSpec spec = read_eye_spec(plotted.eye, {plotted.file, ""});
   for (const std::string& note : spec.notes) std::cerr << "note: " << note << "\n";
@@ -56,31 +56,31 @@ PlottedEye with_eye(PlottedEye plotted, const PlotOptions& options) {
   return plotted;
 }
 
-PlottedEye eye_in(const Json& document, const std::string& file, const std::string& name, const PlotOptions& options) {
+PlottedEye eye_in(const Json& document, const std::string& file, const std::string& name, const WearerOptions& worn) {
   PlottedEye plotted{name, {}, {}, file};
   const std::string format = format_of(document, file);
   if (format == "eye") {
     plotted.eye = document;
-    return with_eye(plotted, options);
+    return with_eye(plotted, worn);
   }
   validate(document, format, file);
   if (!document.contains("eye"))
     throw InputError(file, "/format", document.at("format").dump(), "an eye, a lens, or a document with an \"eye\"");
   plotted.eye = eye_object(document["eye"], {file, "/eye"});
-  plotted = with_eye(plotted, options);
+  plotted = with_eye(plotted, worn);
   if (document.contains("spectacles"))
     plotted.worn.spectacles = read_spectacles(document["spectacles"], {file, "/spectacles"}, plotted.worn.eye).lens;
   return plotted;
 }
 
-PlottedEye eye_behind(const PlottedLens& lens, const std::string& file, const PlotOptions& options) {
+}  // namespace
+
+PlottedEye eye_behind(const NamedLens& lens, const std::string& file, const WearerOptions& worn) {
   PlottedEye plotted{lens.name, {}, corrected_eye(lens), file};
-  plotted = with_eye(plotted, options);
+  plotted = with_eye(plotted, worn);
   plotted.worn.spectacles = lens.lens;
   return plotted;
 }
-
-}  // namespace
 
 std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
   std::vector<PlottedEye> eyes;
@@ -88,14 +88,14 @@ std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
   if (options.files.empty()) {
     if (options.prescription.empty()) throw InputError("", "FILE", "nothing", "a file, or a prescription by --rx");
     const Json eye = {{"format", "sturm.eye/1"}, {"prescription", options.prescription}};
-    eyes.push_back(with_eye({options.prescription, {}, eye, "--rx"}, options));
+    eyes.push_back(with_eye({options.prescription, {}, eye, "--rx"}, options.worn));
   }
   const std::vector<std::string> names = document_names(options.files);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& file = options.files[i];
     const Json document = load(file, options.prescription);
-    eyes.push_back(is_lens(document, file) ? eye_behind(read_plotted_lens(document, file, names[i]), file, options)
-                                           : eye_in(document, file, names[i], options));
+    eyes.push_back(is_lens(document, file) ? eye_behind(read_plotted_lens(document, file, names[i]), file, options.worn)
+                                           : eye_in(document, file, names[i], options.worn));
   }
   if (options.spectacles.empty()) return eyes;
   const Json document = load(options.spectacles, "");
@@ -109,9 +109,9 @@ std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
   return eyes;
 }
 
-std::vector<PlottedLens> plotted_lenses(const PlotOptions& options) {
+std::vector<NamedLens> plotted_lenses(const PlotOptions& options) {
   if (options.files.empty()) throw InputError("", "FILE", "nothing", "at least one lens");
-  std::vector<PlottedLens> lenses;
+  std::vector<NamedLens> lenses;
   const std::vector<std::string> names = document_names(options.files);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& file = options.files[i];
@@ -121,6 +121,18 @@ std::vector<PlottedLens> plotted_lenses(const PlotOptions& options) {
     lenses.push_back(read_plotted_lens(document, file, names[i]));
   }
   return lenses;
+}
+
+std::vector<NamedEye> named_eyes(const std::vector<PlottedEye>& eyes) {
+  std::vector<NamedEye> named;
+  for (const PlottedEye& eye : eyes) named.push_back({eye.name, eye.worn});
+  return named;
+}
+
+void require_few_panels(std::size_t panels) {
+  constexpr std::size_t most_panels = 6;
+  if (panels > most_panels)
+    throw InputError("", "FILE, --distance", std::to_string(panels) + " panels side by side", "at most 6");
 }
 
 }  // namespace sturm

@@ -3,9 +3,8 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "experiments/figures/lens_plots.h"
 #include "io/json/json.h"
-#include "io/specs/worn_eye_spec.h"
-#include "lensmodel/power_matrix.h"
 
 namespace sturm {
 
@@ -17,19 +16,21 @@ struct PlottedEye {
   std::string file;  ///< for messages
 };
 
-/// A lens that is plotted.
-struct PlottedLens {
-  std::string name;
-  Spectacles lens;
-  PowerMatrix nominal;  ///< that it was made for, or has on its axis
-};
-
 /// The eyes that the options name. A file is an eye, a document with an eye, or a lens: then the eye is the one that it
 /// corrects, behind it. Without files the eye of --rx. Pupil and accommodation are those of the options where these
 /// state them; --lens stands before every eye. Throws InputError.
 std::vector<PlottedEye> plotted_eyes(const PlotOptions& options);
 
+/// The eye that a lens corrects, behind it, with this pupil (none: 4 mm) and accommodation.
+PlottedEye eye_behind(const NamedLens& lens, const std::string& file, const WearerOptions& worn);
+
 /// The lenses that the options name. Throws InputError where a file is no lens.
-std::vector<PlottedLens> plotted_lenses(const PlotOptions& options);
+std::vector<NamedLens> plotted_lenses(const PlotOptions& options);
+
+/// Eyes as figures of several have them.
+std::vector<NamedEye> named_eyes(const std::vector<PlottedEye>& eyes);
+
+/// Throws InputError where so many panels do not fit side by side.
+void require_few_panels(std::size_t panels);
 
 }  // namespace sturm

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/several_documents.h"
 #include "io/files/error.h"
 #include "io/files/plain_file.h"
 #include "stages/image_files.h"
@@ -10,8 +12,9 @@
 
 namespace sturm {
 
-int psf_command(const CommonOptions& given, const PsfOptions& files) {
-  const CommonOptions options = with_source(given);
+namespace {
+
+int answer_point_spreads(const CommonOptions& options, const PsfOptions& files) {
   const std::filesystem::path exr(files.images);
   if (!files.images.empty() && !has_suffix(exr, ".exr"))
     throw InputError("", "--images", "\"" + files.images + "\"", "a name that ends in .exr");
@@ -29,6 +32,17 @@ int psf_command(const CommonOptions& given, const PsfOptions& files) {
   }
   write_result(psf_result(spec, spreads), files.output);
   return 0;
+}
+
+}  // namespace
+
+int psf_command(const CommonOptions& given, const PsfOptions& files) {
+  std::vector<std::string> images(std::max<std::size_t>(1, given.files.size()), files.images);
+  if (!files.images.empty() && !given.files.empty()) images = outputs_of(given.files, files.images, ".exr", "--images");
+  auto image = images.begin();
+  return for_each_document(given, files.output, ".json", [&](const CommonOptions& options, const std::string& output) {
+    return answer_point_spreads(with_source(options), {output, *image++});
+  });
 }
 
 }  // namespace sturm

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/configuration.h"
 #include "app/option_values.h"
+#include "app/several_documents.h"
 #include "experiments/run/progress.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
@@ -51,15 +52,7 @@ Json view_document(const CommonOptions& options, const PreviewOptions& changes) 
   return document;
 }
 
-}  // namespace
-
-int explain_command(const CommonOptions& options, const PreviewOptions& changes) {
-  const RenderSpec spec = read_render_spec(view_document(options, changes), options.file);
-  std::fputs(explain_view(spec).c_str(), stdout);
-  return 0;
-}
-
-int render_command(const CommonOptions& options, const PreviewOptions& preview_options, const std::string& output) {
+int render_one(const CommonOptions& options, const PreviewOptions& preview_options, const std::string& output) {
   const std::filesystem::path file(output);
   const bool png_alone = has_suffix(file, ".png");
   const Json document = view_document(options, preview_options);
@@ -92,6 +85,22 @@ int render_command(const CommonOptions& options, const PreviewOptions& preview_o
                         json_text(manifest(facts, *spec.resolved, result.counters, result.notes), 1) + "\n");
   if (!result.warning.empty()) std::fprintf(stderr, "warning: %s\n", result.warning.c_str());
   return 0;
+}
+
+}  // namespace
+
+int explain_command(const CommonOptions& given, const PreviewOptions& changes) {
+  const CommonOptions options = with_one_document(given, "--explain");
+  const RenderSpec spec = read_render_spec(view_document(options, changes), options.file);
+  std::fputs(explain_view(spec).c_str(), stdout);
+  return 0;
+}
+
+int render_command(const CommonOptions& options, const PreviewOptions& preview, const std::string& output) {
+  if (!preview.file.empty()) with_one_document(options, "--preview");
+  return for_each_document(options, output, ".exr", [&](const CommonOptions& one, const std::string& file) {
+    return render_one(one, preview, file);
+  });
 }
 
 }  // namespace sturm

@@ -3,8 +3,8 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/document_names.h"
 #include "app/option_values.h"
+#include "app/several_documents.h"
 #include "experiments/figures/wearer_table.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"

@@ -40,6 +40,8 @@ namespace sturm {
 /// | agreement_times_faster/ID/KIND, …_min/KIND | path tracing to the same error over that prediction, in time |
 /// | sampling_unbiased_max_z | sampling study, `uniform_disk`, `uniform_polar_weighted` and all of `pinhole`: largest abs(z) of the bias |
 /// | sampling_raw_polar_min_z | smallest z of the bias of `uniform_polar` over all ray models but `pinhole` |
+/// | design_max_median_share | design study: largest median over wearers of the share of gazes that are blurred |
+/// | design_max_cylinder | design study: largest cylinder of the error as worn [D] |
 /// | sin2_study/NAME | the entry NAME of `sin2_study.checks` in the report: its value, cases and worst case |
 /// | sin2_study/gallery_sin2_over_noise_min | gallery views with a cylinder: smallest total variation of sin² ÷ that of two runs of theory |
 /// | sin2_study/gallery_repaired_over_noise_max | all gallery views: the largest of sin² with the tangential term |

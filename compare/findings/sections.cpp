@@ -4,6 +4,7 @@
 
 #include "compare/findings/bench.h"
 #include "compare/findings/depth_psf_study.h"
+#include "compare/findings/design_study.h"
 #include "compare/findings/ellipse_numbers.h"
 #include "compare/findings/gate_power.h"
 #include "compare/findings/lens_study.h"
@@ -25,6 +26,7 @@ std::span<const FindingSection> finding_sections() {
       FindingSection{"depth_psf_study", measure_depth_psf_study, {}},
       FindingSection{"lens_study", measure_lens_study, lens_study_rules()},
       FindingSection{"sin2_study", measure_sin2_study, sin2_study_rules()},
+      FindingSection{"design_study", measure_design_study, design_study_rules()},
       FindingSection{"sampling_study", measure_sampling_study, sampling_study_rules()},
       FindingSection{"bench", measure_bench, {}},
       FindingSection{"must_fail", measure_must_fail, must_fail_rules()},

@@ -108,7 +108,7 @@ std::vector<LensMap> as_worn_maps(const Spectacles& lens, const PowerMatrix& nom
 }
 
 std::vector<LensMap> as_worn_difference(const Spectacles& first, const Spectacles& second, double rotation_center_m) {
-  return maps_of_error(first, rotation_center_m, {"mean power: second less first", "cylinder of the difference"},
+  return maps_of_error(first, rotation_center_m, {"difference of mean power, as worn", "cylinder of the difference"},
                        [&](const Eigen::Vector3d& gaze) -> std::optional<PowerMatrix> {
                          const auto before = power_at(first, gaze, rotation_center_m),
                                     after = power_at(second, gaze, rotation_center_m);

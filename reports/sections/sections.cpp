@@ -33,6 +33,8 @@ std::span<const ReportSection> report_sections() {
       ReportSection{"lens_study", "Spectacles", of_folder<lens_study_section>, "lens_sentence",
                     "What was measured of conoid tracing"},
       ReportSection{"depth_psf_study", "Point spreads over depth", of_folder<depth_psf_section>},
+      ReportSection{"design_study", "Lens designs", of_folder<design_study_section>, "design_sentence",
+                    "What wearers see through the designs"},
       ReportSection{"sampling_study", "Pupil samplings", of_folder<sampling_section>},
       ReportSection{"bench", "Run time against error", of_folder<bench_section>},
       ReportSection{"figures", "Figures", of_folder<figure_section>},

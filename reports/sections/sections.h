@@ -18,6 +18,7 @@ Html gate_power_section(const Json& report);
 Html case_section(const Json& report);
 Html sin2_section(const Json& report);
 Html lens_study_section(const Json& report, const std::filesystem::path& run_folder);
+Html design_study_section(const Json& report, const std::filesystem::path& run_folder);
 Html sin2_study_section(const Json& report, const std::filesystem::path& run_folder, ViewerPayload& payload);
 Html bench_section(const Json& report, const std::filesystem::path& run_folder);
 Html sampling_section(const Json& report, const std::filesystem::path& run_folder);

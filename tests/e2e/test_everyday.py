@@ -40,6 +40,24 @@ class Mistyped(unittest.TestCase):
             self.assertIn(text, message)
 
 
+    def test_values(self):
+        for arguments, texts in (
+            (["ellipse", "--rx", "-1", "--pupil", "-3"], ("--pupil: got -3, expected a number from 0 to 100", "sturm ellipse --help")),
+            (["ellipse", "--rx", "-1", "--pupil", "wide"], ('--pupil: got "wide", expected a number',)),
+            (["ellipse", "--rx", "-1", "--age", "200"], ("--age: got 200, expected a number from 0 to 150",)),
+            (["plot", "blurr", "--rx", "-1", "-o", "x.svg"], ('"blurr" (did you mean "blur"?)', '"corridor"')),
+            (["init", "vew"], ('did you mean "view"',)),
+            (["plot", "blur", "--rx", "-1"], ("--output is missing",)),
+            (["render", "desk"], ("--output is missing", "sturm render --help")),
+            (["lens", "--rx", "-3", "--index", "0.5"], ("--index: got 0.5, expected a number from 1 to 4",)),
+        ):
+            with self.subTest(arguments=arguments):
+                message = self.refused(*arguments)
+                self.assertTrue(message.startswith("error: "), message)
+                self.assertEqual(message.count("\n"), 1)
+                for text in texts:
+                    self.assertIn(text, message)
+
     def test_what_was_taken_for_a_file(self):
         for arguments, texts in (
             (["ellipse", "--rx", "-2.00", "--distance", "0.4", "1"], ("1: got a number", "--distance 0.4,1,inf")),

@@ -17,7 +17,7 @@ class Completion(FolderTest):
         line = " ".join(f"'{word}'" for word in words)
         program = (f"source {script}; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _sturm; printf '%s\\n' \"${{COMPREPLY[@]}}\"; "
                    "complete -p sturm >&2")
-        process = subprocess.run(["bash", "--norc", "-c", program], capture_output=True, text=True, check=True)
+        process = subprocess.run(["bash", "--norc", "-c", program], cwd=self.folder, capture_output=True, text=True, check=True)
         self.assertIn("-F _sturm sturm", process.stderr)
         return process.stdout.split()
 
@@ -29,7 +29,19 @@ class Completion(FolderTest):
         self.assertEqual(self.complete("sturm", "--sandbox", "ellipse", "--print"), ["--print-config"])
         self.assertEqual(sorted(self.complete("sturm", "see", "p.png", "--psf", "")), ["rays", "waves"])
         self.assertEqual(sorted(self.complete("sturm", "init", "")), ["experiment", "lens", "sweep", "view"])
-        self.assertEqual(self.complete("sturm", "render", "de"), [])  # bash goes on with files
+        self.assertEqual(self.complete("sturm", "compare", "de"), [])  # bash goes on with files
+
+    def test_names_of_shipped_documents(self):
+        for words, offered in ((["render", "de"], ["desk"]), (["render", "desk", "corn"], ["cornell"]), (["lens", "progressive_w"], ["progressive_wide_far", "progressive_wide_near"]),
+                               (["ellipse", "--rx", "-1", "--lens", "gla"], ["glasses"]), (["plot", "blur", "pol"], ["polans_5"]), (["plot", "power", "gla"], ["glasses"]),
+                               (["wearers", "table.csv", "oblique_t"], ["oblique_toric_p195"]), (["see", "p.png", "--eye", "hof"], ["hofer_5"]), (["run", "compare_d"], ["compare_designs"]),
+                               (["validate-camera", "x", "--write", "--eye", "jaeken_3"], ["jaeken_36_right"]), (["plot", "blu"], ["blur"]), (["lens", "--ma"], ["--map"])):
+            with self.subTest(words=words):
+                self.assertEqual(sorted(self.complete("sturm", *words)), offered)
+        names = {file.stem for file in (SOURCE / "configs/views").glob("*.json")}
+        self.assertEqual(set(self.complete("sturm", "serve", "")) - {"completion.bash"}, names)
+        self.write("desk_of_mine.json", {})
+        self.assertEqual(sorted(self.complete("sturm", "render", "desk")), ["desk", "desk_of_mine.json"])
 
     def test_every_option_of_the_help_is_there(self):
         script = sturm("completion", "bash").stdout

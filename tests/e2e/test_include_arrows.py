@@ -34,7 +34,7 @@ FLOORS = {
     "compare": [["statistics"], ["metrics"], ["ellipses", "images", "psf"], ["gates"], ["studies"], ["findings"]],
     "reports": [["markup"], ["plots", "viewer"], ["text", "sections"], ["page"]],
     "stages": [["plan", "page"], [""]],
-    "experiments": [["run"], ["figures"], ["standard", "lens_study", "sin2_study", "samplings", "depth_psf", "bench", "stress"], [""]],
+    "experiments": [["run"], ["figures"], ["standard", "lens_study", "sin2_study", "design_study", "samplings", "depth_psf", "bench", "stress"], [""]],
     "server": [[""]],
     "app": [[""]],
     "python": [[""]],

@@ -72,6 +72,28 @@ class LineAndDocument(FolderTest):
                 config = answer(*options, "--print-config")
                 self.assertEqual(sturm("ellipse", "-", stdin=config).stdout, by_document)
 
+    def same(self, command, line, *options, output=None):
+        """The line's answer is that of the document which it says it stands for."""
+        config = self.succeed(command, *line, *options, "--print-config").stdout
+        file = self.write("line.json", config)
+        if output is None:
+            self.assertEqual(self.succeed(command, *line, *options).stdout, self.succeed(command, file).stdout)
+        else:
+            by_line, by_document = self.folder / ("line_" + output), self.folder / ("document_" + output)
+            self.succeed(command, *line, *options, "-o", by_line)
+            self.succeed(command, file, "-o", by_document)
+            self.assertEqual(by_line.read_bytes(), by_document.read_bytes())
+
+    def test_lines_of_other_commands(self):
+        draw = random.Random(61)
+        for case in range(6):
+            rx = Notation(draw).text
+            with self.subTest(rx=rx):
+                self.same("lens", ["--rx", rx], "--index", draw.choice([1.5, 1.67]), "--thickness", 2.5)
+                self.same("psf", ["--rx", rx], "--pupil", 3, "--set", '/models=["rays"]', "--set", "/distances_m=[1]")
+                if case % 3 == 0:
+                    self.same("render", ["cornell", "--rx", rx], "--pupil", 5, "--lens", "glasses", "--size", "12x8", "--samples", 2, "--seed", 3, output="seen.png")
+
     def test_options_change_a_document(self):
         document = {"format": "sturm.ellipse/1", "eye": {"prescription": "-1.00 DS", "pupil_diameter_mm": 3}, "methods": ["conoid"],
                     "targets": [{"distance_m": 1}]}

@@ -157,7 +157,7 @@ class Lenses(Plot):
         root, texts = self.texts()
         self.assertIn("progressive_regular", " ".join(texts))
         self.assertEqual(root.get("role"), "img")
-        self.assertIn("second less first", root.get("aria-label"))
+        self.assertIn("difference of mean power", root.get("aria-label"))
 
     def test_a_corridor_gains_the_addition(self):
         rows = {float(r["elevation_deg"]): r for r in self.rows("corridor", REGULAR)}

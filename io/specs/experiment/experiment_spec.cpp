@@ -97,6 +97,9 @@ Json resolved_experiment(const Json& document) {
   if (const auto study = resolved.find("lens_study"); study != resolved.end())
     for (std::size_t i = 0; i < (*study)["lenses"].size(); ++i)
       (*study)["lenses"][i]["lens"] = document["lens_study"]["lenses"][i]["lens"];
+  if (const auto study = resolved.find("design_study"); study != resolved.end())
+    for (std::size_t i = 0; i < (*study)["designs"].size(); ++i)
+      (*study)["designs"][i]["lens"] = document["design_study"]["designs"][i]["lens"];
   if (const auto agreement = resolved.find("agreement"); agreement != resolved.end())
     for (std::size_t i = 0; i < agreement->size(); ++i) {
       Json& view = (*agreement)[i];
@@ -156,6 +159,11 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     require_unique_ids(resolved["sin2_study"]["gallery"], root / "sin2_study" / "gallery");
     spec.sin2_study = read_sin2_study(resolved["sin2_study"], root / "sin2_study");
     add_files(spec.input_files, spec.sin2_study->input_files);
+  }
+  if (document.contains("design_study")) {
+    require_unique_ids(document["design_study"]["designs"], root / "design_study" / "designs");
+    spec.design_study = read_design_study(resolved["design_study"], root / "design_study");
+    add_files(spec.input_files, spec.design_study->input_files);
   }
   if (document.contains("sampling_study")) {
     spec.sampling_study = read_sampling_study(document["sampling_study"], root / "sampling_study");

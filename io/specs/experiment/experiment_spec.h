@@ -8,6 +8,7 @@
 
 #include "io/specs/experiment/bench_spec.h"
 #include "io/specs/experiment/depth_psf_study_spec.h"
+#include "io/specs/experiment/design_study_spec.h"
 #include "io/specs/experiment/figure_spec.h"
 #include "io/specs/experiment/lens_study_spec.h"
 #include "io/specs/experiment/picture_experiment.h"
@@ -55,6 +56,7 @@ struct ExperimentSpec {
   bool share_views = true;                  ///< pictures that are the same are rendered once
   std::optional<LensStudySpec> lens_study;
   std::optional<Sin2StudySpec> sin2_study;
+  std::optional<DesignStudySpec> design_study;
   std::optional<SamplingStudySpec> sampling_study;
   std::optional<DepthPsfStudySpec> depth_psf_study;
   std::optional<BenchSpec> bench;                 ///< its seed is that of the experiment

@@ -65,6 +65,16 @@ Place in_gallery(const char* model) {
   };
 }
 
+/// One wearer of one design.
+Place in_design_study(const std::string& pointer) {
+  return [pointer](Json& report, double value) {
+    report["design_study"] = {{"conditions", Json::object()},
+                              {"designs", {{{"id", "one"}, {"largest_cylinder_D", 1.0}}}},
+                              {"wearers", {{{"wearer", "P1-OD"}, {"design", "one"}, {"status", "ok"}}}}};
+    report["design_study"][Json::json_pointer(pointer)] = value;
+  };
+}
+
 Place of_sampling(const char* sampling, double sign) {
   return [=](Json& report, double value) {
     report["sampling_study"]["entries"] = {
@@ -125,6 +135,8 @@ const std::map<std::string, Place>& places() {
                              at("/lens_study/views/3/first_order/previous/defocus_D")}))},
       {"sampling_unbiased_max_z", of_sampling("uniform_disk", -1.0)},
       {"sampling_raw_polar_min_z", of_sampling("uniform_polar", 1.0)},
+      {"design_max_median_share", in_design_study("/wearers/0/share_blurred")},
+      {"design_max_cylinder", in_design_study("/designs/0/largest_cylinder_D")},
       {"sin2_study/gallery_sin2_over_noise_min", in_gallery("sin2_radial")},
       {"sin2_study/gallery_repaired_over_noise_max", in_gallery("repaired")},
   };
