@@ -2,7 +2,7 @@
 import type { App } from './app';
 import type { Target } from './gpu';
 import { viewDocument } from './save';
-import type { Mode, Side } from './state';
+import type { Mode } from './state';
 
 function base64(values: Float32Array): string {
   const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
@@ -45,21 +45,7 @@ export class Measured {
   /** The rasteriser with every pixel's own set of passes, as `sturm render` takes them. */
   interleaved(): string {
     this.ready();
-    return this.interleavedOf(this.app.width, this.app.height);
-  }
-
-  /** The same for an eye in the headset, as it stood last. */
-  interleavedInHeadset(side: Side): string {
-    const { pictures, headset, state } = this.app, eye = headset?.eyes[side];
-    if (!eye?.pose) throw new Error('The headset has drawn nothing.');
-    pictures.setPasses(state.passes);
-    pictures.setEye({ ...eye.uniforms }, eye.sights, null);
-    pictures.setPose(eye.pose);
-    return this.interleavedOf(eye.pose.width, eye.pose.height);
-  }
-
-  private interleavedOf(width: number, height: number): string {
-    const { pictures, gpu, state } = this.app, panel = pictures.panel('raster', width, height);
+    const { pictures, width, height, gpu, state } = this.app, panel = pictures.panel('raster', width, height);
     for (let set = 0; set < 16; ++set) for (let pass = 0; pass < state.passes; ++pass) pictures.drawn(panel, pass, set, true);
     const pixels = pixelsOf(this.app, panel.sum);
     gpu.release(panel.sum);
