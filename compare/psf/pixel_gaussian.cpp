@@ -55,9 +55,10 @@ double PixelGaussian::pixel(double place) const {
   return normal_share(x + half) - normal_share(x - half);
 }
 
-double PixelGaussian::cell(double place) const {
-  const double x = (place - middle_) / deviation_, side = 1.0 / deviation_;
-  return deviation_ * (integrated_share(x + side) - 2.0 * integrated_share(x) + integrated_share(x - side));
+double PixelGaussian::light(double place, double width) const {
+  const auto integral = [&](double offset) { return integrated_share((place - middle_ + offset) / deviation_); };
+  const double wide = 0.5 * (1.0 + width), narrow = 0.5 * (1.0 - width);
+  return deviation_ * (integral(wide) - integral(narrow) - integral(-narrow) + integral(-wide));
 }
 
 }  // namespace sturm

@@ -15,8 +15,8 @@ class PixelGaussian {
   /// pixel.
   double pixel(double place) const;
 
-  /// Light of that density in the cell of side 1 about `place`.
-  double cell(double place) const;
+  /// Light of that density within `width` about `place`.
+  double light(double place, double width) const;
 
  private:
   void match(double mean, double variance);

@@ -58,10 +58,11 @@ double part_place(int part) {
   return (part + 0.5) / parts - 0.5;
 }
 
-/// What `gaussian` has at 0, 1, …, `count` − 1.
-Eigen::VectorXd sampled(const PixelGaussian& gaussian, int count, double (PixelGaussian::*what)(double) const) {
+/// What pixels, or cells of the density, have of `gaussian` at 0, 1, …, `count` − 1.
+template <class Light>
+Eigen::VectorXd at_cells(int count, const Light& light) {
   Eigen::VectorXd values(count);
-  for (int i = 0; i < count; ++i) values(i) = (gaussian.*what)(i);
+  for (int i = 0; i < count; ++i) values(i) = light(i);
   return values;
 }
 
@@ -88,16 +89,19 @@ PixelLight::PixelLight(const PointSpread& spread) : side_arcmin_(spread.cell_arc
     coefficients_(cell.x(), cell.y()) += spread.weights[i];
   }
   gaussians_ = {PixelGaussian(coefficients_.rowwise().sum()), PixelGaussian(coefficients_.colwise().sum().transpose())};
-  const Eigen::VectorXd of_column = sampled(gaussians_[0], size.x(), &PixelGaussian::pixel),
-                        of_row = sampled(gaussians_[1], size.y(), &PixelGaussian::pixel);
-  coefficients_ -= of_column * of_row.transpose();
+  const auto pixels_of = [](const PixelGaussian& g, Eigen::Index count) {
+    return at_cells(static_cast<int>(count), [&](int i) { return g.pixel(i); });
+  };
+  const auto cells_of = [](const PixelGaussian& g, Eigen::Index count) {
+    return at_cells(static_cast<int>(count), [&](int i) { return g.light(i, 1.0); });
+  };
+  coefficients_ -= pixels_of(gaussians_[0], size.x()) * pixels_of(gaussians_[1], size.y()).transpose();
   for (int y = 0; y < size.y(); ++y) filter(coefficients_.col(y));
   for (int x = 0; x < size.x(); ++x) filter(coefficients_.row(x));
   Eigen::MatrixXd light = coefficients_;
   for (int y = 0; y < size.y(); ++y) integrate_over_cells(light.col(y));
   for (int x = 0; x < size.x(); ++x) integrate_over_cells(light.row(x));
-  light += sampled(gaussians_[0], size.x(), &PixelGaussian::cell) *
-           sampled(gaussians_[1], size.y(), &PixelGaussian::cell).transpose();
+  light += cells_of(gaussians_[0], size.x()) * cells_of(gaussians_[1], size.y()).transpose();
   for (int y = 3; y + 3 < size.y(); ++y)
     for (int x = 3; x + 3 < size.x(); ++x)
       cells_.push_back({(Eigen::Vector2d(x, y) - centroid_).norm(), light(x, y), x, y});
@@ -110,8 +114,8 @@ double PixelLight::light_on_circle(const Cell& cell, double radius) const {
   static const PartWeights weights = part_weights();
   Eigen::Vector<double, parts> column, row;
   for (int part = 0; part < parts; ++part) {
-    column(part) = gaussians_[0].pixel(cell.x + part_place(part));
-    row(part) = gaussians_[1].pixel(cell.y + part_place(part));
+    column(part) = parts * gaussians_[0].light(cell.x + part_place(part), 1.0 / parts);
+    row(part) = parts * gaussians_[1].light(cell.y + part_place(part), 1.0 / parts);
   }
   const Eigen::Matrix<double, parts, parts> density =
       weights * coefficients_.block<7, 7>(cell.x - 3, cell.y - 3) * weights.transpose() + column * row.transpose();

@@ -203,7 +203,8 @@ class Scanner {
     std::string letters;
     while (at_ < text_.size() && (is_letter(text_[at_]) || (text_[at_] == '.' && is_letter(peek(1)))))
       if (const char c = text_[at_++]; c != '.') letters += c;
-    if (peek(0) == '.') ++at_;
+    if (peek(0) == '.' && is_digit(peek(1)))
+      throw NotationError("a blank behind \"" + letters + "\", since the point may be its own or the number's");
     for (const char* unit : {"dc", "ds", "d", "cyl", "sph"})  // "-1.50DCx30"
       if (letters == std::string(unit) + "x") {
         add_word(unit);

@@ -98,6 +98,9 @@ class Layers(Compared):
     def test_parts(self):
         self.expect_a(self.compared("a.exr", files.exr_parts({"rgba": A, "depth": {"Z": noise(3)}})))
         self.expect_a(self.compared("a.exr", files.exr_parts({"beauty": A, "depth": {"Z": noise(3)}})))
+        alike = self.compared("a.exr", files.exr_parts({"beauty": renamed(A, "beauty.{}"), "depth": {"depth.Z": noise(3)}}))
+        self.expect_a(alike)
+        self.assertEqual(alike["conditions"]["test_layer"], "beauty")
         two = files.exr_parts({"beauty": A, "diffuse": B})
         self.refused("a.exr", two, "a.exr", '"beauty"', '"diffuse"')
         self.expect_a(self.compared("a.exr", two, "--layer", "beauty", "--layer", ""))

@@ -133,6 +133,9 @@ TEST(PrescriptionNotation, WhatIsAmbiguousSaysHowItCouldBeRead) {
   EXPECT_THAT(refused("-200 -150 x 30"), AllOf(HasSubstr("-2.00 D"), HasSubstr("-200 D")));
   EXPECT_THAT(refused("-2.00 -75 x 30"), HasSubstr("-0.75 D"));
   EXPECT_THAT(refused("-075 DS"), HasSubstr("-0.75 D"));
+  EXPECT_THAT(refused("-05 DS"), HasSubstr("a point in the sphere"));
+  for (const char* text : {"sph.5", "-1.00 DS add.2", "OD.5"})
+    EXPECT_THAT(refused(text), HasSubstr("the point may be its own"));
   EXPECT_THAT(refused("-1.00 DS add 200"), HasSubstr("+2.00 D"));
   EXPECT_THAT(refused("-2.00 x 30"),
               AllOf(HasSubstr("\"-2.00 DS\""), HasSubstr("\"PL -2.00 x 30\""), HasSubstr("if a cylinder is missing")));

@@ -89,6 +89,9 @@ TEST_F(VcaFile, HeightsStandAsAnExaminerSeesThem) {
   EXPECT_NEAR(back.xy(), -0.5 * 1.0, 1e-5);
   EXPECT_NEAR(vertex_power(file.lens).front.xx(), 5.3 * 0.5 / 0.53, 1e-12);
   ASSERT_EQ(file.fits.size(), 1u);
+  const LensFile prismatic = lens(text + "SPH=-1.00\nPRVM=2\nPRVA=90\n", "job.sdf");
+  EXPECT_DOUBLE_EQ(prismatic.made_for->prism_cm_per_m, 2.0);
+  EXPECT_EQ(prismatic.prism_cm_per_m, 0.0);  // heights have it in them
   text.erase(text.rfind("ZZ="));
   EXPECT_THAT(error(text, "job.sdf"),
               AllOf(HasSubstr("line 6"), HasSubstr("3660 heights"), HasSubstr("61 records ZZ")));
