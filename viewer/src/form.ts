@@ -115,9 +115,9 @@ export function fillForm(form: HTMLFormElement, change: Change, core: Core, view
   actions.headset(headset);
   const open = new FormPart('Open', change);
   open.buttons(['Open files…', () => actions.files.click()]);
-  open.add(actions.files);
+  open.add(element('label', { hidden: true }, 'Files to open', actions.files));
   open.add(element('p', { className: 'note', textContent: 'Or drop them here: glTF, OBJ, USD, HDR or EXR, eyes, spectacles and views of Sturm (.json), prescriptions (.txt). A model comes with all files that it names.' }));
-  const parts = [eyePart(change, core, actions.realEye), glassesPart(change, view), picturePart(change), open, lessonPart, keep];
+  const parts = [eyePart(change, core, actions.realEye), glassesPart(change, view), picturePart(change), lessonPart, open, keep];
   form.append(...parts.map((part) => part.element));
   form.addEventListener('submit', (event) => event.preventDefault());
   return parts.flatMap((part) => part.bound);

@@ -23,7 +23,7 @@ const textOf = (file: OpenedFile) => new TextDecoder().decode(file.bytes);
 const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
 export class FileOpener {
-  readonly input = element('input', { type: 'file', multiple: true, hidden: true, ariaLabel: 'Files to open' });
+  readonly input = element('input', { type: 'file', multiple: true, hidden: true });
 
   constructor(private readonly app: App) {
     this.input.addEventListener('change', () => {
