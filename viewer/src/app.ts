@@ -251,7 +251,7 @@ export class App {
 
   private showStatus(): void {
     const counts = this.panels.map((p) => `${modeWords[p.mode]} ${p.passes} of ${this.pictures.goal(p.mode)}`);
-    const light = this.scene.lightIsSettled ? '' : ` · light ${this.scene.bakedSamples} of 64`;
+    const light = this.scene.lightIsSettled || this.panels.every((p) => isTraced(p.mode)) ? '' : ` · light ${this.scene.bakedSamples} of 64`;
     byId('status').textContent = `${counts.join(' | ')} · ${this.pace.frame_ms.toFixed(0)} ms a frame${light}`;
   }
 
