@@ -17,6 +17,7 @@
 #include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "stages/image_files.h"
+#include "stages/picture_cost.h"
 #include "stages/render_stage.h"
 
 namespace sturm {
@@ -90,6 +91,7 @@ int render_command(const CommonOptions& options, const PreviewOptions& preview_o
   write_png(beside.replace_extension(".png"), result.shown(), 1.0);
   write_file_atomically(beside.replace_extension(".manifest.json"),
                         json_text(manifest(facts, *spec.resolved, result.counters, result.notes), 1) + "\n");
+  if (!options.quiet) std::fprintf(stderr, "%s\n", cost_of(spec, result).c_str());
   if (!result.warning.empty()) std::fprintf(stderr, "warning: %s\n", result.warning.c_str());
   return 0;
 }
