@@ -18,6 +18,7 @@
 #include "io/json/json_text.h"
 #include "io/json/manifest.h"
 #include "stages/image_files.h"
+#include "stages/picture_cost.h"
 #include "stages/render_stage.h"
 
 namespace sturm {
@@ -83,6 +84,7 @@ int render_one(const CommonOptions& options, const PreviewOptions& preview_optio
   write_png(beside.replace_extension(".png"), result.shown(), 1.0);
   write_file_atomically(beside.replace_extension(".manifest.json"),
                         json_text(manifest(facts, *spec.resolved, result.counters, result.notes), 1) + "\n");
+  if (!options.quiet) std::fprintf(stderr, "%s\n", cost_of(spec, result).c_str());
   if (!result.warning.empty()) std::fprintf(stderr, "warning: %s\n", result.warning.c_str());
   return 0;
 }

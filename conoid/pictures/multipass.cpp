@@ -25,6 +25,10 @@ using Eigen::Vector3f;
 /// very bright lamps much more would take too many rays, so that their many passes are left alone sooner.
 constexpr double coarsest_step = 1.0 / 32.0, coarsest_step_of_many = 0.25;
 
+/// Pixels that are darker than this part of the picture's middle brightness count as that bright: in black letters on a
+/// screen no number of passes would be enough.
+constexpr float darkest_share = 1.0f / 16.0f;
+
 /// So many rays are sent into the scene together.
 constexpr int packet_size = 8;
 
@@ -82,6 +86,20 @@ class PassSets {
   mutable Made made_;
 };
 
+/// Median over sharp pixels of what their brightest channel has.
+float middle_brightness(const FragmentImage& view) {
+  std::vector<float> brightness;
+  for (int y = 0; y < view.height; ++y)
+    for (int x = 0; x < view.width; ++x) {
+      Vector3f sum = Vector3f::Zero();
+      for (const Fragment& f : view.at(x, y)) sum += f.share * f.radiance;
+      brightness.push_back(sum.maxCoeff());
+    }
+  const auto middle = brightness.begin() + static_cast<std::ptrdiff_t>(brightness.size() / 2);
+  std::nth_element(brightness.begin(), middle, brightness.end());
+  return *middle;
+}
+
 class Passes {
  public:
   Passes(const FragmentImage& view, int oversampling, const SightField& field, const FirstHits& first_hits,
@@ -100,7 +118,9 @@ class Passes {
       throw std::invalid_argument("passes: the sharp view does not cover the picture");
     if (settings.passes < 1 || settings.rays_per_place < 1 || settings.lamp_factor < 1)
       throw std::invalid_argument("passes: expected at least one");
-    if (settings.lamp_factor > 1) lamps_ = lamp_reach(view, oversampling, field);
+    if (settings.lamp_factor == 1) return;
+    lamps_ = lamp_reach(view, oversampling, field);
+    darkest_ = static_cast<double>(darkest_share * middle_brightness(view));
   }
 
   /// Sends all rays. `sums` gets what the sharp view knows, one entry per pixel; the result is what it does not know,
@@ -207,7 +227,7 @@ class Passes {
     };
     const double lamp = settings_.lamp_factor > 1 ? static_cast<double>(*lamps_.at(x, y)) : 0.0;
     const auto shows_steps = [&](const PassSets& stage, double coarsest) {
-      return lamp > coarsest * stage.count() * sum.radiance.maxCoeff();
+      return lamp > coarsest * stage.count() * std::max(sum.radiance.maxCoeff(), darkest_);
     };
     send_all(everywhere_);
     if (!shows_steps(everywhere_, coarsest_step)) return;
@@ -293,7 +313,8 @@ class Passes {
   SharpLookup lookup_;
   int oversampling_, width_, height_;
   PassSets everywhere_, at_lamps_, at_bright_lamps_;
-  Image lamps_;  ///< lamp_reach; empty without passes for lamps
+  Image lamps_;           ///< lamp_reach; empty without passes for lamps
+  double darkest_ = 0.0;  ///< radiance below which a pixel counts as this bright
 };
 
 }  // namespace

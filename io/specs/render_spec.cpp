@@ -4,6 +4,7 @@
 
 #include "io/files/error.h"
 #include "io/json/schema.h"
+#include "io/specs/sharp_view_samples.h"
 #include "io/specs/words.h"
 
 namespace sturm {
@@ -29,6 +30,7 @@ void read_method(const Json& value, const Source& where, RenderSpec& spec) {
       throw InputError(where.file, where.pointer, "no \"ray_model\"", "a ray model for type \"path_trace\"");
     spec.ray_model = read_word(value["ray_model"], where / "ray_model", ray_model_words);
   }
+  if (spec.method == RenderMethod::Predict) spec.samples_per_pixel = samples_of_sharp_view;
   spec.samples_per_pixel = value.value("samples_per_pixel", spec.samples_per_pixel);
   spec.max_bounces = value.value("max_bounces", spec.max_bounces);
   spec.guide_emitters = value.value("guide_emitters", spec.guide_emitters);
@@ -81,7 +83,7 @@ void require_predictable(const Json& document, const RenderSpec& spec, const Sou
                        "0 for " + what + ": ellipses are filled evenly");
 }
 
-Json resolved_render(const Json& document, const Source& root) {
+Json resolved_render(const Json& document, const Source& root, const RenderSpec& spec) {
   Json resolved = document;
   resolved.erase("$schema");
   resolved["eye"] = eye_object(document["eye"], root / "eye");
@@ -90,6 +92,7 @@ Json resolved_render(const Json& document, const Source& root) {
     resolved["left"]["eye"] = eye_object(document["left"]["eye"], root / "left" / "eye");
     resolved["left"]["eye"].erase("$schema");
   }
+  resolved["method"]["samples_per_pixel"] = spec.samples_per_pixel;
   resolved = with_defaults(resolved, "render");
   Json& method = resolved["method"];
   if (method["type"] == "path_trace") {
@@ -134,7 +137,7 @@ RenderSpec read_render_spec(const Json& document, const std::string& file) {
                           document["left"].contains("eye") ? root / "left" / "eye" : root / "eye");
   if (spec.method == RenderMethod::Predict) require_predictable(document, spec, root);
   spec.seed = document.value("seed", spec.seed);
-  spec.resolved = std::make_shared<const Json>(resolved_render(document, root));
+  spec.resolved = std::make_shared<const Json>(resolved_render(document, root, spec));
   spec.skip = read_skips((*spec.resolved)["method"]["skip"]);
   return spec;
 }

@@ -193,7 +193,8 @@ FragmentImage render_fragments(const Scene& scene, int width, int height, const 
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   };
   std::vector<PixelPieces> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::vector<std::uint8_t> lamps(pixels.size());
+  enum Lamp : std::uint8_t { none, some, nothing_else };
+  std::vector<Lamp> lamps(pixels.size());
   std::mutex merging;
   std::atomic<int> finished{0};
   const auto for_rows = [&](const auto& work) {
@@ -206,16 +207,19 @@ FragmentImage render_fragments(const Scene& scene, int width, int height, const 
   };
   for_rows([&](int x, int y, RenderCounters& of_row) {
     pixels[index(x, y)] = renderer.pieces_of(x, y, of_row);
-    lamps[index(x, y)] = pixels[index(x, y)].emits();
+    const PixelPieces& pieces = pixels[index(x, y)];
+    lamps[index(x, y)] = pieces.are_one_lamp() ? nothing_else : pieces.emits() ? some : none;
     if (x == width - 1 && settings.progress) settings.progress(static_cast<double>(++finished) / height);
   });
   std::vector<int> samples(pixels.size(), settings.samples_per_pixel);
   for_rows([&](int x, int y, RenderCounters& of_row) {
-    bool near_lamp = false;
+    bool near_lamp = false, within_lamp = true;
     for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
-      for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
-        near_lamp = near_lamp || lamps[index(u, v)];
-    if (near_lamp) samples[index(x, y)] = renderer.refine(x, y, pixels[index(x, y)], of_row);
+      for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
+        near_lamp = near_lamp || lamps[index(u, v)] != none;
+        within_lamp = within_lamp && lamps[index(u, v)] == nothing_else;
+      }
+    if (near_lamp && !within_lamp) samples[index(x, y)] = renderer.refine(x, y, pixels[index(x, y)], of_row);
   });
   FragmentImage image{width, height, {0}, {}};
   for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -57,6 +57,10 @@ bool PixelPieces::emits() const {
   return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.emits; });
 }
 
+bool PixelPieces::are_one_lamp() const {
+  return pieces_.size() == 1 && pieces_.front().emits;
+}
+
 void PixelPieces::append_to(std::vector<Fragment>& list, int samples) const {
   for (const Piece& piece : pieces_) list.push_back(piece.fragment(samples));
 }

@@ -25,6 +25,9 @@ class PixelPieces {
 
   bool emits() const;
 
+  /// True where a single piece has all samples, and it emits: its share is known without more of them.
+  bool are_one_lamp() const;
+
   /// `samples`: all that were sent, also those that spectacles stopped.
   void append_to(std::vector<Fragment>& list, int samples) const;
 

@@ -42,12 +42,16 @@ def render(document: Document, *, file: str = "", progress: Progress | None = No
 
 
 def predict(document: Document, prediction: str = "ellipses", *, file: str = "", progress: Progress | None = None) -> Picture:
-    """The view of a document of format sturm.render/1 as the conoid predicts it: by "ellipses", "layered" or "multipass"."""
+    """The view of a document of format sturm.render/1 as the conoid predicts it: by "ellipses", "layered", "multipass" or "depth_psf".
+
+    Of a path-traced view the reflections are kept; its samples are not those of a sharp view, which has 16 unless the view is a prediction.
+    """
     view = _core.load(document)
     if not isinstance(document, dict):
         file = str(document)
     method = view.get("method", {})
-    kept = {key: method[key] for key in ("samples_per_pixel", "max_bounces") if key in method}
+    keys = ("samples_per_pixel", "max_bounces") if method.get("type") == "predict" else ("max_bounces",)
+    kept = {key: method[key] for key in keys if key in method}
     return render({**view, "method": {**kept, "type": "predict", "prediction": prediction}}, file=file, progress=progress)
 
 

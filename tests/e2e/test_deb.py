@@ -3,6 +3,7 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -60,6 +61,10 @@ class DebianPackages(unittest.TestCase):
         (self.folder / "view.json").write_text(json.dumps(documents.changed(view, "/scene", str(scene))))
         quietly(self.root / "usr/bin/sturm", "render", "view.json", "-o", "a.exr", "--quiet", cwd=self.folder)
         self.assertEqual((self.folder / "a.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_first_steps_from_where_it_is(self):
+        quietly(sys.executable, "-B", SOURCE / "tests/e2e/test_first_steps.py", "FirstSteps.test_five_lines_in_time",
+                env={**os.environ, "STURM": str(self.root / "usr/bin/sturm")}, cwd=self.folder)
 
     def test_the_python_package_runs_from_where_it_is(self):
         if "python3-sturm" not in self.packages:

@@ -1,5 +1,6 @@
 """`sturm render`: the same bytes whatever the threads, and what lies beside the picture."""
 import json
+import re
 import unittest
 
 import documents
@@ -53,6 +54,26 @@ class SameBytes(Render):
         self.assertEqual(size(read_header(expected)[0]), (20, 12))
         self.assertEqual(self.render(documents.view(), "set", "--set", "/camera/resolution=[20, 12]"), expected)
         self.assertEqual(self.render(documents.view(), "twice", "--set", "/camera/resolution/0=20", "--set", "/camera/resolution/1=12"), expected)
+
+
+class Costs(Render):
+    def last_line(self, view, *options):
+        return self.succeed("render", self.write("view.json", view), "-o", self.folder / "a.exr", *options).stderr.splitlines()[-1]
+
+    def test_it_ends_with_what_a_picture_took_and_bought(self):
+        said = re.fullmatch(r"path traced in (\S+) s \((.*)\): 8 paths per pixel, noise at most (\S+) % of the light \(RMS\)",
+                            self.last_line(documents.view(), "--samples", 8))
+        self.assertIn("path tracing", said[2])
+        # A fourth of the variance with four times the samples; 5 % for the variance's own noise and for three printed digits.
+        more = re.search(r"noise at most (\S+) %", self.last_line(documents.view(), "--samples", 32))
+        self.assertAlmostEqual(float(more[1]) / float(said[3]), 0.5, delta=0.05)
+
+    def test_a_prediction_takes_16_paths_unless_told_otherwise(self):
+        view = without(self.prediction(), "/method/samples_per_pixel")
+        self.assertRegex(self.last_line(view), r"^ellipses in .* s \(.*\): sharp view of 16 paths per pixel, .* about 16 path-traced samples$")
+        spec = strict_json((self.folder / "a.manifest.json").read_text())["spec"]
+        self.assertEqual(spec["method"]["samples_per_pixel"], 16)
+        self.assertTrue(self.last_line(view, "--samples", 4).endswith("): sharp view of 4 paths per pixel"))
 
 
 class Files(Render):
