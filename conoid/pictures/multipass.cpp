@@ -86,18 +86,20 @@ class PassSets {
   mutable Made made_;
 };
 
-/// Median over sharp pixels of what their brightest channel has.
+/// Logarithmic mean over sharp pixels of their brightest channel, which tone mapping takes for the middle [Reinhard et
+/// al. 2002, eq. 1]; nothing counts as darker than a millionth of the brightest. 0 if all is black.
 float middle_brightness(const FragmentImage& view) {
-  std::vector<float> brightness;
+  std::vector<double> brightness;
   for (int y = 0; y < view.height; ++y)
     for (int x = 0; x < view.width; ++x) {
       Vector3f sum = Vector3f::Zero();
       for (const Fragment& f : view.at(x, y)) sum += f.share * f.radiance;
-      brightness.push_back(sum.maxCoeff());
+      brightness.push_back(static_cast<double>(sum.maxCoeff()));
     }
-  const auto middle = brightness.begin() + static_cast<std::ptrdiff_t>(brightness.size() / 2);
-  std::nth_element(brightness.begin(), middle, brightness.end());
-  return *middle;
+  const double black = 1e-6 * *std::max_element(brightness.begin(), brightness.end());
+  double logarithms = 0.0;
+  for (const double b : brightness) logarithms += std::log(std::max(b, black));
+  return static_cast<float>(std::exp(logarithms / static_cast<double>(brightness.size())));
 }
 
 class Passes {

@@ -257,7 +257,7 @@ std::vector<NotationToken> notation_tokens(std::string_view text) {
 
 bool may_lack_its_point(std::string_view number) {
   if (number.starts_with('+') || number.starts_with('-')) number.remove_prefix(1);
-  if (number.size() < 2 || !std::ranges::all_of(number, is_digit)) return false;
+  if (number.size() < 2 || !std::all_of(number.begin(), number.end(), is_digit)) return false;
   if (number.front() == '0') return true;
   const std::string_view end = number.substr(number.size() - 2);
   return end == "00" || end == "25" || end == "50" || end == "75";
