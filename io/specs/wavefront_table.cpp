@@ -16,7 +16,7 @@ namespace {
 constexpr int most_coefficients = 231;  // radial order 20
 
 /// The place of each coefficient's column; none where the table has none.
-std::vector<std::optional<std::size_t>> columns_of(const CsvTable& table) {
+std::vector<std::optional<std::size_t>> coefficient_columns(const CsvTable& table) {
   std::vector<std::optional<std::size_t>> columns;
   std::size_t used = 0;
   for (int j = 0; j < most_coefficients; ++j) {
@@ -50,7 +50,7 @@ std::vector<std::vector<double>> read_wavefront_table(const std::filesystem::pat
   auto contents = file_contents(file);
   if (!contents) throw InputError(file.string(), "", "", "a file that can be read");
   CsvTable table(std::move(*contents), file.string());
-  const auto columns = columns_of(table);
+  const auto columns = coefficient_columns(table);
   if (columns.empty())
     table.fail(table.heading().line, "the columns " + readable(table.heading().text, 80), "columns c0, c1, …");
   std::vector<std::vector<double>> eyes;
