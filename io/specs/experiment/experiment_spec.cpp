@@ -125,31 +125,8 @@ BenchSpec read_bench_section(const Json& value, const Source& where, std::uint64
   return file.empty() ? read_bench(document, where) : read_bench(document, file);
 }
 
-}  // namespace
-
-ExperimentSpec read_experiment(const Json& document, const std::string& file) {
-  validate(document, "experiment", file);
-  const Source root{file, ""};
-  Json resolved = resolved_experiment(document);
-  ExperimentSpec spec;
-  spec.title = document["title"].get<std::string>();
-  spec.seed = document.value("seed", spec.seed);
-  if (document.contains("gates")) {
-    spec.gates = existing_document(document["gates"], root / "gates", "gates", "the path of a gates file");
-    spec.input_files.push_back(spec.gates.string());
-  }
-  if (document.contains("reference")) {
-    spec.reference = existing_file(document["reference"], root / "reference", "the path of a reference file");
-    add_files(spec.input_files, {spec.reference->string()});
-  }
-  if (document.contains("baseline")) {
-    spec.baseline = path_beside(document["baseline"].get<std::string>(), file);
-    if (std::filesystem::is_regular_file(*spec.baseline)) add_files(spec.input_files, {spec.baseline->string()});
-  }
-  spec.mutations = document.value("mutations", spec.mutations);
-  if (!spec.mutations.empty() && spec.gates.empty())
-    (root / "mutations").fail(document["mutations"], "\"gates\" beside them, which might notice");
-  if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
+/// The sections that are studies of their own; `resolved` is the document with all defaults.
+void read_studies(const Json& document, const Json& resolved, const Source& root, ExperimentSpec& spec) {
   if (document.contains("lens_study")) {
     require_unique_ids(document["lens_study"]["lenses"], root / "lens_study" / "lenses");
     spec.lens_study = read_lens_study(resolved["lens_study"], root / "lens_study");
@@ -177,6 +154,34 @@ ExperimentSpec read_experiment(const Json& document, const std::string& file) {
     spec.bench = read_bench_section(document["bench"], root / "bench", spec.seed, spec.input_files);
     add_files(spec.input_files, spec.bench->input_files);
   }
+}
+
+}  // namespace
+
+ExperimentSpec read_experiment(const Json& document, const std::string& file) {
+  validate(document, "experiment", file);
+  const Source root{file, ""};
+  Json resolved = resolved_experiment(document);
+  ExperimentSpec spec;
+  spec.title = document["title"].get<std::string>();
+  spec.seed = document.value("seed", spec.seed);
+  if (document.contains("gates")) {
+    spec.gates = existing_document(document["gates"], root / "gates", "gates", "the path of a gates file");
+    spec.input_files.push_back(spec.gates.string());
+  }
+  if (document.contains("reference")) {
+    spec.reference = existing_file(document["reference"], root / "reference", "the path of a reference file");
+    add_files(spec.input_files, {spec.reference->string()});
+  }
+  if (document.contains("baseline")) {
+    spec.baseline = path_beside(document["baseline"].get<std::string>(), file);
+    if (std::filesystem::is_regular_file(*spec.baseline)) add_files(spec.input_files, {spec.baseline->string()});
+  }
+  spec.mutations = document.value("mutations", spec.mutations);
+  if (!spec.mutations.empty() && spec.gates.empty())
+    (root / "mutations").fail(document["mutations"], "\"gates\" beside them, which might notice");
+  if (document.contains("ellipses")) spec.ellipses = read_ellipses(document["ellipses"], root / "ellipses");
+  read_studies(document, resolved, root, spec);
   const Json figures = document.value("figures", Json::array());
   require_unique_ids(figures, root / "figures");
   for (std::size_t i = 0; i < figures.size(); ++i) {
