@@ -21,7 +21,8 @@ std::string number(const Json& value, const char* format) {
 std::string power_text(const Json& power) {
   if (!power.is_object()) return no_number;
   const std::string sphere = number(power["sphere_D"], "%+.2f");
-  if (!power["axis_deg"].is_number()) return sphere;
+  constexpr double shown_D = 0.005;  // less is written as 0
+  if (!power["axis_deg"].is_number() || std::abs(power["cylinder_D"].get<double>()) < shown_D) return sphere;
   return sphere + number(power["cylinder_D"], " %+.2f") + number(power["axis_deg"], " x %.0f");
 }
 
