@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <regex>
 #include <sstream>
 
@@ -48,6 +49,13 @@ std::vector<std::string> words_between_commas(const std::string& text) {
   return words;
 }
 
+/// A number as it is, any other text between quotes.
+std::string shown(const std::string& value) {
+  char* end = nullptr;
+  std::strtod(value.c_str(), &end);
+  return end == value.c_str() || *end ? "\"" + value + "\"" : value;
+}
+
 }  // namespace
 
 std::string unknown_command(const CommandHelp& program, const std::vector<std::string>& arguments) {
@@ -81,11 +89,12 @@ std::string unusable_value(const CommandHelp& program, const std::vector<std::st
   std::smatch part;
   std::string said = line;
   if (std::regex_match(line, part, range)) {
-    said = part.str(1) + ": got " + part.str(2) + ", expected a number from " + plain_number(std::stod(part[3])) +
-           " to " + plain_number(std::stod(part[4]));
+    said = part.str(1) + ": got " + shown(part.str(2)) + ", expected a number from " +
+           plain_number(std::stod(part[3])) + " to " + plain_number(std::stod(part[4]));
   } else if (std::regex_match(line, part, choice)) {
     const std::vector<std::string> words = words_between_commas(part[3]);
-    said = part.str(1) + ": got \"" + part.str(2) + "\"" + did_you_mean(part.str(2), words) + ", expected " + one_of(words);
+    said = part.str(1) + ": got \"" + part.str(2) + "\"" + did_you_mean(part.str(2), words) + ", expected " +
+           one_of(words);
   } else if (std::regex_match(line, part, number)) {
     said = part.str(1) + ": got \"" + part.str(2) + "\", expected a number";
   } else if (std::regex_match(line, part, missing)) {

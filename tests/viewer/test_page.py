@@ -24,11 +24,9 @@ class Page(PageTest):
         cls.page = cls.write_page(cls(), emissive_view(64))
 
     def open(self, link=""):
-        self.browser.open(self.page)  # a change of the hash alone would not load the page again
-        self.wait("window.sturmViewer")
-        if link:
-            self.browser.run("location.hash = arguments[0]; location.reload()", link)
-            self.wait("window.sturmViewer && document.querySelector('#controls fieldset')")
+        self.browser.visit("about:blank")  # a change of the hash alone would not load the page again
+        self.browser.visit(self.page.as_uri() + link)
+        self.wait("window.sturmViewer && document.querySelector('#controls fieldset')")
 
     def follow(self, link):
         """A link to another state of the page that is open."""
