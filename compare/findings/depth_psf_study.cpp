@@ -12,7 +12,7 @@ namespace sturm {
 namespace {
 
 constexpr const char* section = "depth_psf_study";
-constexpr double rounding = 1e-6;  // of other compilers and machines: of all numbers here at most a millionth
+constexpr double rounding_of_spreads = 1e-6;  // of other compilers and machines: of all numbers here at most a millionth
 
 std::string text_of(const Number& number) {
   return number ? plain_number(*number) : "?";
@@ -28,7 +28,7 @@ void add(const std::string& subject, const std::string& quantity, const std::str
                  .subject = subject,
                  .quantity = quantity,
                  .value = value,
-                 .bound = rounding,
+                 .bound = rounding_of_spreads,
                  .better = Better::Less,
                  .statistic = section + ("/" + statistic),
                  .run_name = "point spreads over depth, " + subject + ": " + quantity,
