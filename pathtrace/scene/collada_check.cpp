@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,13 @@ class NodeGraph {
   int without_id_ = 0;
 };
 
+/// Whole number of an attribute; none if there is anything else.
+std::optional<std::size_t> whole(const std::string& text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
 /// Assimp goes on for ever where a list of indices holds anything but whole numbers, and reserves what `count` claims.
 void check_lists(const std::filesystem::path& file, std::string_view text) {
   constexpr std::string_view whole_numbers = "0123456789+- \t\r\n";
@@ -86,10 +94,44 @@ void check_lists(const std::filesystem::path& file, std::string_view text) {
                        "whole numbers with blanks between them");
     if (name.starts_with('/') || !name.ends_with("_array")) continue;
     const std::string count = tags.attribute("count");
-    std::size_t claimed = 0;
-    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), claimed);
-    if (error != std::errc() || end != count.data() + count.size() || claimed > text.size())
+    if (whole(count).value_or(text.size() + 1) > text.size())
       throw InputError(file.string(), place + ", count", readable(count, 40), "the number of values that it holds");
+  }
+}
+
+/// Assimp reads what an accessor claims of an array, whether it is there or not.
+void check_accessors(const std::filesystem::path& file, std::string_view text) {
+  std::map<std::string, std::size_t> held;  // values of each array, by "#id"
+  for (XmlTags tags(text); tags.next();)
+    if (tags.name().ends_with("_array") && !tags.name().starts_with('/')) {
+      const auto [array, is_new] = held.try_emplace("#" + tags.attribute("id"), text.size());
+      array->second = std::min(array->second, whole(tags.attribute("count")).value_or(0));
+    }
+  for (XmlTags tags(text); tags.next();) {
+    if (tags.name() != "accessor") continue;
+    const std::string source = tags.attribute("source");
+    const auto number = [&](const char* name, std::size_t usual) {
+      const std::string stated = tags.attribute(name);
+      const std::optional<std::size_t> value = stated.empty() ? usual : whole(stated);
+      if (!value || *value > text.size())
+        throw InputError(file.string(), "<accessor>, " + std::string(name), readable(stated, 40), "a whole number");
+      return *value;
+    };
+    const std::size_t count = number("count", 0), stride = number("stride", 1), offset = number("offset", 0);
+    const auto array = held.find(source);
+    const std::size_t there = array == held.end() ? 0 : array->second;
+    if (offset > there || (count > 0 && stride > (there - offset) / count))
+      throw InputError(file.string(), "<accessor>",
+                       readable(source, 40) + ": " + std::to_string(count) + " times " + std::to_string(stride) +
+                           " values from " + std::to_string(offset) + " on",
+                       "no more than the " + std::to_string(there) + " values that its array holds");
+    if (tags.closes_itself()) continue;
+    std::size_t parameters = 0;
+    XmlTags within = tags;
+    while (within.next() && within.name() != "/accessor") parameters += within.name() == "param";
+    if (parameters > stride)
+      throw InputError(file.string(), "<accessor>, stride", std::to_string(stride),
+                       "at least its " + std::to_string(parameters) + " parameters");
   }
 }
 
@@ -98,6 +140,7 @@ void check_lists(const std::filesystem::path& file, std::string_view text) {
 void check_collada(const std::filesystem::path& file) {
   const std::string text = file_contents(file).value_or("");
   check_lists(file, text);
+  check_accessors(file, text);
   NodeGraph(file, text).check();
 }
 

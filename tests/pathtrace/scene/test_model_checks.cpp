@@ -40,5 +40,22 @@ TEST_F(ModelChecks, ColladaListsAreWholeNumbers) {
   EXPECT_THAT(refusal(check_collada, "<float_array count=\"-1\">1</float_array>"), HasSubstr("count"));
 }
 
+TEST_F(ModelChecks, ColladaAccessorsStayWithinTheirArrays) {
+  const auto said = [&](const std::string& count, const std::string& accessor, int parameters = 2) {
+    std::string text =
+        "<float_array id=\"a\" count=\"" + count + "\">1 2 3 4 5 6 7 8</float_array><accessor " + accessor + ">";
+    for (int k = 0; k < parameters; ++k) text += "<param name=\"S\"/>";
+    return refusal(check_collada, text + "</accessor>");
+  };
+  EXPECT_EQ(said("8", "source=\"#a\" count=\"4\" stride=\"2\""), "");
+  EXPECT_EQ(said("8", "source=\"#a\" count=\"3\" stride=\"2\" offset=\"2\""), "");
+  EXPECT_EQ(said("8", "source=\"#a\" count=\"8\"", 1), "");
+  EXPECT_THAT(said("0", "source=\"#a\" count=\"4\" stride=\"2\""), HasSubstr("the 0 values that its array holds"));
+  EXPECT_THAT(said("8", "source=\"#a\" count=\"5\" stride=\"2\""), HasSubstr("5 times 2 values"));
+  EXPECT_THAT(said("8", "source=\"#a\" count=\"4\" stride=\"2\" offset=\"1\""), HasSubstr("from 1 on"));
+  EXPECT_THAT(said("8", "source=\"#b\" count=\"4\" stride=\"2\""), HasSubstr("#b"));
+  EXPECT_THAT(said("8", "source=\"#a\" count=\"4\" stride=\"2\"", 3), HasSubstr("at least its 3 parameters"));
+}
+
 }  // namespace
 }  // namespace sturm
