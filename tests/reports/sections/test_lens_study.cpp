@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Spoilt{"/lens_study/views/0/previous_unscaled_error", "previous_is_exact_inside", 1e-6},
                     Spoilt{"/gate_power/mutations/0/caught_by", "every_mutation_is_noticed", Json::array()},
                     Spoilt{"/gate_power/mutations/1/caught_by", "every_mutation_is_noticed", Json::array()}),
-    [](const auto& info) { return std::string(info.param.gate) + "_" + std::to_string(info.index); });
+    [](const auto& each) { return std::string(each.param.gate) + "_" + std::to_string(each.index); });
 
 TEST(LensStudyGates, PreviousMustDifferThroughEveryLens) {
   Json report = healthy();
