@@ -10,12 +10,13 @@ namespace {
 constexpr double field_arcmin = 97.0;  // holds the blur of 3 D over 6 mm twice
 
 PsfSpec spec_of(const SpreadMapSpec& map, double pupil_diameter_m) {
-  PsfSpec spec{.eye = Eye::with(Prescription{}, pupil_diameter_m),
-               .in_focus_nm = map.wavelength_nm,
-               .models = {PsfModel::Rays, PsfModel::Waves},
-               .lights = {{"one_wavelength", monochromatic_light(map.wavelength_nm)},
-                          {"white", luminance_weighted_light(map.step_nm)}}};
-  for (const double defocus : map.defocus_D) spec.targets.push_back({.vergence_D = defocus});
+  PsfSpec spec;
+  spec.eye = Eye::with(Prescription{}, pupil_diameter_m);
+  spec.in_focus_nm = map.wavelength_nm;
+  spec.models = {PsfModel::Rays, PsfModel::Waves};
+  spec.lights = {{"one_wavelength", monochromatic_light(map.wavelength_nm)},
+                 {"white", luminance_weighted_light(map.step_nm)}};
+  for (const double defocus : map.defocus_D) spec.targets.push_back({std::nullopt, 0.0, defocus});
   spec.energy_shares = {0.5};
   spec.ray_count = usual_ray_count;
   spec.cells_arcmin = {map.cell_arcmin};
