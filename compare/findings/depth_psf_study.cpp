@@ -12,7 +12,8 @@ namespace sturm {
 namespace {
 
 constexpr const char* section = "depth_psf_study";
-constexpr double rounding_of_spreads = 1e-6;  // of other compilers and machines: of all numbers here at most a millionth
+constexpr double rounding_of_spreads =
+    1e-6;  // of other compilers and machines: of all numbers here at most a millionth
 
 std::string text_of(const Number& number) {
   return number ? plain_number(*number) : "?";

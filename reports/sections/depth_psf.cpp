@@ -123,11 +123,12 @@ Html compositions(const Json& report, const std::filesystem::path& run_folder) {
       if (prediction.kind_name() == "depth_psf") composited = &prediction;
     }
     if (!sum || !composited) continue;
-    html += element("h3", text_or_dash(view.id) + (view.note.empty() ? Html() : " "_html + small_html(text(view.note)))) +
-            element("div", {{"class", "three stills"}},
-                    still(run_folder, sum->files, with_error("Layers blurred and added", *sum)) +
-                        still(run_folder, composited->files, with_error("Layers composited", *composited)) +
-                        still(run_folder, view.path_traced, "Path traced"));
+    html +=
+        element("h3", text_or_dash(view.id) + (view.note.empty() ? Html() : " "_html + small_html(text(view.note)))) +
+        element("div", {{"class", "three stills"}},
+                still(run_folder, sum->files, with_error("Layers blurred and added", *sum)) +
+                    still(run_folder, composited->files, with_error("Layers composited", *composited)) +
+                    still(run_folder, view.path_traced, "Path traced"));
   }
   if (html.empty()) return html;
   return element("p",

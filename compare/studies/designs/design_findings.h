@@ -50,9 +50,9 @@ struct DesignFindings {
 struct DesignSummary {
   std::string design;
   std::optional<StoredDistance> distance_m;
-  std::size_t wearers = 0, not_made = 0;    ///< in all, and those whom the design cannot be made for
+  std::size_t wearers = 0, not_made = 0;        ///< in all, and those whom the design cannot be made for
   Number median_share{}, ninth_decile_share{};  ///< of the gazes that are blurred, over the others
-  Number median_D{};                          ///< of their medians of defocus
+  Number median_D{};                            ///< of their medians of defocus
 };
 
 Json to_json(const DesignFindings& findings);

@@ -109,7 +109,8 @@ class FigureReader {
 FigureSpec read_figure(const Json& value, const Source& where) {
   FigureSpec spec;
   spec.id = value["id"].get<std::string>();
-  for (const char* own : {"bench_", "depth_psf_study_", "design_study_", "lens_study_", "sampling_study_", "sin2_study_"})
+  for (const char* own :
+       {"bench_", "depth_psf_study_", "design_study_", "lens_study_", "sampling_study_", "sin2_study_"})
     if (spec.id.starts_with(own))
       (where / "id")
           .fail(value["id"], std::string("an id that does not start with \"") + own + "\": those are the run's own");
