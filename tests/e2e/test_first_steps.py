@@ -53,7 +53,7 @@ class FirstSteps(FolderTest):
     def test_the_other_lines_of_the_page(self):
         text = (SOURCE / "docs/first_steps.md").read_text(encoding="utf-8")
         lines = re.findall(r"(?m)^    (sturm .*)$", text)
-        self.assertEqual(len(lines), 2)
+        self.assertEqual(len(lines), 3)
         for line in lines:
             process, _ = run(line, self.folder)
             self.assertEqual((process.returncode, process.stderr), (0, ""), line)
