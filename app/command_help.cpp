@@ -13,11 +13,8 @@ namespace {
 /// The words of a type name like "TEXT:{right,left}".
 std::vector<std::string> words_of(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.rfind('}');
-  std::vector<std::string> words;
-  if (open == std::string::npos || close == std::string::npos || close < open) return words;
-  std::istringstream list(type.substr(open + 1, close - open - 1));
-  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
-  return words;
+  if (open == std::string::npos || close == std::string::npos || close < open) return {};
+  return words_between_commas(type.substr(open + 1, close - open - 1));
 }
 
 /// Folders of configs/ whose documents can be named.
@@ -75,6 +72,13 @@ std::vector<std::string> command_names(const CommandHelp& program) {
   std::vector<std::string> names;
   for (const CommandHelp& command : program.commands) names.push_back(command.name);
   return names;
+}
+
+std::vector<std::string> words_between_commas(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream list(text);
+  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+  return words;
 }
 
 std::vector<std::string> option_names(const CommandHelp& command) {

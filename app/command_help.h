@@ -33,6 +33,8 @@ CommandHelp command_help(CLI::App& app);
 
 std::vector<std::string> command_names(const CommandHelp& program);
 
+std::vector<std::string> words_between_commas(const std::string& text);
+
 /// All names of the options, without positional arguments.
 std::vector<std::string> option_names(const CommandHelp& command);
 

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cstdlib>
 #include <regex>
-#include <sstream>
 
 #include "io/files/formatted_text.h"
 #include "io/json/suggest.h"
@@ -40,13 +39,6 @@ std::string hint(const std::string& word, const std::vector<std::string>& candid
       only = &candidate;
     }
   return only ? " (did you mean \"" + *only + "\"?)" : "";
-}
-
-std::vector<std::string> words_between_commas(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream list(text);
-  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
-  return words;
 }
 
 /// A number as it is, any other text between quotes.

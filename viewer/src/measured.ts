@@ -1,6 +1,7 @@
 /** Whole pictures on request, for scripts that compare them with the program's. */
 import type { App } from './app';
 import type { Target } from './gpu';
+import { sets } from './pictures';
 import { viewDocument } from './save';
 import type { Mode } from './state';
 
@@ -46,7 +47,7 @@ export class Measured {
   interleaved(): string {
     this.ready();
     const { pictures, width, height, gpu, state } = this.app, panel = pictures.panel('raster', width, height);
-    for (let set = 0; set < 16; ++set) for (let pass = 0; pass < state.passes; ++pass) pictures.drawn(panel, pass, set, true);
+    for (let set = 0; set < sets; ++set) for (let pass = 0; pass < state.passes; ++pass) pictures.drawn(panel, pass, set, true);
     const pixels = pixelsOf(this.app, panel.sum);
     gpu.release(panel.sum);
     return pixels;

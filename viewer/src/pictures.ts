@@ -22,7 +22,7 @@ export interface Panel {
 const sharpPasses = 16;
 const manyPaths = 4096;
 /** Of points of the pupil, one for each pixel of a square of 4 × 4. */
-const sets = 16;
+export const sets = 16;
 
 /** Steps through 0 … count − 1 so that the first few are spread over all. */
 export function spreadOrder(count: number): number[] {
