@@ -6,13 +6,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <random>
 
-#include "io/images/exr.h"
 #include "lensmodel/ellipse.h"
 #include "lensmodel/power_matrix.h"
 #include "lensmodel/symmetric2.h"
 #include "lensmodel/units.h"
+#include "reports/fixture_eyes.h"
 
 namespace sturm::test {
 
@@ -20,18 +19,6 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-
-constexpr double accommodation_D = 1.0;  // focused at 1 m
-
-/// Uniform and normal numbers that are the same with every standard library.
-class Scatter {
- public:
-  double uniform() { return (static_cast<double>(engine_()) + 0.5) / 4294967296.0; }
-  double normal() { return std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * std::numbers::pi * uniform()); }
-
- private:
-  std::mt19937 engine_{12345};
-};
 
 struct NamedRx {
   const char* id;
@@ -42,20 +29,6 @@ const NamedRx prescriptions[] = {{"plano", {0.0, 0.0, 180.0, 0.012}},          {
                                  {"with-the-rule", {-3.0, -1.5, 30.0, 0.012}}, {"mixed", {1.0, -2.0, 150.0, 0.012}},
                                  {"P172-OS", {-6.75, -2.5, 165.0, 0.012}},     {"hyperope", {2.0, 1.0, 100.0, 0.012}},
                                  {"weak", {-0.5, -0.25, 70.0, 0.012}},         {"strong", {-1.0, -4.0, 10.0, 0.012}}};
-
-Matrix2d needed_vergence(const Prescription& rx, double distance_m) {
-  return power_at_cornea(rx).matrix() + (1.0 / distance_m - accommodation_D) * Matrix2d::Identity();
-}
-
-/// Slope of a ray beyond the direction to the target, per metre of pupil: radial models return V(φ)·I.
-Matrix2d slope_map(const std::string& model, const Matrix2d& V, double phi) {
-  const Vector2d direction(std::cos(phi), std::sin(phi));
-  const double radial = direction.dot(V * direction);
-  if (model == "power_matrix") return V;
-  if (model == "thin_lens") return 0.5 * V.trace() * Matrix2d::Identity();
-  if (model == "pinhole") return Matrix2d::Zero();
-  return radial * Matrix2d::Identity();
-}
 
 Matrix2d covariance_of_rays(const std::string& model, const Matrix2d& V, double a) {
   constexpr int directions = 360;
@@ -212,22 +185,6 @@ void add_ellipses(Json& report) {
                     {"table", std::move(table)}};
 }
 
-struct PsfSetup {
-  const char *id, *prescription;
-  Prescription rx;
-  double distance_m, pupil_mm;
-};
-
-const PsfSetup psf_setups[] = {{"oblique", "with-the-rule", {-3.0, -1.5, 30.0, 0.012}, 1.0, 4.0},
-                               {"between-the-lines", "mixed", {1.0, -2.0, 150.0, 0.012}, 1.0, 4.0}};
-constexpr int psf_resolution = 96;
-
-/// Half the picture is 1.6 × the larger semi-axis.
-double psf_pixel_rad(const PsfSetup& setup) {
-  const Ellipse e = Ellipse::image_of_disc(needed_vergence(setup.rx, setup.distance_m), 0.5e-3 * setup.pupil_mm);
-  return 3.2 * e.semi_major / psf_resolution;
-}
-
 Json arcmin_ellipse(const Ellipse& e) {
   return {{"semi_axes_arcmin", {e.semi_major * arcminutes_per_radian, e.semi_minor * arcminutes_per_radian}},
           {"orientation_deg", or_null(e.orientation_deg)}};
@@ -340,53 +297,6 @@ void add_gates(Json& report, bool failing) {
                         "interpolation is not astigmatism."}};
 }
 
-/// What one picture element of a checkerboard with a bright lamp would radiate.
-double scene_radiance(int x, int y, int channel, int blur) {
-  double sum = 0.0;
-  int count = 0;
-  for (int v = -blur; v <= blur; ++v) {
-    for (int u = -blur; u <= blur; ++u, ++count) {
-      const int i = x + u, j = y + v;
-      const bool lamp = (i - 64) * (i - 64) + (j - 20) * (j - 20) < 100;
-      const bool square = ((i + 1600) / 16 + (j + 1600) / 16) % 2 == 0;
-      sum += lamp ? 3.0 : square ? 0.5 - 0.1 * channel : 0.06 + 0.05 * channel;
-    }
-  }
-  return sum / count;
-}
-
-void write_image(const std::filesystem::path& file, int blur, double noise, Scatter& scatter) {
-  LayeredImage image;
-  Image main(128, 128, 3);
-  for (int y = 0; y < main.height; ++y) {
-    for (int x = 0; x < main.width; ++x) {
-      for (int c = 0; c < 3; ++c)
-        main.at(x, y)[c] =
-            static_cast<float>(std::max(0.0, scene_radiance(x, y, c, blur) * (1.0 + noise * scatter.normal())));
-    }
-  }
-  image.layers[""] = main;
-  write_exr(file, image);
-}
-
-void write_psf(const std::filesystem::path& file, const PsfSetup& setup, const std::string& model, Scatter& scatter) {
-  constexpr int rays = 200000;
-  const Matrix2d V = needed_vergence(setup.rx, setup.distance_m);
-  const double a = 0.5e-3 * setup.pupil_mm, pixel = psf_pixel_rad(setup);
-  Image main(psf_resolution, psf_resolution, 3);
-  for (int i = 0; i < rays; ++i) {
-    const double r = a * std::sqrt(scatter.uniform()), phi = 2.0 * std::numbers::pi * scatter.uniform();
-    const Vector2d image = -(slope_map(model, V, phi) * Vector2d(r * std::cos(phi), r * std::sin(phi)));
-    const int x = static_cast<int>(std::floor(image.x() / pixel + 0.5 * psf_resolution));
-    const int y = static_cast<int>(std::floor(-image.y() / pixel + 0.5 * psf_resolution));  // rows go down
-    if (x < 0 || y < 0 || x >= psf_resolution || y >= psf_resolution) continue;
-    for (int c = 0; c < 3; ++c) main.at(x, y)[c] += 0.01f;
-  }
-  LayeredImage image;
-  image.layers[""] = main;
-  write_exr(file, image);
-}
-
 }  // namespace
 
 Json synthetic_report(bool failing) {
@@ -418,24 +328,6 @@ Json synthetic_report(bool failing) {
   add_psfs(report);
   add_images(report);
   return report;
-}
-
-void write_synthetic_pictures(const Json& report, const std::filesystem::path& run_folder) {
-  Scatter scatter;
-  std::filesystem::create_directories(run_folder / "psf");
-  std::filesystem::create_directories(run_folder / "images");
-  for (const Json& psf : report["psfs"]) {
-    const auto* setup = std::find_if(std::begin(psf_setups), std::end(psf_setups),
-                                     [&](const PsfSetup& s) { return psf["id"] == s.id; });
-    write_psf(run_folder / psf["file"].get<std::string>(), *setup, psf["ray_model"].get<std::string>(), scatter);
-    Scatter of_its_own;
-    write_psf(run_folder / psf["files"]["predicted"].get<std::string>(), *setup, "power_matrix", of_its_own);
-  }
-  for (const Json& image : report["images"]) {
-    const bool agrees = image["ray_model"] == "power_matrix";
-    write_image(run_folder / image["files"]["path_traced"].get<std::string>(), 2, 0.04, scatter);
-    write_image(run_folder / image["files"]["predicted"].get<std::string>(), agrees ? 2 : 4, 0.004, scatter);
-  }
 }
 
 }  // namespace sturm::test

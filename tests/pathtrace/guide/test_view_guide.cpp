@@ -4,18 +4,15 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "io/specs/spectacles_spec.h"
-#include "pathtrace/cameras/camera_hits.h"
 #include "pathtrace/film/render.h"
+#include "pathtrace/guide/view_cases.h"
 #include "pathtrace/guide/view_guide.h"
 #include "pathtrace/sampling/across.h"
 #include "support/lights_in_the_dark.h"
 #include "support/quadrature.h"
 #include "support/replicates.h"
-#include "support/source_folder.h"
 
 namespace sturm {
 namespace {
@@ -23,151 +20,20 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
+using testing::focal_line;
+using testing::folded;
+using testing::progressive;
+using testing::raw_polar;
+using testing::rim_cut;
+using testing::toric;
+using testing::view_cases;
+using testing::view_eye;
+using testing::view_pose;
+using testing::view_size;
+using testing::ViewCase;
+using testing::weighted_polar;
 
 constexpr double mm = 1e-3;
-constexpr int size = 32;
-
-CameraPose pose(double field = 0.12) {
-  CameraPose p;
-  p.vertical_field = field;
-  p.width = p.height = size;
-  return p;
-}
-
-Spectacles lens_file(const std::string& name) {
-  const std::string file = STURM_SOURCE_DIR "/configs/lenses/" + name + ".json";
-  return *read_lens_alone(load_json(file), {file, ""}).lens;
-}
-
-/// 12 mm below the fitting cross: the eye looks through the near zone, 4 mm from the corridor, where power and cylinder
-/// change.
-Spectacles progressive_off_axis() {
-  Spectacles lens = lens_file("progressive_regular");
-  lens.mounting = Mounting({4 * mm, 12 * mm}, 0.0, 0.0);
-  return lens;
-}
-
-/// The rim's shadow cuts the pupil of 6 mm.
-Spectacles narrow(Spectacles lens) {
-  lens.diameter_m = 5 * mm;
-  return lens;
-}
-
-/// A myope of 4√3·3.3 µm/a² = 2.54 D with 0.35 µm of coma over 6 mm: of a light at 1 m, beyond 0.77 of the radius the
-/// curvature that makes the blur, 2.54 D − 1 D − 18√8·0.35 µm·r/a³ = 1.54 D − 1.98 D r/a, has changed its sign: two
-/// pupil points see the same light.
-Eye folded_eye() {
-  std::vector<double> coefficients(13, 0.0);
-  coefficients[4] = 3.3e-6;
-  coefficients[7] = 0.35e-6;
-  coefficients[9] = -0.08e-6;
-  coefficients[12] = 0.05e-6;
-  return Eye::with(ZernikeWave::from_examiner(coefficients, 3 * mm), SecondOrder::LeastSquares, {}, 6 * mm);
-}
-
-struct ViewCase {
-  const char* name;
-  Eye eye;
-  RayModel model = RayModel::power_matrix;
-  std::optional<Spectacles> spectacles = {};
-  Gaze gaze = Gaze::Camera;
-  PupilSamplingSpec sampling = {};
-  double apodization = 0.0;
-  double light_radius = 0.05 * mm;  ///< of the picture of a small light
-  double largest_residual = 0.05;   ///< of the conoid, per distance and pupil radius [D]
-
-  ViewOptions options(const Scene* scene = nullptr) const {
-    ViewOptions o;
-    o.gaze = gaze;
-    o.spectacles = spectacles;
-    o.pupil = PupilSampler(sampling, apodization);
-    if (scene) o.distance_along = [scene](const LightRay& ray) { return distance_along(*scene, ray); };
-    return o;
-  }
-};
-
-Eye eye(const Prescription& rx, const Accommodation& accommodation = RelaxedAccommodation{}) {
-  return Eye::with(rx, 6 * mm, accommodation);
-}
-
-// Made when they are first asked for: a lens takes 50 ms, and every test is a process of its own.
-const ViewCase& toric() {
-  static const ViewCase made{"toric lens", eye({-3.0, -4.5, 65.0}), RayModel::power_matrix,
-                             lens_file("oblique_toric_p195")};
-  return made;
-}
-
-const ViewCase& progressive() {
-  static const ViewCase made{"progressive lens off its axis",
-                             eye({-3.0}),
-                             RayModel::power_matrix,
-                             progressive_off_axis(),
-                             Gaze::Camera,
-                             {},
-                             0.0,
-                             0.3 * mm,
-                             0.6};
-  return made;
-}
-
-const ViewCase& focal_line() {
-  static const ViewCase made{"focal line at 0.4 m", eye({-2.5, 4.0, 60.0}), RayModel::power_matrix, {}, Gaze::Foveal};
-  return made;
-}
-
-const ViewCase& rim_cut() {
-  static const ViewCase made{"pupil cut by the rim", eye({-3.0, -4.5, 65.0}), RayModel::power_matrix,
-                             narrow(lens_file("oblique_toric_p195"))};
-  return made;
-}
-
-const ViewCase& folded() {
-  static const ViewCase made{"folded wavefront", folded_eye(), RayModel::zernike, {}, Gaze::Camera, {}, 0.0, 1.0 * mm};
-  return made;
-}
-
-// Weights and densities of a pupil move light within its blur: the sum over the picture cannot see them.
-const ViewCase& weighted_polar() {
-  static const ViewCase made{"weighted polar pupil", eye({-3.0, -1.0, 30.0}),
-                             RayModel::power_matrix, {},
-                             Gaze::Camera,           {PupilSampling::UniformPolarWeighted}};
-  return made;
-}
-
-const ViewCase& raw_polar() {
-  static const ViewCase made{"polar pupil", eye({-3.0, -1.0, 30.0}),      RayModel::power_matrix, {},
-                             Gaze::Camera,  {PupilSampling::UniformPolar}};
-  return made;
-}
-
-std::vector<ViewCase> cases() {
-  return {toric(),
-          progressive(),
-          focal_line(),
-          rim_cut(),
-          {"folded wavefront behind a lens, Stiles-Crawford",
-           folded_eye(),
-           RayModel::zernike,
-           lens_file("oblique_astigmat"),
-           Gaze::Camera,
-           {},
-           1.04},
-          {"turning eye that accommodates behind a lens", eye({-3.0, -4.5, 65.0}, BestAccommodation{2.0}),
-           RayModel::power_matrix, lens_file("oblique_toric_p195"), Gaze::Foveal},
-          {"polar pupil",
-           eye({-1.0, -3.0, 30.0}),
-           RayModel::power_matrix,
-           {},
-           Gaze::Camera,
-           {PupilSampling::UniformPolar},
-           1.04},
-          {"weighted polar pupil, sin² rays",
-           eye({-1.0, -3.0, 30.0}),
-           RayModel::sin2_radial,
-           {},
-           Gaze::Camera,
-           {PupilSampling::UniformPolarWeighted}}};
-}
 
 RenderResult rendered(const Scene& scene, const GeneralCamera& camera, bool guided, int samples, std::uint64_t seed,
                       int bounces = 0) {
@@ -208,8 +74,8 @@ TEST(ViewGuide, SlowTheSameMeanAsPlainSampling) {
   const Scene scene(
       testing::lights_in_the_dark(10.0f));  // large enough for plain sampling to have a normal distribution
   constexpr int replicates = 16, block = 8;
-  for (const ViewCase& c : cases()) {
-    const GeneralCamera camera(pose(), c.eye, c.model, c.options(&scene));
+  for (const ViewCase& c : view_cases()) {
+    const GeneralCamera camera(view_pose(), c.eye, c.model, c.options(&scene));
     const auto plain = estimates(replicates, [&](int r) {
       return block_means(rendered(scene, camera, false, 256, 100 + r, 1).radiance, 0, block);
     });
@@ -254,9 +120,9 @@ class RayBundleOracle {
 
   PictureOfRays picture(double light_radius, int block) const {
     PictureOfRays result;
-    const int across = size / block;
+    const int across = view_size / block;
     result.blocks.assign(static_cast<std::size_t>(across * across), 0.0);
-    const double pixel = pixel_slope(pose(narrow_field));
+    const double pixel = pixel_slope(view_pose(narrow_field));
     constexpr int radial = 160, azimuthal = 480;
     double index = 0.0;
     for (const testing::Node& node : testing::gauss_legendre_unit(radial))
@@ -275,8 +141,8 @@ class RayBundleOracle {
         const double area = std::numbers::pi * light_radius * light_radius / std::abs(jacobian(p, q).determinant());
         const double value = node.weight / azimuthal * area / (pixel * pixel);
         result.sum += value;
-        const Vector2d film(0.5 * size + q.x() / pixel, 0.5 * size - q.y() / pixel);
-        if (film.minCoeff() < 0.0 || film.maxCoeff() >= size) continue;
+        const Vector2d film(0.5 * view_size + q.x() / pixel, 0.5 * view_size - q.y() / pixel);
+        if (film.minCoeff() < 0.0 || film.maxCoeff() >= view_size) continue;
         const int bx = static_cast<int>(film.x()) / block, by = static_cast<int>(film.y()) / block;
         result.blocks[static_cast<std::size_t>(by * across + bx)] += value / (block * block);
       }
@@ -315,9 +181,9 @@ TEST(ViewGuide, SlowThePictureOfASmallLightIsThatOfItsRays) {
   constexpr int replicates = 24, block = 2, samples = 32;
   constexpr double luminance = 1e6;
   for (const ViewCase& c : {toric(), progressive(), rim_cut(), folded(), weighted_polar(), raw_polar()}) {
-    const GeneralCamera camera(pose(narrow_field), c.eye, c.model, c.options());
+    const GeneralCamera camera(view_pose(narrow_field), c.eye, c.model, c.options());
     const auto chief =
-        camera.leaving(camera.sight_at(0.55 * size, 0.45 * size), {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
+        camera.leaving(camera.sight_at(0.55 * view_size, 0.45 * view_size), {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
     ASSERT_TRUE(chief);
     const Vector3d at = chief->at(1.0);  // in the middle of the picture, whatever the prism of the lens
     SceneDescription d;
@@ -328,7 +194,7 @@ TEST(ViewGuide, SlowThePictureOfASmallLightIsThatOfItsRays) {
     std::vector<double> sums;
     const auto blocks = estimates(replicates, [&](int r) {
       const Image image = rendered(scene, camera, true, samples, 40 + r).radiance;
-      sums.push_back(testing::image_mean(image, 1) * size * size);
+      sums.push_back(testing::image_mean(image, 1) * view_size * view_size);
       return block_means(image, 1, block);
     });
     // Everything that the pupil lets through is in the picture, to the scatter of the runs and 1e-3: the oracle's rays
@@ -367,7 +233,7 @@ TEST(ViewGuide, ItsRaysMeetTheirEmitters) {
   const Scene scene(d);
   const auto share = [&](const ViewCase& c) {
     const RenderCounters n =
-        rendered(scene, GeneralCamera(pose(), c.eye, c.model, c.options(&scene)), true, 16, 3).counters;
+        rendered(scene, GeneralCamera(view_pose(), c.eye, c.model, c.options(&scene)), true, 16, 3).counters;
     return static_cast<double>(n.guided_hits) / static_cast<double>(n.guided_rays);
   };
   EXPECT_GT(share(toric()), 0.35);
@@ -380,95 +246,24 @@ TEST(ViewGuide, ItsRaysMeetTheirEmitters) {
 TEST(ViewGuide, SaysWhetherItIsInUseAndWhyNot) {
   const Scene scene(testing::lights_in_the_dark());
   const auto use = [&](const ViewCase& c) {
-    return ViewGuide(scene, GeneralCamera(pose(), c.eye, c.model, c.options(&scene))).use();
+    return ViewGuide(scene, GeneralCamera(view_pose(), c.eye, c.model, c.options(&scene))).use();
   };
   EXPECT_EQ(use(toric()), GuideUse::in_use);
-  EXPECT_EQ(use({"", eye({-3.0}), RayModel::pinhole}), GuideUse::no_pupil);
+  EXPECT_EQ(use({"", view_eye({-3.0}), RayModel::pinhole}), GuideUse::no_pupil);
   EXPECT_EQ(use({"", Eye::with({-3.0}, 0.0)}), GuideUse::no_pupil);
-  EXPECT_EQ(use({"", eye({-3.0}), RayModel::metalstigmatism}), GuideUse::dropped_rays);
-  EXPECT_EQ(use({"", eye({-3.0}), RayModel::power_matrix, {}, Gaze::Camera, {PupilSampling::Rings}}),
+  EXPECT_EQ(use({"", view_eye({-3.0}), RayModel::metalstigmatism}), GuideUse::dropped_rays);
+  EXPECT_EQ(use({"", view_eye({-3.0}), RayModel::power_matrix, {}, Gaze::Camera, {PupilSampling::Rings}}),
             GuideUse::fixed_points);
   SceneDescription d = testing::lights_in_the_dark();
   d.meshes = {testing::parallelogram({1, -1, -4}, {-2, 0, 0}, {0, 2, 0}, 1)};  // most of the pupil sees it at a time
   d.spheres.clear();
   const Scene large(d);
-  const GeneralCamera camera(pose(), toric().eye, toric().model, toric().options());
+  const GeneralCamera camera(view_pose(), toric().eye, toric().model, toric().options());
   EXPECT_EQ(ViewGuide(large, camera).use(), GuideUse::no_small_emitter);
   EXPECT_EQ(rendered(large, camera, true, 16, 1).radiance.pixels,
             rendered(large, camera, false, 16, 1).radiance.pixels);
   EXPECT_EQ(rendered(large, camera, false, 16, 1).guide_use, GuideUse::not_asked);
   EXPECT_EQ(rendered(scene, camera, true, 16, 1).guide_use, GuideUse::in_use);
-}
-
-TEST(ViewConoid, RaysPassWhereItSays) {
-  for (const ViewCase& c : {toric(), progressive(), focal_line()}) {
-    const GeneralCamera camera(pose(), c.eye, c.model, c.options());
-    const PupilSlopes slopes = fitted_slopes(camera.rays());
-    const ViewConoidField field(camera, slopes);
-    const double film_x = 21.3, film_y = 9.8;  // between the corners
-    const GeneralCamera::Sight sight = camera.sight_at(film_x, film_y);
-    const auto chief = camera.leaving(sight, {0.0, 0.0, 0.0, 0.0, LaunchStatus::ok});
-    ASSERT_TRUE(chief);
-    const auto conoid = field.at(film_x, film_y);
-    ASSERT_TRUE(conoid);
-    const double distance = 2.0;
-    for (const Vector2d& p :
-         {Vector2d(2.1 * mm, 0.4 * mm), Vector2d(-0.7 * mm, 1.9 * mm), Vector2d(-1.5 * mm, -1.5 * mm)}) {
-      const PupilRay<double> through = camera.rays().through(p.x(), p.y());
-      const auto ray = camera.leaving(sight, through);
-      ASSERT_TRUE(ray);
-      const LightRay there{chief->at(distance), chief->direction};
-      const Vector2d seen = offset_across(axes_across(*chief), there, *ray),
-                     said = conoid->constant(distance) + conoid->by_point(distance) * p +
-                            conoid->by_slope(distance) * Vector2d(through.sx, through.sy);
-      // The residual was found with rays at the rim of the pupil, which are off most.
-      EXPECT_LT((seen - said).norm(), conoid->offset_residual_m + distance * conoid->direction_residual + 1e-9)
-          << c.name;
-      EXPECT_LT(conoid->offset_residual_m + distance * conoid->direction_residual,
-                c.largest_residual * 3 * mm * distance)
-          << c.name;
-    }
-  }
-}
-
-TEST(PupilSlopes, OfSin2RaysByHand) {
-  // s = P(φ) p with P = F₁cos² + F₂ sin² along the axes: 4 E[s pᵀ]/a² has (3F₁ + F₂)/4 and (F₁ + 3F₂)/4 on its
-  // diagonal. AXIS 90 has the cylinder's power along x: F₁ = −4, F₂ = −1. The difference from it is a(F₁ − F₂)/4 at
-  // most: along the axes, and between them.
-  const PupilSlopes slopes =
-      fitted_slopes(EyeRays<double>(RayModel::sin2_radial, Eye::with({-1.0, -3.0, 90.0, 0.0}, 6 * mm), 0.0));
-  EXPECT_NEAR(slopes.matrix(0, 0), -3.25, 1e-12);
-  EXPECT_NEAR(slopes.matrix(1, 1), -1.75, 1e-12);
-  EXPECT_NEAR(slopes.matrix(0, 1), 0.0, 1e-12);
-  EXPECT_NEAR(slopes.constant.norm(), 0.0, 1e-15);
-  EXPECT_NEAR(slopes.residual, 3 * mm * 0.75, 1e-12);
-}
-
-TEST(PupilSampler, DensityAndWeightAreThoseOfItsPoints) {
-  // The mean of weight × f over the unit square is the integral of density × weight × f over the disc.
-  const auto f = [](const Vector2d& p) {
-    return 1.0 + p.x() * p.x() + 0.5 * p.y() + 2.0 * p.squaredNorm() * p.squaredNorm();
-  };
-  for (const PupilSampling kind :
-       {PupilSampling::UniformDisk, PupilSampling::UniformPolar, PupilSampling::UniformPolarWeighted})
-    for (const double apodization : {0.0, 1.04}) {
-      const PupilSampler sampler({kind}, apodization);
-      constexpr int n = 400;
-      double points = 0.0, integral = 0.0, total = 0.0;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          const double u = (i + 0.5) / n, v = (j + 0.5) / n, angle = 2.0 * std::numbers::pi * v;
-          const WeightedPoint at = sampler.at(u, v);
-          EXPECT_NEAR(sampler.weight(at.point), at.weight, 1e-12 * at.weight);
-          points += at.weight * f(at.point) / (n * n);
-          const Vector2d p = u * Vector2d(std::cos(angle), std::sin(angle));  // dA = 2π u du dv
-          const double share = 2.0 * std::numbers::pi * u * sampler.density(p) / (n * n);
-          integral += share * sampler.weight(p) * f(p);
-          total += share;
-        }
-      EXPECT_NEAR(total, 1.0, 1e-5);  // midpoint rule, O(1/n²)
-      EXPECT_NEAR(points, integral, 1e-4);
-    }
 }
 
 }  // namespace
