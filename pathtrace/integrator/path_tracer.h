@@ -67,6 +67,11 @@ class PathTracer {
   /// between.
   Eigen::Vector3f arriving(const LightSample& light, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                            RenderCounters& counters) const;
+  /// What a path of the given throughput gains by a light sample as seen from `position`, where the surface scatters
+  /// `value` of it; its shadow ray starts at `origin`.
+  Eigen::Vector3f light_share(const LightSample& light, const BsdfValue& value, const Eigen::Vector3f& throughput,
+                              const Eigen::Vector3f& position, const Eigen::Vector3f& origin,
+                              RenderCounters& counters) const;
   void light_packet(FirstVertices& vertices, const CameraHits& hits, std::uint32_t first_sample, int first, int end,
                     VertexNumbers& numbers, RenderCounters& counters) const;
   Eigen::Vector3f direct_light(const SurfacePoint& at, const Eigen::Vector3f& normal, const Eigen::Vector3f& origin,
