@@ -8,11 +8,12 @@
 #include "lensmodel/surface.h"
 #include "lensmodel/surface_power.h"
 #include "support/fixed_rapidcheck_seed.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3;
+using testing::mm;
 
 template <class Height>
 Eigen::MatrixXd sampled(const KnotGrid& grid, Height&& height) {

@@ -3,15 +3,15 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "lensmodel/gaze.h"
 #include "support/fixed_rapidcheck_seed.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+using testing::degree;
 
 Eigen::Vector3d any_gaze() {
   return gaze_direction(*rc::gen::inRange(-800, 801) * 0.1 * degree, *rc::gen::inRange(-800, 801) * 0.1 * degree);

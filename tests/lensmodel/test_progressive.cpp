@@ -9,11 +9,12 @@
 #include "lensmodel/lens_material.h"
 #include "lensmodel/progressive.h"
 #include "support/source_folder.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3;
+using testing::mm;
 
 ProgressiveDesign design() {
   ProgressiveDesign d;

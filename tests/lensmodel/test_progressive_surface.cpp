@@ -9,11 +9,12 @@
 #include "lensmodel/progressive_surface.h"
 #include "lensmodel/surface_power.h"
 #include "support/source_folder.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3;
+using testing::mm;
 
 /// The surface of tests/reference/pal_circular_section_reference.csv.
 ProgressiveSurfaceDesign reference_design() {

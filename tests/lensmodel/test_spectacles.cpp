@@ -7,11 +7,13 @@
 #include "lensmodel/gaze.h"
 #include "lensmodel/single_vision.h"
 #include "support/fixed_rapidcheck_seed.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3, degree = 0.017453292519943295;
+using testing::degree;
+using testing::mm;
 
 LensPath chief_ray(const Spectacles& lens, double azimuth_deg, double elevation_deg) {
   const Eigen::Vector3d gaze = gaze_direction(azimuth_deg * degree, elevation_deg * degree);

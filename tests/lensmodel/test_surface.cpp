@@ -7,16 +7,15 @@
 
 #include "lensmodel/bracketed_root.h"
 #include "lensmodel/surface.h"
+#include "support/drawn.h"
 #include "support/fixed_rapidcheck_seed.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3;
-
-double drawn(int low, int high, double unit) {
-  return *rc::gen::inRange(low, high + 1) * unit;
-}
+using testing::drawn;
+using testing::mm;
 
 /// Curvatures from 1/−40 to 1/40 mm, zero included.
 double any_curvature() {

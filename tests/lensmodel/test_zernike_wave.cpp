@@ -8,11 +8,13 @@
 #include "lensmodel/eye.h"
 #include "support/quadrature.h"
 #include "support/reference_file.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double um = 1e-6, mm = 1e-3;
+using testing::mm;
+using testing::um;
 
 /// Coefficients that are all zero but one.
 std::vector<double> only(std::size_t j, double value) {

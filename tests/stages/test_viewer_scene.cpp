@@ -10,8 +10,8 @@
 namespace sturm {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 /// The file taken apart again by the words of its format alone.
 struct ReadScene {

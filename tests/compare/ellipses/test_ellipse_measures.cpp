@@ -3,16 +3,16 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
 
 #include "compare/ellipses/bundle_points.h"
 #include "compare/ellipses/ellipse_measures.h"
 #include "compare/ellipses/ellipse_overlap.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using testing::pi;
 
 FilledEllipse ellipse(double p, double q, double degrees = 0.0,
                       const Eigen::Vector2d& centre = Eigen::Vector2d::Zero()) {

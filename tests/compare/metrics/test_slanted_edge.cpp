@@ -1,15 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "compare/metrics/slanted_edge.h"
 #include "io/files/error.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using testing::pi;
 
 /// Edge along the direction `tilt` from the vertical, blurred by a Gaussian; each pixel is the mean of 16 × 16 points
 /// of it.

@@ -6,11 +6,12 @@
 #include "compare/psf/circle_area.h"
 #include "compare/psf/encircled_energy.h"
 #include "compare/psf/pixel_light.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using testing::pi;
 
 /// Pixels of a Gaussian spot at `centre` [pixels], each with the light that falls on its area.
 PointSpread gaussian(double sigma, const Eigen::Vector2d& centre, double side) {

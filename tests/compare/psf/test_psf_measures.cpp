@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "compare/psf/distances.h"
 #include "compare/psf/encircled_energy.h"
@@ -9,11 +8,13 @@
 #include "compare/psf/psf_comparison.h"
 #include "compare/psf/transfer.h"
 #include "compare/statistics/random_draws.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using testing::pi;
+
 constexpr double arcmin_rad = pi / (180.0 * 60.0);
 
 PointSpread disc(double radius_arcmin, int count = 8000) {

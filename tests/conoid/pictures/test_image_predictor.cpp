@@ -14,14 +14,14 @@ namespace sturm {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr double slope = 1e-3;  // of an output pixel
+constexpr double output_slope = 1e-3;  // of an output pixel
 
 SharpView flat_view(int size, int margin, float depth, float radiance) {
   SharpView view;
   view.radiance = Image(size + 2 * margin, size + 2 * margin, 3);
   view.depth = Image(size + 2 * margin, size + 2 * margin, 1);
   view.margin_px = margin;
-  view.pixel_slope = slope;
+  view.pixel_slope = output_slope;
   for (float& v : view.radiance.pixels) v = radiance;
   for (float& v : view.depth.pixels) v = depth;
   return view;
@@ -114,7 +114,7 @@ TEST_P(PointSpread, HasTheCovarianceOfItsEllipse) {
   Eigen::Matrix2d v;
   v << isotropic + t.cylinder * std::cos(u) * std::cos(u), t.cylinder * std::cos(u) * std::sin(u),
       t.cylinder * std::cos(u) * std::sin(u), isotropic + t.cylinder * std::sin(u) * std::sin(u);
-  const Eigen::Matrix2d expected = radius * radius / 4.0 * v * v.transpose() / (slope * slope);
+  const Eigen::Matrix2d expected = radius * radius / 4.0 * v * v.transpose() / (output_slope * output_slope);
   const Moments m = moments(p.radiance, 0);
   EXPECT_NEAR(m.mass, 1.0, 1e-6);
   EXPECT_NEAR(m.x, 40.0, 1e-5);
@@ -161,7 +161,7 @@ std::vector<double> wall_share_across_the_edge(int oversampling) {
   const int n = oversampling;
   SharpView view = flat_view(60 * n, 20 * n, 1.0f, 0.0f);
   view.oversampling = n;
-  view.pixel_slope = slope / n;
+  view.pixel_slope = output_slope / n;
   for (int y = 0; y < 100 * n; ++y)
     for (int x = 0; x < 100 * n; ++x) {
       const bool card = x < 50 * n;
@@ -209,7 +209,7 @@ TEST(ImagePredictor, OversamplingShrinksTheSharpPixelsShareOfTheBlur) {
   const auto variance = [](int n) {
     SharpView view = flat_view(41 * n, 20 * n, 0.5f, 0.0f);
     view.oversampling = n;
-    view.pixel_slope = slope / n;
+    view.pixel_slope = output_slope / n;
     for (int y = 40 * n; y < 41 * n; ++y)
       for (int x = 40 * n; x < 41 * n; ++x) view.radiance.at(x, y)[2] = 1.0f;  // one output pixel of light
     const Moments m = moments(predict_image(view, emmetrope(4e-3), 0.0).radiance, 2);
@@ -225,7 +225,7 @@ TEST(ImagePredictor, OversampledPixelsAreSpreadFromTheirOwnPlaces) {
   const auto spread = [&](int x, int y) {  // sharp pixel (x, y) counted from the inner corner of the guard band
     SharpView view = flat_view(30 * n, 16, 0.5f, 0.0f);
     view.oversampling = n;
-    view.pixel_slope = slope / n;
+    view.pixel_slope = output_slope / n;
     view.radiance.at(16 + x, 16 + y)[0] = 1.0f;
     return predict_image(view, emmetrope(4e-3), 0.0).radiance;
   };

@@ -14,20 +14,20 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double slope = 4e-3;
+constexpr double lamp_slope = 4e-3;
 constexpr double lamp_radiance = 40.0;
 
-PicturePlane picture(int width, int height) {
+PicturePlane lamp_picture(int width, int height) {
   PicturePlane p;
   p.width = width;
   p.height = height;
-  p.pixel_slope = slope;
+  p.pixel_slope = lamp_slope;
   return p;
 }
 
 /// A lamp that fills the half of a card right of x = `edge_px` pixels from the middle, 2 m away, before nothing.
 FlatScene half_lamp(double edge_px, double radiance = lamp_radiance) {
-  const double z = -2.0, edge = edge_px * slope * 2.0;
+  const double z = -2.0, edge = edge_px * lamp_slope * 2.0;
   return FlatScene({{z, edge, 9.0, -9.0, 9.0, [radiance](double, double) { return radiance; }, true},
                     {z, -9.0, edge, -9.0, 9.0, [](double, double) { return 0.1; }}});
 }
@@ -35,8 +35,8 @@ FlatScene half_lamp(double edge_px, double radiance = lamp_radiance) {
 /// An eye whose blur at 2 m is a disc of `radius_px`.
 SightField field_with_blur(double radius_px, int width = 32) {
   // 10 mm of radius: radius_px · slope / 0.01 D of defocus.
-  const double defocus_D = radius_px * slope / 1e-2;
-  return SightField(picture(width, 16),
+  const double defocus_D = radius_px * lamp_slope / 1e-2;
+  return SightField(lamp_picture(width, 16),
                     Eye::with(Prescription{}, 2e-2, FixedAccommodation{0.5 + defocus_D, 1.0 / (0.5 + defocus_D)}),
                     std::nullopt);
 }
@@ -54,7 +54,8 @@ double filled(double left, double edge, double radius) {
   return sum;
 }
 
-Image by_passes(const FlatScene& scene, const SightField& field, int lamp_factor, PassCounters* counters = nullptr) {
+Image lamps_by_passes(const FlatScene& scene, const SightField& field, int lamp_factor,
+                      PassCounters* counters = nullptr) {
   PassSettings settings;
   settings.passes = 64;
   settings.lamp_factor = lamp_factor;
@@ -64,7 +65,7 @@ Image by_passes(const FlatScene& scene, const SightField& field, int lamp_factor
   return predicted.radiance;
 }
 
-Image by_layers(const FlatScene& scene, const SightField& field) {
+Image lamps_by_layers(const FlatScene& scene, const SightField& field) {
   PassCounters counters;
   PassSettings settings;
   settings.passes = 16;
@@ -90,7 +91,7 @@ TEST(Lamps, PassesStepsAreThoseOfTheManyPoints) {
   const FlatScene scene = half_lamp(0.0);
   const SightField field = field_with_blur(radius);
   PassCounters few, many;
-  const Image coarse = by_passes(scene, field, 1, &few), fine = by_passes(scene, field, 16, &many);
+  const Image coarse = lamps_by_passes(scene, field, 1, &few), fine = lamps_by_passes(scene, field, 16, &many);
   // An edge through N even points of a disc is off by O(N^-3/4), 0.044 of 64 and 0.0055 of 1024. Where a ray is less
   // than a 32nd of the pixel (more than half of its rays meet the lamp) the 64 stay, whose places in the pixel count as
   // well: twice as much.
@@ -117,7 +118,7 @@ TEST(Lamps, VeryBrightLampsGetStillMorePasses) {
   // is known to a quarter.
   const double radiance = 4e4, radius = 4.0, edge = -0.25;
   PassCounters counters;
-  const Image image = by_passes(half_lamp(edge, radiance), field_with_blur(radius), 16, &counters);
+  const Image image = lamps_by_passes(half_lamp(edge, radiance), field_with_blur(radius), 16, &counters);
   const double expected = filled(11.0, 16.0 + edge, radius) * radiance + 0.1;
   EXPECT_LT(expected, radiance / 1024);
   for (int y = 0; y < 16; ++y) EXPECT_NEAR(image.at(11, y)[0] / expected, 1.0, 0.25) << y;
@@ -130,7 +131,7 @@ TEST(Lamps, PassesDoNotMixALampWithWhatSharesItsPixelAndPlane) {
   const double edge = 0.3;
   const FlatScene scene = half_lamp(edge);
   const SightField field = field_with_blur(0.0);
-  const Image image = by_passes(scene, field, 16);
+  const Image image = lamps_by_passes(scene, field, 16);
   for (int y = 0; y < 16; ++y) {
     EXPECT_NEAR(image.at(15, y)[0], 0.1f, 1e-6f);
     EXPECT_NEAR(image.at(17, y)[0], static_cast<float>(lamp_radiance), 1e-4f);
@@ -143,7 +144,7 @@ TEST(Lamps, LayeredLampsLeakAsLittleBlurMakesThem) {
   // A lamp up to the border of its pixel and a disc of 0.39 px: from its middle it would not reach the next pixel. The
   // mean over that pixel is E[max(X, 0)] of the disc's projection, 2r/(3π).
   for (const double radius : {0.2, 0.39, 0.7}) {
-    const Image image = by_layers(half_lamp(0.0), field_with_blur(radius));
+    const Image image = lamps_by_layers(half_lamp(0.0), field_with_blur(radius));
     const double leak = 2.0 * radius / (3.0 * pi);
     // Midpoints of eighths: at most h²/8 times the variation of the edge profile's slope, 2/(πr) (Peano's kernel of a
     // cell).
@@ -160,13 +161,13 @@ TEST(Lamps, LayeredLampsKeepTheirWidthInAnyBlur) {
   for (const auto& [radius, n] : {std::pair{2.5, 4}, std::pair{9.0, 2}}) {
     const double tolerance = 2.0 / (n * n) / 8 * 2.0 / (pi * radius);
     const SightField field = field_with_blur(radius, 64);
-    EXPECT_LT(worst(by_layers(half_lamp(edge), field), 8, edge, radius), tolerance) << radius;
+    EXPECT_LT(worst(lamps_by_layers(half_lamp(edge), field), 8, edge, radius), tolerance) << radius;
   }
 }
 
 TEST(Lamps, APartOfAPixelIsSpreadFromWhereItIs) {
   // The lamp fills the right quarter of its pixel; with 0.1 px of blur nothing reaches the next pixel on the left.
-  const Image near = by_layers(half_lamp(0.75), field_with_blur(0.1));
+  const Image near = lamps_by_layers(half_lamp(0.75), field_with_blur(0.1));
   EXPECT_NEAR(near.at(15, 8)[0], 0.1f, 1e-4f);
   EXPECT_NEAR((near.at(16, 8)[0] - 0.1) / (lamp_radiance - 0.1), 0.25, 2.0 / 64 / 8 * 2.0 / (pi * 0.1));  // in and out
 }
@@ -174,14 +175,15 @@ TEST(Lamps, APartOfAPixelIsSpreadFromWhereItIs) {
 TEST(Lamps, ALampThatTheSharpViewMissesIsAsLargeAsItIs) {
   // Fifths of a pixel, between the 4 × 4 places that the sharp view looks at. The rays that find it all meet it:
   // without a measure of its own it would be a whole pixel of lamp, 25 times too much light.
-  const double z = -2.0, pixel = slope * 2.0, half = 0.1 * pixel, x = 0.5 * pixel, y = -0.5 * pixel, radiance = 4e3;
+  const double z = -2.0, pixel = lamp_slope * 2.0, half = 0.1 * pixel, x = 0.5 * pixel, y = -0.5 * pixel,
+               radiance = 4e3;
   const FlatScene scene(
       {{z, x - half, x + half, y - half, y + half, [radiance](double, double) { return radiance; }, true},
        {2 * z, -9.0, 9.0, -9.0, 9.0, [](double, double) { return 0.1; }}});
   const SightField field = field_with_blur(4.0);
   for (const Fragment& f : scene.sharp_view(field).fragments) ASSERT_FALSE(f.emits);
   double light = 0.0;
-  for (const float value : by_layers(scene, field).pixels) light += (static_cast<double>(value) - 0.1) / 3.0;
+  for (const float value : lamps_by_layers(scene, field).pixels) light += (static_cast<double>(value) - 0.1) / 3.0;
   // 256 chief rays count a fifth of 16 columns and rows to one: (3/16)² … (4/16)² for 1/25.
   EXPECT_GE(light, radiance * 9.0 / 256 * 0.99);
   EXPECT_LE(light, radiance * 16.0 / 256 * 1.01);

@@ -16,13 +16,13 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double slope = 4e-3;
+constexpr double picture_slope = 4e-3;
 
 PicturePlane picture(int width, int height, Gaze gaze = Gaze::Camera) {
   PicturePlane p;
   p.width = width;
   p.height = height;
-  p.pixel_slope = slope;
+  p.pixel_slope = picture_slope;
   p.gaze = gaze;
   return p;
 }
@@ -118,12 +118,12 @@ TEST(PredictedPictures, AConstantRoomStaysConstant) {
   for (const float v : by_layers(scene, field).pixels) EXPECT_NEAR(v, 0.7f, 1e-6f);
 }
 
-struct Moments {
+struct PictureMoments {
   double mass = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;  // [px], y up
 };
 
-Moments moments(const Image& image) {
-  Moments m;
+PictureMoments moments(const Image& image) {
+  PictureMoments m;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const double w = image.at(x, y)[0], right = x + 0.5 - 0.5 * image.width, up = 0.5 * image.height - y - 0.5;
@@ -138,15 +138,15 @@ Moments moments(const Image& image) {
 class LampInTheDark : public ::testing::TestWithParam<double> {};
 
 // A square lamp of one pixel, 1 m away, before nothing. V = 1 − 1 − 4 u uᵀ with u across the axis: the light lies on a
-// segment along u of half length 10 mm · 4 D = 40 mrad = 10 px; a²/4 · 16/slope² = 25 px² of variance along u. AXIS 30
-// stands at the wearer's 150°, u at 60°.
+// segment along u of half length 10 mm · 4 D = 40 mrad = 10 px; a²/4 · 16/picture_slope² = 25 px² of variance along u.
+// AXIS 30 stands at the wearer's 150°, u at 60°.
 TEST_P(LampInTheDark, IsItsEllipse) {
-  const double h = 0.5 * slope;
+  const double h = 0.5 * picture_slope;
   const FlatScene scene({{-1.0, -h, h, -h, h, white}});
   const SightField field(picture(41, 41), Eye::with(Prescription{-1.0, -4.0, GetParam(), 0.0}, 2e-2), std::nullopt);
   const double mirror = GetParam() == 30.0 ? 1.0 : -1.0;
   const auto expect = [&](const Image& image, double tolerance) {
-    const Moments m = moments(image);
+    const PictureMoments m = moments(image);
     EXPECT_NEAR(m.mass, 1.0, 0.06);  // passes: some 1024 rays in all meet the lamp; random ones would scatter by 3 %
     EXPECT_NEAR(m.x, 0.0, 0.1);
     EXPECT_NEAR(m.y, 0.0, 0.1);

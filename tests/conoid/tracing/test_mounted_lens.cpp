@@ -12,12 +12,16 @@
 #include "lensmodel/prism.h"
 #include "lensmodel/single_vision.h"
 #include "support/fixed_rapidcheck_seed.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3, degree = 0.017453292519943295, center = 13.5 * mm;
-const Eigen::Vector3d ahead(0.0, 0.0, -1.0);
+using testing::degree;
+using testing::mm;
+
+constexpr double center = 13.5 * mm;
+const Eigen::Vector3d straight_ahead(0.0, 0.0, -1.0);
 
 Spectacles lens_with(const Prescription& rx, const Mounting& mounting) {
   SingleVisionDesign design;
@@ -43,20 +47,20 @@ TEST(Mounting, TiltsFirstAndThenWraps) {
   // The lens's own horizontal stays in the wearer's horizontal plane; were the wrap first, the tilt would not take it
   // out of that either, but it would lift the axis: after tilt and wrap the axis still dips by the tilt.
   const Mounting m({0.0, 0.0}, 8.0 * degree, 20.0 * degree);
-  EXPECT_NEAR((m.wearer_from_lens() * ahead).y(), -0.13917310096006544, 1e-15);  // −sin 8°
+  EXPECT_NEAR((m.wearer_from_lens() * straight_ahead).y(), -0.13917310096006544, 1e-15);  // −sin 8°
   EXPECT_NEAR((m.wearer_from_lens() * Eigen::Vector3d::UnitX()).y(), 0.0, 1e-16);
 }
 
 /// Light bends towards the thick part. A decentred lens of power F has the prism c·F (Prentice), here c = 5 mm.
 TEST(MountedLens, DecentrationMakesThePrismOfPrentice) {
   for (const double sphere : {-6.0, 4.0}) {
-    const AsWorn worn = as_worn(lens_with({sphere}, Mounting({5.0 * mm, 0.0}, 0.0, 0.0)), ahead, center);
+    const AsWorn worn = as_worn(lens_with({sphere}, Mounting({5.0 * mm, 0.0}, 0.0, 0.0)), straight_ahead, center);
     // Thickness and the bend of the surfaces change Prentice's thin lens by a few per cent.
     EXPECT_NEAR(worn.prism_cm_per_m(), 0.5 * std::abs(sphere), 0.04 * std::abs(sphere));
     // To the wearer's right: a plus lens is thickest there, which the examiner sees at 180°; a minus lens thins there.
     EXPECT_NEAR(worn.base_deg.value(), sphere > 0.0 ? 180.0 : 0.0, 1e-9);
   }
-  const AsWorn up = as_worn(lens_with({4.0}, Mounting({0.0, 5.0 * mm}, 0.0, 0.0)), ahead, center);
+  const AsWorn up = as_worn(lens_with({4.0}, Mounting({0.0, 5.0 * mm}, 0.0, 0.0)), straight_ahead, center);
   EXPECT_NEAR(up.base_deg.value(), 90.0, 1e-9);
 }
 
@@ -70,7 +74,7 @@ TEST(MountedLens, TiltMakesMartinsCylinder) {
   for (const double tau : {5.0 * degree, 10.0 * degree}) {
     const auto power = [&](const Mounting& mounting) {
       thin.mounting = mounting;
-      return as_worn(single_vision({-6.0}, thin), ahead, center).power.value();
+      return as_worn(single_vision({-6.0}, thin), straight_ahead, center).power.value();
     };
     const double sine2 = std::sin(tau) * std::sin(tau), tan2 = std::tan(tau) * std::tan(tau);
     const double sphere = -6.0 * (1.0 + sine2 / 3.0), cylinder = -6.0 * tan2;
@@ -87,10 +91,10 @@ TEST(Prism, DeviatesTowardsItsBaseByExactlySoMuch) {
   for (const double base : {0.0, 45.0, 90.0, 180.0, 300.0}) {
     const Spectacles lens = lens_with(
         {.sphere_D = -3.0, .cylinder_D = -2.0, .axis_deg = 30.0, .prism_cm_per_m = 4.0, .prism_base_deg = base}, {});
-    const AsWorn worn = as_worn(lens, ahead, center);
+    const AsWorn worn = as_worn(lens, straight_ahead, center);
     EXPECT_NEAR(worn.prism_cm_per_m(), 4.0, 1e-12);
     EXPECT_NEAR(worn.base_deg.value(), base, 1e-9);
-    const Eigen::Vector3d out = trace_conoid(lens, ahead, center).chief_ray.direction;
+    const Eigen::Vector3d out = trace_conoid(lens, straight_ahead, center).chief_ray.direction;
     // Base 45° as the examiner sees it is up and to the wearer's left.
     if (base == 45.0) {
       EXPECT_LT(out.x(), -0.02);
@@ -136,7 +140,7 @@ TEST(Prism, RoundingOfTheStepsIsNoReasonToRefuse) {
         .prism_base_deg = 360.0},
        {.base_curve_D = 0.5, .center_thickness_m = 2.052074944976788 * mm, .refractive_index = 1.498}}};
   for (const Case& c : cases) {
-    const LensPath path = trace(single_vision(c.rx, c.design), {{0.0, 0.0, 0.0}, ahead});
+    const LensPath path = trace(single_vision(c.rx, c.design), {{0.0, 0.0, 0.0}, straight_ahead});
     ASSERT_EQ(path.status, LensStatus::ok);
     const double slope =
         path.exit.direction.x() / path.exit.direction.z();  // to the left, where the base is but for half a degree
@@ -170,8 +174,8 @@ RC_GTEST_PROP(MountedLens, FootprintIsTheDerivativeOfRealRays, ()) {
   const double distance = 0.8;
   const Eigen::Matrix2d footprint = distance * conoid.angular_footprint(slopes, 1.0 / distance);
 
-  const Eigen::Matrix3d turn = smallest_rotation(ahead, gaze),
-                        across = smallest_rotation(ahead, conoid.chief_ray.direction);
+  const Eigen::Matrix3d turn = smallest_rotation(straight_ahead, gaze),
+                        across = smallest_rotation(straight_ahead, conoid.chief_ray.direction);
   const auto arrival = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
     const Eigen::Vector2d s = slopes * p;
     const LensPath path = trace(lens, {turned_pupil_center(gaze, center) + turn * Eigen::Vector3d(p.x(), p.y(), 0.0),

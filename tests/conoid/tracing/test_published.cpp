@@ -9,17 +9,17 @@
 #include "conoid/tracing/spectacle_conoid.h"
 #include "lensmodel/gaze.h"
 #include "lensmodel/single_vision.h"
+#include "support/drawn.h"
 #include "support/fixed_rapidcheck_seed.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double degree = 0.017453292519943295;
-const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), ahead(0.0, 0.0, -1.0);
+using testing::degree;
+using testing::drawn;
 
-double drawn(int low, int high, double unit) {
-  return *rc::gen::inRange(low, high + 1) * unit;
-}
+const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), along_axis(0.0, 0.0, -1.0);
 
 Eye any_eye() {
   return Eye::with({drawn(-24, 16, 0.25), drawn(-12, 12, 0.25), drawn(0, 180, 1.0), 12e-3}, 4e-3);
@@ -28,7 +28,7 @@ Eye any_eye() {
 RC_GTEST_PROP(Published, IsExactForTheNakedEye, ()) {
   const Eye eye = any_eye();
   const double vergence = drawn(0, 50, 0.1), accommodation = drawn(0, 30, 0.1);
-  const auto conoid = trace_published(eye, accommodation, nullptr, ahead);
+  const auto conoid = trace_published(eye, accommodation, nullptr, along_axis);
   const Eigen::Matrix2d exact = naked_eye_footprint(eye, 1.0 / vergence, accommodation).angular;
   RC_ASSERT((angular_map(*conoid, x, y, vergence) - exact).norm() <= 1e-13);
 }
@@ -37,9 +37,9 @@ RC_GTEST_PROP(Published, IsExactOnTheAxisOfARotationallySymmetricLens, ()) {
   const Eye eye = any_eye();
   const Spectacles lens = single_vision({drawn(-24, 16, 0.25)}, {});
   for (const TangentAxes axes : {TangentAxes::incidence, TangentAxes::principal}) {
-    const auto conoid = trace_published(eye, 0.0, &lens, ahead, axes);
+    const auto conoid = trace_published(eye, 0.0, &lens, along_axis, axes);
     RC_ASSERT(conoid.has_value());
-    const SpectacleConoid exact = trace_conoid(lens, ahead, eye.rotation_center_m);
+    const SpectacleConoid exact = trace_conoid(lens, along_axis, eye.rotation_center_m);
     const Eigen::Matrix2d x_over_d = exact.angular_footprint(eye.correction.matrix(), 1.3);
     RC_ASSERT((angular_map(*conoid, x, y, 1.3) - x_over_d).norm() <= 1e-12);
   }
@@ -51,9 +51,9 @@ RC_GTEST_PROP(Published, IsExactOnTheAxisAlongTheMeridiansOfAToricLens, ()) {
   const double axis = 90.0 * *rc::gen::inRange(1, 3);
   const Eye eye = Eye::with({drawn(-24, 16, 0.25), drawn(-12, 12, 0.25), axis, 12e-3}, 4e-3);
   const Spectacles lens = single_vision({drawn(-24, 16, 0.25), drawn(-24, 24, 0.25), 180.0}, {});
-  const auto conoid = trace_published(eye, 0.0, &lens, ahead);
+  const auto conoid = trace_published(eye, 0.0, &lens, along_axis);
   RC_ASSERT(conoid.has_value());
-  const SpectacleConoid exact = trace_conoid(lens, ahead, eye.rotation_center_m);
+  const SpectacleConoid exact = trace_conoid(lens, along_axis, eye.rotation_center_m);
   RC_ASSERT((angular_map(*conoid, x, y, 1.3) - exact.angular_footprint(eye.correction.matrix(), 1.3)).norm() <= 1e-12);
 }
 
@@ -75,26 +75,26 @@ TEST(Published, IsNotExactThroughAnObliqueTorus) {
 
 TEST(Published, Equation11FailsWhereItIsSingular) {
   // Normal incidence, axes at 45° to the refracted principal directions: both rows are (½, ½).
-  const FiveVariables before{ahead, 1.0, -1.0, x, y};
+  const FiveVariables before{along_axis, 1.0, -1.0, x, y};
   const Eigen::Vector3d d1 = (x + y).normalized(), d2 = (y - x).normalized();
-  const Eigen::Vector3d tilted = (ahead + 0.3 * x).normalized();  // so that u lies along y
-  const FiveVariables behind{ahead, 1.0, -1.0, d1, d2};
+  const Eigen::Vector3d tilted = (along_axis + 0.3 * x).normalized();  // so that u lies along y
+  const FiveVariables behind{along_axis, 1.0, -1.0, d1, d2};
   Eq11Failure why{};
   EXPECT_FALSE(
-      refracted_semi_axes({2e-3, 1e-3}, {tilted, 1.0, -1.0, x, y}, behind, ahead, TangentAxes::incidence, &why));
+      refracted_semi_axes({2e-3, 1e-3}, {tilted, 1.0, -1.0, x, y}, behind, along_axis, TangentAxes::incidence, &why));
   EXPECT_EQ(why, Eq11Failure::singular);
-  EXPECT_TRUE(refracted_semi_axes({2e-3, 2e-3}, before, behind, ahead, TangentAxes::principal));
-  EXPECT_FALSE(refracted_semi_axes({0.0, 1e-3}, before, before, ahead, TangentAxes::principal, &why));
+  EXPECT_TRUE(refracted_semi_axes({2e-3, 2e-3}, before, behind, along_axis, TangentAxes::principal));
+  EXPECT_FALSE(refracted_semi_axes({0.0, 1e-3}, before, before, along_axis, TangentAxes::principal, &why));
   EXPECT_EQ(why, Eq11Failure::no_length);
 }
 
 TEST(Published, Equation11FailsWhereItTurnsNegative) {
   // Refracted directions at 30° to the axes, rows (¾, ¼) and (¼, ¾): E = (1, 9) on the axes needs E' = (−3, 13).
   const Eigen::Vector3d d1 = 0.86602540378443865 * x + 0.5 * y, d2 = -0.5 * x + 0.86602540378443865 * y;
-  const Eigen::Vector3d tilted = (ahead + 0.3 * y).normalized();  // u lies along x
+  const Eigen::Vector3d tilted = (along_axis + 0.3 * y).normalized();  // u lies along x
   Eq11Failure why{};
-  EXPECT_FALSE(refracted_semi_axes({1.0, 1.0 / 3.0}, {tilted, 1.0, -1.0, x, y}, {ahead, 1.0, -1.0, d1, d2}, ahead,
-                                   TangentAxes::incidence, &why));
+  EXPECT_FALSE(refracted_semi_axes({1.0, 1.0 / 3.0}, {tilted, 1.0, -1.0, x, y}, {along_axis, 1.0, -1.0, d1, d2},
+                                   along_axis, TangentAxes::incidence, &why));
   EXPECT_EQ(why, Eq11Failure::negative);
 }
 
@@ -105,21 +105,21 @@ TEST(Published, KeepsTheSectionsAxesWhereTheLensSendsOutAPlaneWave) {
   const Prescription rx{-1.5, -4.0, 55.0, 12e-3};
   const Eye eye = Eye::with(rx, 4e-3);
   const Spectacles lens = single_vision(rx, {});
-  const SpectacleConoid exact = trace_conoid(lens, ahead, eye.rotation_center_m);
+  const SpectacleConoid exact = trace_conoid(lens, along_axis, eye.rotation_center_m);
   for (const TangentAxes axes : {TangentAxes::incidence, TangentAxes::principal}) {
-    const PublishedTrace trace = trace_published_or_why(eye, 0.0, &lens, ahead, axes);
+    const PublishedTrace trace = trace_published_or_why(eye, 0.0, &lens, along_axis, axes);
     EXPECT_TRUE(trace.free_axes);
     if (axes == TangentAxes::incidence) continue;  // its axes at normal incidence are any axes: 45° is possible
     ASSERT_TRUE(trace.conoid);
     EXPECT_LT((angular_map(*trace.conoid, x, y, 4.0) - exact.angular_footprint(eye.correction.matrix(), 4.0)).norm(),
               1e-12);
   }
-  EXPECT_FALSE(trace_published_or_why(eye, 0.5, &lens, ahead).free_axes);
+  EXPECT_FALSE(trace_published_or_why(eye, 0.5, &lens, along_axis).free_axes);
   EXPECT_FALSE(trace_published_or_why(eye, 0.0, &lens, gaze_direction(1 * degree, 0.0)).free_axes);
   // Without a cylinder the section is a circle, which needs no axes.
   const Prescription sphere{-3.0, 0.0, 180.0, 12e-3};
   const Spectacles round = single_vision(sphere, {});
-  EXPECT_FALSE(trace_published_or_why(Eye::with(sphere, 4e-3), 0.0, &round, ahead).free_axes);
+  EXPECT_FALSE(trace_published_or_why(Eye::with(sphere, 4e-3), 0.0, &round, along_axis).free_axes);
 }
 
 TEST(Published, ALostChiefRayIsNoFailureOfEquation11) {
@@ -134,17 +134,17 @@ TEST(Published, ALostChiefRayIsNoFailureOfEquation11) {
 TEST(Published, Equation11ByHand) {
   // Refracted directions at 30° to the axes: rows (¾, ¼) and (¼, ¾). E' = (3, 1) makes E = (2.5, 1.5) on the axes.
   const Eigen::Vector3d d1 = 0.86602540378443865 * x + 0.5 * y, d2 = -0.5 * x + 0.86602540378443865 * y;
-  const Eigen::Vector3d tilted = (ahead + 0.3 * y).normalized();  // u lies along x
+  const Eigen::Vector3d tilted = (along_axis + 0.3 * y).normalized();  // u lies along x
   const auto axes = refracted_semi_axes({0.63245553203367588, 0.81649658092772603}, {tilted, 1.0, -1.0, x, y},
-                                        {ahead, 1.0, -1.0, d1, d2}, ahead, TangentAxes::incidence);
+                                        {along_axis, 1.0, -1.0, d1, d2}, along_axis, TangentAxes::incidence);
   ASSERT_TRUE(axes);
   EXPECT_NEAR(axes->first, 0.57735026918962576, 1e-15);
   EXPECT_NEAR(axes->second, 1.0, 1e-15);
 }
 
 TEST(Published, Equation11KeepsTheSigns) {
-  const FiveVariables wave{ahead, 1.0, -1.0, x, y};
-  const auto axes = refracted_semi_axes({-2e-3, 1e-3}, wave, wave, ahead, TangentAxes::principal);
+  const FiveVariables wave{along_axis, 1.0, -1.0, x, y};
+  const auto axes = refracted_semi_axes({-2e-3, 1e-3}, wave, wave, along_axis, TangentAxes::principal);
   ASSERT_TRUE(axes);
   EXPECT_NEAR(axes->first, -2e-3, 1e-18);
   EXPECT_NEAR(axes->second, 1e-3, 1e-18);
@@ -153,7 +153,7 @@ TEST(Published, Equation11KeepsTheSigns) {
 RC_GTEST_PROP(Published, Equation12IsTheBestAccommodationOfTheNakedEye, ()) {
   const Eye eye = any_eye();
   const double vergence = drawn(0, 60, 0.1), amplitude = drawn(1, 80, 0.1);
-  const auto map = [&](double a) { return angular_map(*trace_published(eye, a, nullptr, ahead), x, y, vergence); };
+  const auto map = [&](double a) { return angular_map(*trace_published(eye, a, nullptr, along_axis), x, y, vergence); };
   const PublishedAccommodation mix = mixed(map(0.0), map(amplitude));
   Eye best = eye;
   best.accommodation = BestAccommodation{amplitude};
@@ -165,9 +165,8 @@ RC_GTEST_PROP(Published, Equation12IsTheBestAccommodationOfTheNakedEye, ()) {
 RC_GTEST_PROP(Previous, IsExactForTheNakedEye, ()) {
   const Eye eye = any_eye();
   const double d = drawn(1, 50, 0.1);
-  RC_ASSERT(
-      (*previous_angular_footprint(eye, 0.5, nullptr, ahead, d) - naked_eye_footprint(eye, d, 0.5).angular).norm() <=
-      1e-15);
+  RC_ASSERT((*previous_angular_footprint(eye, 0.5, nullptr, along_axis, d) - naked_eye_footprint(eye, d, 0.5).angular)
+                .norm() <= 1e-15);
 }
 
 TEST(Previous, ThroughAirItIsTheNakedEyeFromThePupil) {

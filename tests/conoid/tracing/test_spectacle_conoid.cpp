@@ -8,16 +8,18 @@
 #include "lensmodel/gaze.h"
 #include "lensmodel/single_vision.h"
 #include "lensmodel/symmetric2.h"
+#include "support/drawn.h"
 #include "support/fixed_rapidcheck_seed.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3, degree = 0.017453292519943295, center = 13.5 * mm;
+using testing::degree;
+using testing::drawn;
+using testing::mm;
 
-double drawn(int low, int high, double unit) {
-  return *rc::gen::inRange(low, high + 1) * unit;
-}
+constexpr double eye_center = 13.5 * mm;
 
 Prescription any_prescription() {
   return {drawn(-32, 24, 0.25), drawn(-16, 16, 0.25), drawn(0, 180, 1.0), 12e-3};
@@ -40,7 +42,7 @@ Eigen::Matrix2d transverse(const SpectacleConoid& c, const Eigen::Matrix2d& slop
 /// S stays a wave.
 RC_GTEST_PROP(SpectacleConoid, IsSymplectic, ()) {
   const Prescription rx = any_prescription();
-  const SpectacleConoid c = trace_conoid(any_lens(rx), any_gaze(), center);
+  const SpectacleConoid c = trace_conoid(any_lens(rx), any_gaze(), eye_center);
   RC_PRE(c.status == LensStatus::ok);
   const RayTransfer& m = c.exit;
   const Eigen::Matrix2d a = m.offset_from_offset, b = m.offset_from_slope, g = m.slope_from_offset,
@@ -55,7 +57,7 @@ RC_GTEST_PROP(SpectacleConoid, IsSymplectic, ()) {
 RC_GTEST_PROP(SpectacleConoid, ALensOfThePrescriptionSendsAPlaneWaveOutOnTheAxis, ()) {
   const Prescription rx = any_prescription();
   const Spectacles lens = any_lens(rx);
-  const SpectacleConoid c = trace_conoid(lens, {0.0, 0.0, -1.0}, center);
+  const SpectacleConoid c = trace_conoid(lens, {0.0, 0.0, -1.0}, eye_center);
   RC_ASSERT(c.status == LensStatus::ok);
   const PowerMatrix needed = PowerMatrix::from(rx).moved_towards_eye(lens.vertex_distance_m);
   // Independent of the maker's formula: the conoid's refractions and transfers undo the eye's error. Powers of up to 20
@@ -75,7 +77,8 @@ RC_GTEST_PROP(SpectacleConoid, TurnsWithTheWholeSystem, ()) {
   turned_lens.back =
       TorusSurface(sweep, generator, meridian - alpha_deg);  // TABO counts the other way round than the wearer sees it
   const Eigen::Vector3d gaze = any_gaze(), turned_gaze = Eigen::AngleAxisd(alpha, Eigen::Vector3d::UnitZ()) * gaze;
-  const SpectacleConoid c = trace_conoid(lens, gaze, center), t = trace_conoid(turned_lens, turned_gaze, center);
+  const SpectacleConoid c = trace_conoid(lens, gaze, eye_center),
+                        t = trace_conoid(turned_lens, turned_gaze, eye_center);
   RC_PRE(c.status == LensStatus::ok && t.status == LensStatus::ok);
   const Eigen::Matrix2d r = Eigen::Rotation2Dd(alpha).toRotationMatrix(), f = power_at_cornea(rx).matrix();
   RC_ASSERT(
@@ -97,7 +100,7 @@ RC_GTEST_PROP(SpectacleConoid, ScalesWithAllLengths, ()) {
   big.vertex_distance_m = k * lens.vertex_distance_m;
   big.diameter_m = k * lens.diameter_m;
   const Eigen::Vector3d gaze = any_gaze();
-  const SpectacleConoid c = trace_conoid(lens, gaze, center), b = trace_conoid(big, gaze, k * center);
+  const SpectacleConoid c = trace_conoid(lens, gaze, eye_center), b = trace_conoid(big, gaze, k * eye_center);
   RC_PRE(c.status == LensStatus::ok && b.status == LensStatus::ok);
   const Eigen::Matrix2d s = power_at_cornea(any_prescription()).matrix();
   RC_ASSERT((b.chief_ray.origin - k * c.chief_ray.origin).norm() <= 1e-14 * k);
@@ -107,8 +110,8 @@ RC_GTEST_PROP(SpectacleConoid, ScalesWithAllLengths, ()) {
 RC_GTEST_PROP(SpectacleConoid, DoesNotDependOnHowThePrescriptionIsWritten, ()) {
   const Prescription rx = any_prescription();
   const Eigen::Vector3d gaze = any_gaze();
-  const SpectacleConoid a = trace_conoid(single_vision(rx, {}), gaze, center),
-                        b = trace_conoid(single_vision(transposed(rx), {}), gaze, center);
+  const SpectacleConoid a = trace_conoid(single_vision(rx, {}), gaze, eye_center),
+                        b = trace_conoid(single_vision(transposed(rx), {}), gaze, eye_center);
   RC_PRE(a.status == LensStatus::ok);
   RC_ASSERT(b.status == LensStatus::ok);
   const Eigen::Matrix2d fa = power_at_cornea(rx).matrix(), fb = power_at_cornea(transposed(rx)).matrix();
@@ -120,8 +123,8 @@ TEST(SpectacleConoid, AnIndexOf1IsTheNakedEyeSeenFromTheExitPoint) {
   air.refractive_index = 1.0;
   Eye eye = Eye::with({-1.0, -2.5, 25.0, 12e-3}, 4e-3, BestAccommodation{5.0});
   const Eigen::Vector3d gaze = gaze_direction(25 * degree, -20 * degree);
-  const SpectacleConoid c = trace_conoid(air, gaze, center);
-  const double way = (c.chief_ray.origin - turned_pupil_center(gaze, center)).norm(), distance = 0.4;
+  const SpectacleConoid c = trace_conoid(air, gaze, eye_center);
+  const double way = (c.chief_ray.origin - turned_pupil_center(gaze, eye_center)).norm(), distance = 0.4;
   const double accommodation = accommodation_through(c, eye, 1.0 / distance);
   const Footprint naked = naked_eye_footprint(eye, distance + way),
                   through_air = spectacle_footprint(c, eye, distance, accommodation);
@@ -149,10 +152,10 @@ TEST(SpectacleConoid, SurfacesConcentricWithTheRotationCentreAreTheSameInEveryDi
   Spectacles lens;
   lens.back = SphereSurface{1.0 / (25.5 * mm)};
   lens.front = SphereSurface{1.0 / (27.5 * mm)};
-  const SpectacleConoid ahead = trace_conoid(lens, {0.0, 0.0, -1.0}, center);
+  const SpectacleConoid ahead = trace_conoid(lens, {0.0, 0.0, -1.0}, eye_center);
   for (const auto& [azimuth, elevation] : {std::pair{30.0, 0.0}, {0.0, -25.0}, {21.0, 13.0}}) {
     const Eigen::Vector3d gaze = gaze_direction(azimuth * degree, elevation * degree);
-    const SpectacleConoid c = trace_conoid(lens, gaze, center);
+    const SpectacleConoid c = trace_conoid(lens, gaze, eye_center);
     ASSERT_EQ(c.status, LensStatus::ok);
     EXPECT_LT((c.chief_ray.direction - gaze).norm(), 1e-15);
     EXPECT_LT((c.exit.offset_from_offset - ahead.exit.offset_from_offset).norm(), 1e-13);
@@ -165,9 +168,8 @@ TEST(SpectacleConoid, PowerThroughZeroIsSmooth) {
   // The curvature of the outgoing wave passes through 0 with the lens's power: no jump, sign as the power that is
   // missing.
   const auto outgoing = [](double sphere) {
-    return (
-        *trace_conoid(single_vision({sphere}, {}), {0.0, 0.0, -1.0}, center).exit_curvature(Eigen::Matrix2d::Zero()))(
-        0, 0);
+    return (*trace_conoid(single_vision({sphere}, {}), {0.0, 0.0, -1.0}, eye_center)
+                 .exit_curvature(Eigen::Matrix2d::Zero()))(0, 0);
   };
   EXPECT_NEAR(outgoing(0.0), 0.0, 1e-14);
   EXPECT_GT(outgoing(1e-6), 0.0);  // a plus lens before an emmetrope: converging towards the scene
@@ -178,7 +180,7 @@ TEST(SpectacleConoid, PowerThroughZeroIsSmooth) {
 TEST(SpectacleConoid, FocalLinesHaveNoWidthAndNothingIsSingularThere) {
   const Spectacles lens = single_vision({1.0, -2.0, 180.0}, {});
   const Eye eye = Eye::with({0.0, 0.0, 180.0, 0.0}, 4e-3);
-  const SpectacleConoid c = trace_conoid(lens, {0.0, 0.0, -1.0}, center);
+  const SpectacleConoid c = trace_conoid(lens, {0.0, 0.0, -1.0}, eye_center);
   // +1 D along AXIS 180, i.e. along x: the horizontal meridian meets the axis where A + dB = 0.
   const double a = c.exit.offset_from_offset(0, 0), b = c.exit.slope_from_offset(0, 0), d = -a / b;
   ASSERT_GT(d, 0.9);
@@ -188,7 +190,7 @@ TEST(SpectacleConoid, FocalLinesHaveNoWidthAndNothingIsSingularThere) {
 }
 
 TEST(SpectacleConoid, AFocalLineInTheExitPointHasNoCurvature) {
-  const SpectacleConoid c = trace_conoid(single_vision({0.0}, {}), {0.0, 0.0, -1.0}, center);
+  const SpectacleConoid c = trace_conoid(single_vision({0.0}, {}), {0.0, 0.0, -1.0}, eye_center);
   const double s = -c.exit.offset_from_offset(0, 0) / c.exit.offset_from_slope(0, 0);
   Eigen::Matrix2d slopes;
   slopes << s, 0.0, 0.0, 0.0;
@@ -201,15 +203,15 @@ TEST(SpectacleConoid, AFocalLineInTheExitPointHasNoCurvature) {
 TEST(SpectacleConoid, StatusesOfTheChiefRay) {
   Spectacles lens = single_vision({-2.0}, {});
   lens.diameter_m = 25 * mm;
-  EXPECT_EQ(trace_conoid(lens, gaze_direction(30 * degree, 0.0), center).status, LensStatus::missed_lens);
+  EXPECT_EQ(trace_conoid(lens, gaze_direction(30 * degree, 0.0), eye_center).status, LensStatus::missed_lens);
   Spectacles steep;
   steep.front = SphereSurface{-50.0};
-  EXPECT_EQ(trace_conoid(steep, gaze_direction(25 * degree, 0.0), center).status,
+  EXPECT_EQ(trace_conoid(steep, gaze_direction(25 * degree, 0.0), eye_center).status,
             LensStatus::total_internal_reflection);
 }
 
 TEST(BestAccommodation, IsExactlyAnEndOfTheRangeWhereMoreWouldBeWorse) {
-  const SpectacleConoid c = trace_conoid(single_vision({-1.0}, {}), {0.0, 0.0, -1.0}, center);
+  const SpectacleConoid c = trace_conoid(single_vision({-1.0}, {}), {0.0, 0.0, -1.0}, eye_center);
   EXPECT_EQ(best_accommodation(c, PowerMatrix::scalar(-5.0), 0.0, 4.0),
             0.0);  // too weak a lens for this myope: relaxed
   EXPECT_EQ(best_accommodation(c, PowerMatrix::scalar(-1.0), 10.0, 4.0), 4.0);  // a target at 10 cm: all there is
@@ -217,7 +219,7 @@ TEST(BestAccommodation, IsExactlyAnEndOfTheRangeWhereMoreWouldBeWorse) {
 
 RC_GTEST_PROP(BestAccommodation, HasTheLeastMajorAxis, ()) {
   const Prescription rx = any_prescription();
-  const SpectacleConoid c = trace_conoid(any_lens(any_prescription()), any_gaze(), center);
+  const SpectacleConoid c = trace_conoid(any_lens(any_prescription()), any_gaze(), eye_center);
   RC_PRE(c.status == LensStatus::ok);
   const PowerMatrix f = power_at_cornea(rx);
   const double vergence = drawn(0, 60, 0.1), amplitude = drawn(0, 100, 0.1);

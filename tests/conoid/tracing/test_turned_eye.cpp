@@ -11,7 +11,7 @@
 namespace sturm {
 namespace {
 
-const Eigen::Vector3d ahead(0.0, 0.0, -1.0);
+const Eigen::Vector3d primary_gaze(0.0, 0.0, -1.0);
 
 Eye eye_of(double sphere_D, double cylinder_D, const Accommodation& accommodation) {
   return Eye::with({.sphere_D = sphere_D, .cylinder_D = cylinder_D, .axis_deg = 30.0}, 4e-3, accommodation);
@@ -33,12 +33,12 @@ TEST(TurnedEye, ItsOwnLensMakesADistantPointSharp) {
   const Eye eye = eye_of(-2.0, -1.5, RelaxedAccommodation{});
   const Spectacles lens = single_vision(needed_power(eye, 12e-3), {});
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_LT(TurnedEye(eye, &lens, ahead).footprint(infinity).angular.norm(), 1e-12);
+  EXPECT_LT(TurnedEye(eye, &lens, primary_gaze).footprint(infinity).angular.norm(), 1e-12);
 }
 
 TEST(ClearVision, OfAMyopeLiesAboutTheFarPoint) {
   // |V + F| a ≤ limit: V = 3 ± limit/a.
-  const TurnedEye eye(eye_of(-3.0, 0.0, RelaxedAccommodation{}), nullptr, ahead);
+  const TurnedEye eye(eye_of(-3.0, 0.0, RelaxedAccommodation{}), nullptr, primary_gaze);
   const ClearVision clear = clear_vision(eye, 2e-3, 1e-3);
   ASSERT_TRUE(clear.interval);
   EXPECT_NEAR(clear.interval->far_vergence_D, 2.5, 1e-9);
@@ -47,7 +47,7 @@ TEST(ClearVision, OfAMyopeLiesAboutTheFarPoint) {
 }
 
 TEST(ClearVision, AccommodationBringsItNearer) {
-  const TurnedEye eye(eye_of(-1.0, 0.0, BestAccommodation{4.0}), nullptr, ahead);
+  const TurnedEye eye(eye_of(-1.0, 0.0, BestAccommodation{4.0}), nullptr, primary_gaze);
   const ClearVision clear = clear_vision(eye, 2e-3, 1e-3);
   ASSERT_TRUE(clear.interval);
   EXPECT_NEAR(clear.interval->far_vergence_D, 0.5, 1e-9);
@@ -56,7 +56,7 @@ TEST(ClearVision, AccommodationBringsItNearer) {
 
 TEST(ClearVision, OfAnAstigmatistNeedsALimitBeyondHalfOfTheCylinder) {
   // Principal powers −1 and −3: the larger semi-axis is least half way between, a · 1 D.
-  const TurnedEye eye(eye_of(-1.0, -2.0, RelaxedAccommodation{}), nullptr, ahead);
+  const TurnedEye eye(eye_of(-1.0, -2.0, RelaxedAccommodation{}), nullptr, primary_gaze);
   const ClearVision blurred = clear_vision(eye, 2e-3, 1.9e-3), clear = clear_vision(eye, 2e-3, 2.2e-3);
   EXPECT_FALSE(blurred.interval);
   EXPECT_NEAR(blurred.best_vergence_D, 2.0, 1e-8);
@@ -67,7 +67,7 @@ TEST(ClearVision, OfAnAstigmatistNeedsALimitBeyondHalfOfTheCylinder) {
 }
 
 TEST(ClearVision, EndsAtInfinity) {
-  const TurnedEye eye(eye_of(0.0, 0.0, RelaxedAccommodation{}), nullptr, ahead);
+  const TurnedEye eye(eye_of(0.0, 0.0, RelaxedAccommodation{}), nullptr, primary_gaze);
   const ClearVision clear = clear_vision(eye, 2e-3, 1e-3);
   ASSERT_TRUE(clear.interval);
   EXPECT_EQ(clear.interval->far_vergence_D, 0.0);

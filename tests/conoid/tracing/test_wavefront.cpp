@@ -11,16 +11,14 @@
 #include "conoid/tracing/wavefront.h"
 #include "lensmodel/sphere_surface.h"
 #include "lensmodel/symmetric2.h"
+#include "support/drawn.h"
 #include "support/fixed_rapidcheck_seed.h"
 
 namespace sturm {
 namespace {
+using testing::drawn;
 
-const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), forward(0.0, 0.0, -1.0);
-
-double drawn(int low, int high, double unit) {
-  return *rc::gen::inRange(low, high + 1) * unit;
-}
+const Eigen::Vector3d rightward = Eigen::Vector3d::UnitX(), upward = Eigen::Vector3d::UnitY(), forward(0.0, 0.0, -1.0);
 
 Eigen::Matrix2d diagonal(double a, double b) {
   return Eigen::Vector2d(a, b).asDiagonal();
@@ -70,7 +68,7 @@ void expect_same(const FiveVariables& five_variables, const Wavefront& matrix) {
 }
 
 TEST(Transfer, AConvergingWaveBendsMoreUntilItsFocus) {
-  const Wavefront wave{forward, x, y, diagonal(2.0, -4.0)};
+  const Wavefront wave{forward, rightward, upward, diagonal(2.0, -4.0)};
   const Wavefront moved = *transferred(wave, 0.25);
   EXPECT_NEAR(moved.curvature(0, 0), 4.0, 1e-15);   // the centre at 0.5 m is 0.25 m away now
   EXPECT_NEAR(moved.curvature(1, 1), -2.0, 1e-15);  // that at −0.25 m is 0.5 m behind
@@ -79,7 +77,7 @@ TEST(Transfer, AConvergingWaveBendsMoreUntilItsFocus) {
 }
 
 TEST(Transfer, FiveVariablesGoThroughAFocus) {
-  const FiveVariables wave{forward, 2.0, 0.0, x, y};
+  const FiveVariables wave{forward, 2.0, 0.0, rightward, upward};
   const FiveVariables focus = transferred(wave, 0.5);
   EXPECT_TRUE(std::isinf(focus.kappa1));
   EXPECT_EQ(focus.kappa2, 0.0);
@@ -101,7 +99,7 @@ TEST(Refraction, CoddingtonByHand) {
   const auto at = Interface::refracting(n, normal, 1.0, 1.5);
   ASSERT_TRUE(at);
   const Wavefront out = through(Wavefront{n, at->u, at->v, Eigen::Matrix2d::Zero()}, *at, diagonal(10.0, 10.0));
-  EXPECT_NEAR(std::abs(out.e1.dot(y)), 1.0, 1e-15);
+  EXPECT_NEAR(std::abs(out.e1.dot(upward)), 1.0, 1e-15);
   EXPECT_NEAR(out.curvature(0, 0), 3.6545877239243756, 1e-13);
   EXPECT_NEAR(out.curvature(1, 1), 4.1114111894149224, 1e-13);
   EXPECT_NEAR(out.curvature(0, 1), 0.0, 1e-15);
@@ -110,7 +108,8 @@ TEST(Refraction, CoddingtonByHand) {
 
 TEST(Refraction, NormalIncidenceTakesAnyFrame) {
   const auto at = Interface::refracting(forward, forward, 1.0, 1.5);
-  const Wavefront out = through(Wavefront{forward, x, y, diagonal(1.0, -2.0)}, *at, diagonal(6.0, 6.0)).on(x, y);
+  const Wavefront out = through(Wavefront{forward, rightward, upward, diagonal(1.0, -2.0)}, *at, diagonal(6.0, 6.0))
+                            .on(rightward, upward);
   EXPECT_NEAR(out.curvature(0, 0), (1.0 + 0.5 * 6.0) / 1.5, 1e-15);
   EXPECT_NEAR(out.curvature(1, 1), (-2.0 + 0.5 * 6.0) / 1.5, 1e-15);
 }
@@ -141,13 +140,15 @@ TEST(Refraction, TotalReflectionIsNoInterface) {
   const Eigen::Vector3d steep(0.8, 0.0, -0.6);
   EXPECT_FALSE(Interface::refracting(steep, forward, 1.5, 1.0));
   EXPECT_TRUE(Interface::refracting(steep, forward, 1.0, 1.5));
-  EXPECT_FALSE(refracted({steep, 1.0, 1.0, y, steep.cross(y)}, forward, {0.0, 0.0, x, y}, 1.5, 1.0));
+  EXPECT_FALSE(
+      refracted({steep, 1.0, 1.0, upward, steep.cross(upward)}, forward, {0.0, 0.0, rightward, upward}, 1.5, 1.0));
 }
 
 TEST(Reflection, AConcaveMirrorFocusesAtHalfItsRadius) {
   // R = 0.4 m, centre on the side that the light comes from.
   const Interface at = Interface::reflecting(forward, forward);
-  const Wavefront out = through(Wavefront{forward, x, y, Eigen::Matrix2d::Zero()}, at, diagonal(-2.5, -2.5));
+  const Wavefront out =
+      through(Wavefront{forward, rightward, upward, Eigen::Matrix2d::Zero()}, at, diagonal(-2.5, -2.5));
   EXPECT_NEAR((out.direction + forward).norm(), 0.0, 1e-16);
   EXPECT_NEAR(out.curvature(0, 0), 5.0, 1e-15);
   EXPECT_NEAR(out.curvature(1, 1), 5.0, 1e-15);

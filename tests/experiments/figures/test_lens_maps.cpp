@@ -5,11 +5,14 @@
 
 #include "experiments/figures/lens_maps.h"
 #include "lensmodel/progressive.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3, center = 13.5 * mm, far_away = std::numeric_limits<double>::infinity();
+using testing::mm;
+
+constexpr double center = 13.5 * mm, far_away = std::numeric_limits<double>::infinity();
 constexpr int middle = lens_map_samples / 2;
 
 /// A thin plane pane: 12 mm before the pupil, 1 mm thick, index 1.5.

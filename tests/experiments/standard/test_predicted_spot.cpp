@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "experiments/standard/predicted_spot.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using testing::pi;
+
 constexpr int resolution = 64;
 constexpr double light = 1.5;  // radius [px]
 constexpr double light_area = 7.0685834705770345;

@@ -15,7 +15,7 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
 std::string failure_of(const fs::path& path, const std::string& bytes) {

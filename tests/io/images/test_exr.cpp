@@ -13,9 +13,9 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
-using testing::Key;
-using testing::UnorderedElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Key;
+using ::testing::UnorderedElementsAre;
 
 Image noise(int width, int height, int channels, unsigned seed) {
   Image image(width, height, channels);
@@ -72,7 +72,7 @@ RC_GTEST_PROP(Exr, AnySizeAndAnyBitsAreKept, ()) {
   LayeredImage image;
   Image& layer = image.layers["any"] = Image(width, height, channels);
   std::memcpy(layer.pixels.data(), bits.data(), bits.size() * sizeof(float));
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "sturm_io_any_bits.exr";
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "sturm_io_any_bits.exr";
   write_exr(file, image);
   const LayeredImage read = read_exr(file);
   std::filesystem::remove(file);

@@ -10,9 +10,9 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-std::vector<ExrPart> sample() {
+std::vector<ExrPart> sample_parts() {
   ExrPart small{"small", {"a", "b"}, Image(3, 2, 2), {{"note", "ä"}}}, tall{"tall", {"x.xx"}, Image(2, 700, 1), {}};
   for (std::size_t i = 0; i < small.image.pixels.size(); ++i) small.image.pixels[i] = 0.1f * static_cast<float>(i);
   for (std::size_t i = 0; i < tall.image.pixels.size(); ++i) tall.image.pixels[i] = -1e-7f * static_cast<float>(i);
@@ -21,8 +21,8 @@ std::vector<ExrPart> sample() {
 
 TEST(ExrParts, RoundTripKeepsPartsOfDifferentSizes) {
   const TemporaryFolder folder;
-  write_exr_parts(folder / "a.exr", sample());
-  const std::vector<ExrPart> read = read_exr_parts(folder / "a.exr"), written = sample();
+  write_exr_parts(folder / "a.exr", sample_parts());
+  const std::vector<ExrPart> read = read_exr_parts(folder / "a.exr"), written = sample_parts();
   ASSERT_EQ(read.size(), 2u);
   for (std::size_t p = 0; p < 2; ++p) {
     EXPECT_EQ(read[p].name, written[p].name);
@@ -36,7 +36,7 @@ TEST(ExrParts, RoundTripKeepsPartsOfDifferentSizes) {
 TEST(ExrParts, RefusesWhatTheFormatHasNoPlaceFor) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_exr_parts(folder / "a.exr", {}), std::invalid_argument);
-  auto parts = sample();
+  auto parts = sample_parts();
   parts[0].channels = {"a", "a"};
   EXPECT_THROW(write_exr_parts(folder / "a.exr", parts), std::invalid_argument);
   parts[0].channels = {"a"};
@@ -46,7 +46,7 @@ TEST(ExrParts, RefusesWhatTheFormatHasNoPlaceFor) {
 
 TEST(ExrParts, BrokenFilesAreInputErrors) {
   const TemporaryFolder folder;
-  write_exr_parts(folder / "a.exr", sample());
+  write_exr_parts(folder / "a.exr", sample_parts());
   EXPECT_THAT(input_error([&] { read_exr_parts(folder / "none.exr"); }), HasSubstr("no such file"));
   EXPECT_THAT(input_error([&] { read_exr_parts(folder / "a.exr", 100); }), HasSubstr("MiB"));
   std::filesystem::resize_file(folder / "a.exr", 900);

@@ -11,7 +11,7 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 void write_bytes(const std::filesystem::path& path, const std::vector<unsigned char>& bytes) {
   write_text(path, std::string(bytes.begin(), bytes.end()));

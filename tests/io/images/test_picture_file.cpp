@@ -18,10 +18,10 @@
 namespace sturm {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Pair;
-using testing::UnorderedElementsAre;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Pair;
+using ::testing::UnorderedElementsAre;
 
 TEST(ExrChannels, RolesAndLayers) {
   EXPECT_EQ(channel_role(".R"), "R");

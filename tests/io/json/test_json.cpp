@@ -13,9 +13,9 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::string parse_error(const std::string& text) {
   return input_error([&] { parse_json(text, "f.json"); });

@@ -12,8 +12,8 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
-using testing::MatchesRegex;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 
 TEST(Sha256, MatchesTheTestVectorsOfFips180) {
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -76,7 +76,7 @@ TEST(Manifest, FollowsItsSchema) {
   EXPECT_EQ(document["provenance"]["seed"], 9007199254740991u);
   EXPECT_THAT(run.started_utc, MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z"));
   EXPECT_FALSE(cpu_model().empty());
-  EXPECT_THAT(instruction_set(), testing::StartsWith("x86-64"));
+  EXPECT_THAT(instruction_set(), ::testing::StartsWith("x86-64"));
 }
 
 }  // namespace

@@ -8,14 +8,14 @@
 #include "io/json/json_pointer_set.h"
 #include "io/json/schema.h"
 #include "io/specs/spectacles_spec.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
-constexpr double mm = 1e-3;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::mm;
 
 Json progressive() {
   return parse_json(R"({"format": "sturm.spectacles/1",
@@ -24,14 +24,14 @@ Json progressive() {
                     "lens.json");
 }
 
-SpectaclesSpec read_with(const std::vector<std::string>& assignments, Json document = progressive()) {
+SpectaclesSpec lens_with(const std::vector<std::string>& assignments, Json document = progressive()) {
   for (const std::string& assignment : assignments) apply_set(document, assignment);
   validate(document, "spectacles", "lens.json");
   return read_spectacles(document, {"lens.json", ""}, Eye::with({-2.0, 0.0, 180.0, 12 * mm}, 4 * mm));
 }
 
-std::string error_with(const std::vector<std::string>& assignments) {
-  return input_error([&] { read_with(assignments); });
+std::string lens_error_with(const std::vector<std::string>& assignments) {
+  return input_error([&] { lens_with(assignments); });
 }
 
 double height(const SpectaclesSpec& spec, double x_mm, double y_mm) {
@@ -39,7 +39,7 @@ double height(const SpectaclesSpec& spec, double x_mm, double y_mm) {
 }
 
 TEST(LensMakers, AProgressiveLens) {
-  const SpectaclesSpec spec = read_with({});
+  const SpectaclesSpec spec = lens_with({});
   ASSERT_EQ(spec.fits.size(), 1u);
   EXPECT_EQ(spec.fits[0].side, "front");
   EXPECT_NEAR(spec.fits[0].knot_spacing.x(), 0.5 * mm, 0.01 * mm);
@@ -53,8 +53,8 @@ TEST(LensMakers, AProgressiveLens) {
 }
 
 TEST(LensMakers, DefaultsOfAProgressiveLens) {
-  const SpectaclesSpec spec = read_with({}),
-                       stated = read_with({"/progressive/corridor_start_mm=0", "/progressive/corridor_length_mm=18",
+  const SpectaclesSpec spec = lens_with({}),
+                       stated = lens_with({"/progressive/corridor_start_mm=0", "/progressive/corridor_length_mm=18",
                                            "/progressive/inset_mm=2.5", R"(/progressive/eye="right")",
                                            "/progressive/zone_width_mm=10", "/progressive/base_curve_D=5.5",
                                            "/progressive/vertex_distance_mm=12"});
@@ -63,11 +63,11 @@ TEST(LensMakers, DefaultsOfAProgressiveLens) {
   for (const char* other :
        {"/progressive/corridor_start_mm=3", "/progressive/corridor_length_mm=15", "/progressive/inset_mm=1",
         R"(/progressive/eye="left")", "/progressive/zone_width_mm=null", "/progressive/addition_D=1"})
-    EXPECT_GT(std::abs(height(read_with({other}), 7, -12) - height(spec, 7, -12)), 1e-7) << other;
+    EXPECT_GT(std::abs(height(lens_with({other}), 7, -12) - height(spec, 7, -12)), 1e-7) << other;
 }
 
 TEST(LensMakers, ALeftLensIsTheMirroredRightOne) {
-  const SpectaclesSpec right = read_with({}), left = read_with({R"(/progressive/eye="left")"});
+  const SpectaclesSpec right = lens_with({}), left = lens_with({R"(/progressive/eye="left")"});
   EXPECT_NEAR(height(right, -9, -13), height(left, 9, -13), 1e-17);
   EXPECT_GT(height(right, -9, -13),
             height(right, 9, -13));  // the nose of a right eye is on the wearer's left: there is the addition
@@ -76,19 +76,19 @@ TEST(LensMakers, ALeftLensIsTheMirroredRightOne) {
 TEST(LensMakers, AnEyeStandsInForThePrescription) {
   Json document = progressive();
   document["progressive"].erase("prescription");
-  EXPECT_EQ(read_with({}, document).made_for->sphere_D, -2.0);
+  EXPECT_EQ(lens_with({}, document).made_for->sphere_D, -2.0);
 }
 
 TEST(LensMakers, AMaterialStandsInForTheIndex) {
   Json document = progressive();
   document["progressive"].erase("refractive_index");
-  EXPECT_THAT(input_error([&] { read_with({}, document); }),
+  EXPECT_THAT(input_error([&] { lens_with({}, document); }),
               AllOf(HasSubstr("/progressive: got no \"refractive_index\""), HasSubstr("\"material\"")));
-  const SpectaclesSpec spec = read_with({R"(/progressive/material="MR-7")"}, document);
+  const SpectaclesSpec spec = lens_with({R"(/progressive/material="MR-7")"}, document);
   EXPECT_EQ(spec.lens->refractive_index, 1.67);
   EXPECT_EQ(spec.material->abbe_number, 32.0);
   EXPECT_THAT(
-      error_with({R"(/progressive/material="MR-7")"}),
+      lens_error_with({R"(/progressive/material="MR-7")"}),
       HasSubstr("/progressive/refractive_index: got 1.5, expected no \"refractive_index\" beside \"material\""));
 }
 
@@ -99,15 +99,16 @@ TEST(LensMakers, TheSchemaListsTheMaterials) {
 }
 
 TEST(LensMakers, ErrorsOfAProgressiveLens) {
-  EXPECT_THAT(error_with({"/progressive/corridor_length_mm=0"}), HasSubstr("/progressive/corridor_length_mm: got 0"));
-  EXPECT_THAT(error_with({"/progressive/inset_mm=9.5"}),
+  EXPECT_THAT(lens_error_with({"/progressive/corridor_length_mm=0"}),
+              HasSubstr("/progressive/corridor_length_mm: got 0"));
+  EXPECT_THAT(lens_error_with({"/progressive/inset_mm=9.5"}),
               AllOf(HasSubstr("/progressive/inset_mm: got 9.5"), HasSubstr("less than half")));
-  EXPECT_THAT(error_with({"/progressive/knot_spacing_mm=0.01"}),
+  EXPECT_THAT(lens_error_with({"/progressive/knot_spacing_mm=0.01"}),
               AllOf(HasSubstr("/progressive/knot_spacing_mm: got 0.01"), HasSubstr("1/2000")));
-  EXPECT_THAT(error_with({"/progressive/base_curve_D=26"}),
+  EXPECT_THAT(lens_error_with({"/progressive/base_curve_D=26"}),
               AllOf(HasSubstr("/progressive: got the progressive surface ends before the rim")));
-  EXPECT_THAT(error_with({"/diameter_mm=50"}), HasSubstr("expected no \"diameter_mm\" beside \"progressive\""));
-  EXPECT_THAT(error_with({R"(/single_vision={"center_thickness_mm": 2})"}),
+  EXPECT_THAT(lens_error_with({"/diameter_mm=50"}), HasSubstr("expected no \"diameter_mm\" beside \"progressive\""));
+  EXPECT_THAT(lens_error_with({R"(/single_vision={"center_thickness_mm": 2})"}),
               HasSubstr("no \"single_vision\" beside \"progressive\""));
 }
 
@@ -123,8 +124,8 @@ TEST(LensMakers, ASagGridBesideTheLensFile) {
              R"({"format": "sturm.spectacles/1", "center_thickness_mm": 3, "material": "CR-39", "diameter_mm": 36,
     "front": {"type": "sag_grid", "file": "grids/front.csv"}, "back": {"type": "sphere", "radius_mm": 100}})");
   const SpectaclesSpec spec = read_spectacles("lenses/l.json", {(folder / "eye.json").string(), ""}, Eye{});
-  EXPECT_THAT(spec.input_files,
-              testing::ElementsAre((folder / "lenses/l.json").string(), (folder / "lenses/grids/front.csv").string()));
+  EXPECT_THAT(spec.input_files, ::testing::ElementsAre((folder / "lenses/l.json").string(),
+                                                       (folder / "lenses/grids/front.csv").string()));
   EXPECT_NEAR(height(spec, 7.5, -2.5), (0.05 * 1.5 * 1.5 * 1.5 + 0.125 * 0.25) * mm,
               1e-17);  // cubics come back exactly
   EXPECT_LT(spec.fits.at(0).height->max, 1e-17);

@@ -12,8 +12,8 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 const Source here{"x.json", "/rx"};
 

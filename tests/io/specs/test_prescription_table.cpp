@@ -6,10 +6,10 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
-class PrescriptionTableFile : public testing::Test {
+class PrescriptionTableFile : public ::testing::Test {
  protected:
   std::filesystem::path file(const std::string& text) {
     write_text(folder_ / "eyes.csv", text);

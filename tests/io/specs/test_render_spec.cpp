@@ -10,11 +10,11 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
-class RenderSpecTest : public testing::Test {
+class RenderSpecTest : public ::testing::Test {
  protected:
   RenderSpecTest() : file_((folder_ / "renders/r.json").string()) {
     write_text(folder_ / "scenes/s.obj", "v 0 0 0\n");

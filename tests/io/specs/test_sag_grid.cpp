@@ -11,14 +11,14 @@
 #include "lensmodel/sphere_surface.h"
 #include "lensmodel/surface_power.h"
 #include "support/source_folder.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
-constexpr double mm = 1e-3;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::mm;
 
 std::string row(double x_mm, double y_mm, double z_mm, const char* format = "%.9f,%.9f,%.9f\n") {
   char text[96];
@@ -49,7 +49,7 @@ std::string sunflower(int count, double without_mm = 0.0) {
   return text;
 }
 
-class SagGridFile : public testing::Test {
+class SagGridFile : public ::testing::Test {
  protected:
   std::string file(const std::string& text) {
     write_text(folder_ / "front.csv", text);

@@ -12,10 +12,10 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
-RenderSpec read_with(const Json& keys, const std::string& type = "path_trace") {
+RenderSpec stop_with(const Json& keys, const std::string& type = "path_trace") {
   Json document = parse_json(R"({
     "format": "sturm.render/1", "scene": {"environment": {}},
     "camera": {"position_m": [0, 0, 0], "look_at_m": [0, 0, -1], "vfov_deg": 40, "resolution": [8, 8]},
@@ -28,19 +28,19 @@ RenderSpec read_with(const Json& keys, const std::string& type = "path_trace") {
   return read_render_spec(document, "view.json");
 }
 
-std::string error_with(const Json& keys, const std::string& type = "path_trace") {
-  return input_error([&] { read_with(keys, type); });
+std::string stop_error_with(const Json& keys, const std::string& type = "path_trace") {
+  return input_error([&] { stop_with(keys, type); });
 }
 
 TEST(StopSpec, NothingIsAskedForUnlessItIs) {
-  const RenderSpec spec = read_with(Json::object());
+  const RenderSpec spec = stop_with(Json::object());
   EXPECT_FALSE(spec.stop.seconds || spec.stop.relative_error || spec.adaptive || spec.denoise);
   // Metadata of older documents stays as it was.
   for (const char* key : {"stop", "adaptive", "denoise"}) EXPECT_FALSE((*spec.resolved)["method"].contains(key));
 }
 
 TEST(StopSpec, Reads) {
-  const RenderSpec spec = read_with({{"stop", {{"seconds", 1.5}, {"relative_error", 0.02}}},
+  const RenderSpec spec = stop_with({{"stop", {{"seconds", 1.5}, {"relative_error", 0.02}}},
                                      {"adaptive", {{"tile_px", 16}}},
                                      {"denoise", {{"levels", 3}}}});
   EXPECT_EQ(spec.stop.seconds, 1.5);
@@ -62,21 +62,22 @@ TEST(StopSpec, Reads) {
 }
 
 TEST(StopSpec, RefusesWhatMakesNoSense) {
-  EXPECT_THAT(error_with({{"adaptive", Json::object()}}),
+  EXPECT_THAT(stop_error_with({{"adaptive", Json::object()}}),
               AllOf(HasSubstr("/method/adaptive"), HasSubstr("relative_error")));
-  EXPECT_THAT(error_with({{"adaptive", Json::object()}, {"stop", {{"seconds", 1}}}}), HasSubstr("/method/adaptive"));
-  EXPECT_THAT(error_with({{"stop", Json::object()}}), HasSubstr("/method/stop"));
-  EXPECT_THAT(error_with({{"stop", {{"seconds", 0}}}}), HasSubstr("/method/stop/seconds"));
-  EXPECT_THAT(error_with({{"stop", {{"relative_error", -0.1}}}}), HasSubstr("/method/stop/relative_error"));
-  EXPECT_THAT(error_with({{"stop", {{"relative_eror", 0.1}}}}), HasSubstr("relative_error"));
-  EXPECT_THAT(error_with({{"stop", {{"relative_error", 0.1}}}, {"samples_per_pixel", 7}}),
+  EXPECT_THAT(stop_error_with({{"adaptive", Json::object()}, {"stop", {{"seconds", 1}}}}),
+              HasSubstr("/method/adaptive"));
+  EXPECT_THAT(stop_error_with({{"stop", Json::object()}}), HasSubstr("/method/stop"));
+  EXPECT_THAT(stop_error_with({{"stop", {{"seconds", 0}}}}), HasSubstr("/method/stop/seconds"));
+  EXPECT_THAT(stop_error_with({{"stop", {{"relative_error", -0.1}}}}), HasSubstr("/method/stop/relative_error"));
+  EXPECT_THAT(stop_error_with({{"stop", {{"relative_eror", 0.1}}}}), HasSubstr("relative_error"));
+  EXPECT_THAT(stop_error_with({{"stop", {{"relative_error", 0.1}}}, {"samples_per_pixel", 7}}),
               HasSubstr("/method/samples_per_pixel"));
-  EXPECT_THAT(error_with({{"stop", {{"relative_error", 0.1}}}, {"adaptive", {{"min_samples_per_pixel", 33}}}}),
+  EXPECT_THAT(stop_error_with({{"stop", {{"relative_error", 0.1}}}, {"adaptive", {{"min_samples_per_pixel", 33}}}}),
               AllOf(HasSubstr("/method/adaptive/min_samples_per_pixel"), HasSubstr("multiple of 4")));
-  EXPECT_THAT(error_with({{"denoise", {{"levels", 9}}}}), HasSubstr("/method/denoise/levels"));
+  EXPECT_THAT(stop_error_with({{"denoise", {{"levels", 9}}}}), HasSubstr("/method/denoise/levels"));
   for (const char* key : {"stop", "denoise"}) {
     const Json value = key == std::string("stop") ? Json{{"seconds", 1}} : Json::object();
-    EXPECT_THAT(error_with({{key, value}}, "predict"),
+    EXPECT_THAT(stop_error_with({{key, value}}, "predict"),
                 AllOf(HasSubstr(std::string("/method/") + key), HasSubstr("predict")));
   }
 }

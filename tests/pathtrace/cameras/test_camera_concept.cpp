@@ -8,15 +8,17 @@
 #include "pathtrace/cameras/eye_camera.h"
 #include "pathtrace/cameras/general_camera.h"
 #include "pathtrace/cameras/sharp_cells.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
+
+using testing::mm;
 
 using Eigen::Vector2f;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double mm = 1e-3;
 constexpr int width = 48, height = 32;
 
 /// Looks along the world's x with z up: the wearer's right is −y.

@@ -8,11 +8,13 @@
 #include "pathtrace/film/render.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
-constexpr double mm = 1e-3;
+using testing::mm;
+
 constexpr double float_rounding = 3e-7;  // of coordinates of about 1
 
 CameraPose straight_pose(int width, int height, double half_slope) {

@@ -29,7 +29,7 @@
 namespace sturm {
 namespace {
 
-constexpr int replicates = 16, samples = 8;
+constexpr int pictures_of_each = 16, samples = 8;
 
 using Cells = std::vector<double>;
 
@@ -74,7 +74,7 @@ std::vector<Cut> ours(const nlohmann::json& file, const EyeRays<float>& rays) {
   const Scene scene(testing::scene_plain());
   const EyeCamera camera(testing::scene_plain_pose(), rays);
   std::vector<Cut> pictures;
-  for (int seed = 1; seed <= replicates; ++seed) {
+  for (int seed = 1; seed <= pictures_of_each; ++seed) {
     RenderSettings settings;
     settings.samples_per_pixel = samples;
     settings.max_bounces = 16;
@@ -121,7 +121,8 @@ void expect_same(const std::vector<Cut>& a, const std::vector<Cut>& b, std::size
   }
   EXPECT_NEAR(mean_a / mean_b, 1.0, 0.003) << what << ": mean";
   EXPECT_GT(least_p, 1.0 - std::pow(1.0 - 0.01, 1.0 / static_cast<double>(family))) << what << ": " << worst;
-  constexpr double nu = replicates - 1, expected = nu / (nu - 2.0), fourth = 3.0 * nu * nu / ((nu - 2.0) * (nu - 4.0));
+  constexpr double nu = pictures_of_each - 1, expected = nu / (nu - 2.0),
+                   fourth = 3.0 * nu * nu / ((nu - 2.0) * (nu - 4.0));
   EXPECT_LT(squares, expected + 5.0 * std::sqrt((fourth - expected * expected) / static_cast<double>(count)))
       << what << ": mean of t²";
   std::printf("%s: mean ratio %.5f, mean t² %.3f, least p %.2g\n", what.c_str(), mean_a / mean_b, squares, least_p);

@@ -7,13 +7,13 @@
 #include "pathtrace/guide/view_cases.h"
 #include "pathtrace/guide/view_guide.h"
 #include "pathtrace/sampling/across.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double mm = 1e-3;
+using testing::mm;
 
 TEST(ViewConoid, RaysPassWhereItSays) {
   for (const testing::ViewCase& c : {testing::toric(), testing::progressive(), testing::focal_line()}) {

@@ -13,6 +13,7 @@
 #include "support/lights_in_the_dark.h"
 #include "support/quadrature.h"
 #include "support/replicates.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
@@ -22,6 +23,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 using testing::focal_line;
 using testing::folded;
+using testing::mm;
 using testing::progressive;
 using testing::raw_polar;
 using testing::rim_cut;
@@ -32,8 +34,6 @@ using testing::view_pose;
 using testing::view_size;
 using testing::ViewCase;
 using testing::weighted_polar;
-
-constexpr double mm = 1e-3;
 
 RenderResult rendered(const Scene& scene, const GeneralCamera& camera, bool guided, int samples, std::uint64_t seed,
                       int bounces = 0) {

@@ -4,11 +4,10 @@
 
 #include "io/specs/spectacles_spec.h"
 #include "support/source_folder.h"
+#include "support/units.h"
 
 namespace sturm::testing {
 namespace {
-
-constexpr double mm = 1e-3;
 
 Spectacles lens_file(const std::string& name) {
   const std::string file = STURM_SOURCE_DIR "/configs/lenses/" + name + ".json";

@@ -3,20 +3,20 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "pathtrace/film/render.h"
 #include "support/lamp.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-constexpr double pi = std::numbers::pi;
+using testing::pi;
 const Vector3f albedo(0.8f, 0.4f, 0.1f);
 const Vector3f radiance(5.0f, 3.0f, 2.0f);
 

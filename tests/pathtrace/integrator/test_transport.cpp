@@ -4,19 +4,19 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "pathtrace/film/render.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-constexpr double pi = std::numbers::pi;
+using testing::pi;
 const Vector3f white(1.0f, 1.0f, 1.0f), black(0.0f, 0.0f, 0.0f);
 
 Material surface(const SurfaceModel& model, const Vector3f& albedo = white) {

@@ -2,20 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "pathtrace/film/render.h"
 #include "pathtrace/lights/environment_map.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-constexpr double pi = std::numbers::pi;
+using testing::pi;
 
 /// A picture whose pixels `value(x, y)` gives.
 template <class Value>

@@ -3,21 +3,21 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "pathtrace/lights/light_set.h"
 #include "pathtrace/sampling/owen_sobol.h"
 #include "support/replicates.h"
+#include "support/units.h"
 
 namespace sturm {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-constexpr double pi = std::numbers::pi;
-const Vector3f white(1.0f, 1.0f, 1.0f), any_side(0.0f, 0.0f, 0.0f);
+using testing::pi;
+const Vector3f full(1.0f, 1.0f, 1.0f), either_side(0.0f, 0.0f, 0.0f);
 
 struct Triangle {
   Vector3f a, b, c;
@@ -54,8 +54,8 @@ std::optional<double> distance_to_ball(const Vector3d& w) {
 // × 2400.
 TEST(LightSet, DensityIntegratesToOneOverAllDirections) {
   LightSet lights;
-  const int triangle = lights.add_triangle(tilted.a, tilted.b, tilted.c, 3.0f * white);
-  const int sphere = lights.add_sphere(ball, ball_radius, white);
+  const int triangle = lights.add_triangle(tilted.a, tilted.b, tilted.c, 3.0f * full);
+  const int sphere = lights.add_sphere(ball, ball_radius, full);
   lights.finish();
   double total = 0.0;
   constexpr int rows = 1200, columns = 2400;
@@ -66,11 +66,11 @@ TEST(LightSet, DensityIntegratesToOneOverAllDirections) {
       const double solid_angle = 4.0 * pi / (static_cast<double>(rows) * columns);
       if (const auto t = distance_to(tilted, w))
         total += static_cast<double>(
-                     lights.pdf(triangle, Vector3f::Zero(), any_side, (*t * w).cast<float>(), tilted.normal())) *
+                     lights.pdf(triangle, Vector3f::Zero(), either_side, (*t * w).cast<float>(), tilted.normal())) *
                  solid_angle;
       if (const auto t = distance_to_ball(w)) {
         const Vector3f at = (*t * w).cast<float>();
-        total += static_cast<double>(lights.pdf(sphere, Vector3f::Zero(), any_side, at, (at - ball) / ball_radius)) *
+        total += static_cast<double>(lights.pdf(sphere, Vector3f::Zero(), either_side, at, (at - ball) / ball_radius)) *
                  solid_angle;
       }
     }
@@ -82,23 +82,24 @@ void expect_consistent(const LightSet& lights, const Vector3f& point, Normal&& n
   int valid = 0;
   for (std::uint32_t i = 0; i < 4096; ++i) {
     const auto u = owen_sobol::pair(i, 99);
-    const LightSample s = lights.sample(point, any_side, unit_float(u.x), unit_float(u.y));
+    const LightSample s = lights.sample(point, either_side, unit_float(u.x), unit_float(u.y));
     if (!(s.pdf > 0.0f)) continue;
     ++valid;
     EXPECT_FALSE(s.delta);
     const Vector3f at = point + s.direction;
     // Float: the sampled point is rounded at 1e−7 of its distance, amplified by 1/cos at grazing angles.
     const float cosine = -normal_at(at).dot(s.direction.normalized());
-    ASSERT_NEAR(lights.pdf(0, point, any_side, at, normal_at(at)) / s.pdf, 1.0f, 2e-5f / std::max(cosine, 0.02f)) << i;
+    ASSERT_NEAR(lights.pdf(0, point, either_side, at, normal_at(at)) / s.pdf, 1.0f, 2e-5f / std::max(cosine, 0.02f))
+        << i;
   }
   EXPECT_GT(valid, 4000);
 }
 
 TEST(LightSet, SampledDensityIsTheDensityOfTheSampledDirection) {
   LightSet triangle, sphere;
-  triangle.add_triangle(tilted.a, tilted.b, tilted.c, white);
+  triangle.add_triangle(tilted.a, tilted.b, tilted.c, full);
   triangle.finish();
-  sphere.add_sphere(ball, ball_radius, white);
+  sphere.add_sphere(ball, ball_radius, full);
   sphere.finish();
   for (const Vector3f& point : {Vector3f(0, 0, 0), {0.3f, -0.5f, 0.2f}, {-2.0f, -1.0f, 0.5f}}) {
     expect_consistent(triangle, point, [](const Vector3f&) { return tilted.normal(); });
@@ -108,11 +109,11 @@ TEST(LightSet, SampledDensityIsTheDensityOfTheSampledDirection) {
 
 TEST(LightSet, SamplesLieOnTheLight) {
   LightSet sphere;
-  sphere.add_sphere(ball, ball_radius, white);
+  sphere.add_sphere(ball, ball_radius, full);
   sphere.finish();
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const auto u = owen_sobol::pair(i, 7);
-    const Vector3f at = sphere.sample(Vector3f::Zero(), any_side, unit_float(u.x), unit_float(u.y)).direction;
+    const Vector3f at = sphere.sample(Vector3f::Zero(), either_side, unit_float(u.x), unit_float(u.y)).direction;
     EXPECT_NEAR((at - ball).norm(), ball_radius, 1e-3f);  // √ε of a float at the limb
     EXPECT_LE(at.norm(), std::sqrt(ball.squaredNorm() - ball_radius * ball_radius) + 1e-3f);  // on the near side
   }
@@ -124,21 +125,21 @@ void expect_jacobian(const LightSet& lights, const Vector3f& point) {
   for (float u : {0.15f, 0.4f, 0.6f, 0.85f})
     for (float v : {0.12f, 0.37f, 0.61f, 0.88f}) {
       const auto unit = [&](float a, float b) {
-        return Vector3d(lights.sample(point, any_side, a, b).direction.cast<double>().normalized());
+        return Vector3d(lights.sample(point, either_side, a, b).direction.cast<double>().normalized());
       };
       const Vector3d du = (unit(u + h, v) - unit(u - h, v)) / (2.0 * static_cast<double>(h));
       const Vector3d dv = (unit(u, v + h) - unit(u, v - h)) / (2.0 * static_cast<double>(h));
       // Truncation O(h²): (h/u)²/8 of the square root and (2πh)²/6 of the azimuth, up to 2e−4; rounding 1e−7/h = 3e−5.
-      EXPECT_NEAR(du.cross(dv).norm() * static_cast<double>(lights.sample(point, any_side, u, v).pdf), 1.0, 1e-3)
+      EXPECT_NEAR(du.cross(dv).norm() * static_cast<double>(lights.sample(point, either_side, u, v).pdf), 1.0, 1e-3)
           << u << " " << v;
     }
 }
 
 TEST(LightSet, JacobianOfASampleIsOneOverItsDensity) {
   LightSet triangle, sphere;
-  triangle.add_triangle(tilted.a, tilted.b, tilted.c, white);
+  triangle.add_triangle(tilted.a, tilted.b, tilted.c, full);
   triangle.finish();
-  sphere.add_sphere(ball, ball_radius, white);
+  sphere.add_sphere(ball, ball_radius, full);
   sphere.finish();
   for (const Vector3f& point : {Vector3f(0, 0, 0), {0.3f, -0.5f, 0.2f}}) {
     expect_jacobian(triangle, point);
@@ -150,9 +151,9 @@ TEST(LightSet, JacobianOfASampleIsOneOverItsDensity) {
 TEST(LightSet, ADistantSphereKeepsItsDensity) {
   // Seen under 1e−4 rad, 1 − cos would cancel to nothing: solid angle π (R/d)².
   LightSet lights;
-  lights.add_sphere({0, 0, 1000.0f}, 0.1f, white);
+  lights.add_sphere({0, 0, 1000.0f}, 0.1f, full);
   lights.finish();
-  EXPECT_NEAR(lights.sample(Vector3f::Zero(), any_side, 0.3f, 0.6f).pdf / (1.0 / (pi * 1e-8)), 1.0, 1e-5);
+  EXPECT_NEAR(lights.sample(Vector3f::Zero(), either_side, 0.3f, 0.6f).pdf / (1.0 / (pi * 1e-8)), 1.0, 1e-5);
 }
 
 // Stratified u turns counting into quadrature: each frequency is exact to one count per slot.
@@ -162,14 +163,14 @@ TEST(LightSet, LightsAtOneDistanceAreChosenByPower) {
   double total = 0.0;
   for (std::size_t k = 0; k < intensities.size(); ++k) {
     const auto x = static_cast<float>(k);
-    lights.add_point({x, 0.0f, std::sqrt(100.0f - x * x)}, intensities[k] * white);
+    lights.add_point({x, 0.0f, std::sqrt(100.0f - x * x)}, intensities[k] * full);
     total += static_cast<double>(intensities[k]);
   }
   lights.finish();
   constexpr int n = 1 << 20;
   std::vector<int> counts(intensities.size(), 0);
   for (int i = 0; i < n; ++i) {
-    const LightSample s = lights.sample(Vector3f::Zero(), any_side, (static_cast<float>(i) + 0.5f) / n, 0.5f);
+    const LightSample s = lights.sample(Vector3f::Zero(), either_side, (static_cast<float>(i) + 0.5f) / n, 0.5f);
     const auto k = static_cast<std::size_t>(std::lround(s.direction.x()));
     ++counts[k];
     ASSERT_TRUE(s.delta);
@@ -183,14 +184,14 @@ TEST(LightSet, IndependentChoicesPassChiSquared) {
   LightSet lights;
   for (int k = 0; k < 8; ++k) {
     const auto x = static_cast<float>(k);
-    lights.add_point({x, 0.0f, std::sqrt(100.0f - x * x)}, (x + 1.0f) * white);
+    lights.add_point({x, 0.0f, std::sqrt(100.0f - x * x)}, (x + 1.0f) * full);
   }
   lights.finish();
   std::vector<int> counts(8, 0);
   constexpr int n = 1 << 16;
   for (std::uint32_t i = 0; i < n; ++i)
-    ++counts[static_cast<std::size_t>(
-        std::lround(lights.sample(Vector3f::Zero(), any_side, unit_float(owen_sobol::mixed(i)), 0.5f).direction.x()))];
+    ++counts[static_cast<std::size_t>(std::lround(
+        lights.sample(Vector3f::Zero(), either_side, unit_float(owen_sobol::mixed(i)), 0.5f).direction.x()))];
   double sum = 0.0;
   for (int k = 0; k < 8; ++k)
     sum += std::pow(counts[static_cast<std::size_t>(k)] - n * (k + 1) / 36.0, 2) / (n * (k + 1) / 36.0);
@@ -201,15 +202,15 @@ TEST(LightSet, WhatIsLeftOfTheChoiceIsUniform) {
   // Two equal spheres side by side, one five times as bright: within each, the drop below the cone's axis is uniform in
   // u.
   LightSet lights;
-  lights.add_sphere({-3.0f, 0, 10.0f}, 1.0f, white);
-  lights.add_sphere({+3.0f, 0, 10.0f}, 1.0f, 5.0f * white);
+  lights.add_sphere({-3.0f, 0, 10.0f}, 1.0f, full);
+  lights.add_sphere({+3.0f, 0, 10.0f}, 1.0f, 5.0f * full);
   lights.finish();
   const Vector3f axes[] = {Vector3f(-3.0f, 0, 10.0f).normalized(), Vector3f(3.0f, 0, 10.0f).normalized()};
   const double cap = 1.0 - std::sqrt(1.0 - 1.0 / 109.0);
   std::vector<double> drops[2];
   for (int i = 0; i < (1 << 14); ++i) {
     const Vector3f w =
-        lights.sample(Vector3f::Zero(), any_side, (static_cast<float>(i) + 0.5f) / (1 << 14), 0.3f).direction;
+        lights.sample(Vector3f::Zero(), either_side, (static_cast<float>(i) + 0.5f) / (1 << 14), 0.3f).direction;
     const int k = w.x() > 0.0f;
     drops[k].push_back(0.5 * (w.cast<double>().normalized() - axes[k].cast<double>().normalized()).squaredNorm() / cap);
   }
@@ -226,28 +227,28 @@ TEST(LightSet, DarkLightsAloneDoNotDivideByZero) {
   lights.add_point({2, 0, 0}, Vector3f::Zero());
   lights.finish();
   for (float u : {0.0f, 0.3f, 0.5f, 1.0f - 0x1p-24f}) {
-    const LightSample s = lights.sample(Vector3f::Zero(), any_side, u, 0.5f);
+    const LightSample s = lights.sample(Vector3f::Zero(), either_side, u, 0.5f);
     EXPECT_EQ(s.pdf, 0.0f);
   }
 }
 
 TEST(LightSet, NothingShinesFromTheBackOrTheInside) {
   LightSet lights;
-  lights.add_triangle(tilted.a, tilted.b, tilted.c, white);
+  lights.add_triangle(tilted.a, tilted.b, tilted.c, full);
   lights.finish();
   const Vector3f behind(0.1f, 3.0f, 0.2f);
   for (std::uint32_t i = 0; i < 64; ++i) {
     const auto u = owen_sobol::pair(i, 5);
-    const LightSample s = lights.sample(behind, any_side, unit_float(u.x), unit_float(u.y));
+    const LightSample s = lights.sample(behind, either_side, unit_float(u.x), unit_float(u.y));
     EXPECT_EQ(s.pdf, 0.0f);
-    EXPECT_EQ(lights.pdf(0, behind, any_side, behind + s.direction, tilted.normal()), 0.0f);
+    EXPECT_EQ(lights.pdf(0, behind, either_side, behind + s.direction, tilted.normal()), 0.0f);
   }
   LightSet sphere;
-  sphere.add_sphere(ball, ball_radius, white);
+  sphere.add_sphere(ball, ball_radius, full);
   sphere.finish();
   const Vector3f inside = ball + Vector3f(0.1f, 0.2f, 0.0f);
-  EXPECT_EQ(sphere.sample(inside, any_side, 0.4f, 0.7f).pdf, 0.0f);
-  EXPECT_EQ(sphere.pdf(0, inside, any_side, ball + Vector3f(ball_radius, 0, 0), Vector3f(1, 0, 0)), 0.0f);
+  EXPECT_EQ(sphere.sample(inside, either_side, 0.4f, 0.7f).pdf, 0.0f);
+  EXPECT_EQ(sphere.pdf(0, inside, either_side, ball + Vector3f(ball_radius, 0, 0), Vector3f(1, 0, 0)), 0.0f);
 }
 
 }  // namespace

@@ -11,9 +11,9 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class ModelChecks : public testing::Test {
+class ModelChecks : public ::testing::Test {
  protected:
   ~ModelChecks() override { std::filesystem::remove(file_); }
 
@@ -29,7 +29,7 @@ class ModelChecks : public testing::Test {
   }
 
   std::filesystem::path file_ =
-      std::filesystem::path(testing::TempDir()) / ("sturm_model_" + std::to_string(::getpid()));
+      std::filesystem::path(::testing::TempDir()) / ("sturm_model_" + std::to_string(::getpid()));
 };
 
 TEST_F(ModelChecks, ColladaListsAreWholeNumbers) {

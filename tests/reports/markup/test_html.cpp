@@ -14,7 +14,7 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// Text reaches a page through text() alone.
 template <typename Text>

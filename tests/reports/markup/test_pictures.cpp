@@ -25,16 +25,16 @@ TEST(FalseColour, SequentialMapGetsLighterAllTheWay) {
 TEST(FalseColour, SequentialMapIsInferno) {  // entries 0, 65 and 255 of matplotlib's table, which are among those kept
   const DisplayColour low = sequential_colour(0.0), quarter = sequential_colour(65.0 / 255.0),
                       high = sequential_colour(1.0);
-  EXPECT_THAT(low, testing::ElementsAre(0.0f, 0.0f, 4.0f / 255));
-  EXPECT_THAT(quarter, testing::ElementsAre(0x59 / 255.0f, 0x10 / 255.0f, 0x6e / 255.0f));
-  EXPECT_THAT(high, testing::ElementsAre(0xfc / 255.0f, 1.0f, 0xa4 / 255.0f));
+  EXPECT_THAT(low, ::testing::ElementsAre(0.0f, 0.0f, 4.0f / 255));
+  EXPECT_THAT(quarter, ::testing::ElementsAre(0x59 / 255.0f, 0x10 / 255.0f, 0x6e / 255.0f));
+  EXPECT_THAT(high, ::testing::ElementsAre(0xfc / 255.0f, 1.0f, 0xa4 / 255.0f));
 }
 
 TEST(FalseColour, DivergingMapIsBlueForNegativeAndRedForPositive) {
   const DisplayColour minus = diverging_colour(-0.6), zero = diverging_colour(0.0), plus = diverging_colour(0.6);
   EXPECT_GT(minus[2], minus[0] + 0.2f);
   EXPECT_GT(plus[0], plus[2] + 0.2f);
-  EXPECT_THAT(zero, testing::Each(0xf7 / 255.0f));
+  EXPECT_THAT(zero, ::testing::Each(0xf7 / 255.0f));
 }
 
 TEST(FalseColour, LogarithmicScaleCountsDecadesBelowThePeak) {
@@ -51,7 +51,7 @@ TEST(FalseColour, ValuesThatAreNotFiniteStandOut) {
   Image values(2, 1, 1);
   values.pixels = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
   for (const Image& image : {sequential_false_colour(values, {}), diverging_false_colour(values, 1.0)}) {
-    EXPECT_THAT(image.pixels, testing::ElementsAre(0, 1, 0, 0, 1, 0));
+    EXPECT_THAT(image.pixels, ::testing::ElementsAre(0, 1, 0, 0, 1, 0));
   }
   EXPECT_THROW(diverging_false_colour(Image(1, 1, 3), 1.0), std::invalid_argument);
 }
@@ -79,8 +79,8 @@ TEST(EllipseDrawing, MinusThirtyDegreesFallsToTheRight) {
 
 TEST(EllipseDrawing, CircleIsNotTurnedAndAFocalLineIsStillDrawn) {
   EXPECT_THAT(svg_ellipse({5.0, 5.0, std::nullopt}, 1.0, 48.0, 48.0, "measured").markup(),
-              testing::Not(testing::HasSubstr("rotate")));
-  EXPECT_THAT(svg_ellipse({5.0, 0.0, 90.0}, 1.0, 48.0, 48.0, "measured").markup(), testing::HasSubstr("ry=\"0.01\""));
+              ::testing::Not(::testing::HasSubstr("rotate")));
+  EXPECT_THAT(svg_ellipse({5.0, 0.0, 90.0}, 1.0, 48.0, 48.0, "measured").markup(), ::testing::HasSubstr("ry=\"0.01\""));
 }
 
 TEST(ReportPictures, Base64OfRfc4648) {  // its section 10
@@ -107,7 +107,7 @@ TEST(ReportPictures, ShrinkingTakesMeansAlsoAtTheEdge) {
   const Image half = shrunk(image, 2);
   ASSERT_EQ(half.width, 2);
   ASSERT_EQ(half.height, 1);
-  EXPECT_THAT(half.pixels, testing::ElementsAre(4.0f, 15.0f));
+  EXPECT_THAT(half.pixels, ::testing::ElementsAre(4.0f, 15.0f));
 }
 
 TEST(ReportPictures, ShrinkingTakesEachChannelByItself) {
@@ -121,7 +121,7 @@ TEST(ReportPictures, ShrinkingTakesEachChannelByItself) {
   ASSERT_EQ(small.channels, 3);
   const float expected[] = {5.0f / 3, 50.0f / 3, 1.0f, 12.5f, 50.0f / 3, 3.5f,  //
                             5.0f / 3, 90.0f,     3.0f, 12.5f, 90.0f,     10.5f};
-  EXPECT_THAT(small.pixels, testing::Pointwise(testing::FloatEq(), expected));
+  EXPECT_THAT(small.pixels, ::testing::Pointwise(testing::FloatEq(), expected));
   EXPECT_EQ(shrunk(image, 9).pixels.size(), 3u);
 }
 

@@ -24,8 +24,8 @@ namespace sturm {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// What a reader sees: no tags, no script, no style.
 std::string visible_text(const std::string& page) {
@@ -41,10 +41,10 @@ std::string visible_text(const std::string& page) {
   return text;
 }
 
-class ReportHtml : public testing::Test {
+class ReportHtml : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = fs::path(testing::TempDir()) / ("sturm_report_html_" + std::to_string(::getpid()));
+    folder_ = fs::path(::testing::TempDir()) / ("sturm_report_html_" + std::to_string(::getpid()));
     fs::create_directories(folder_);
     report_ = new Json(test::synthetic_report(true));
     test::write_synthetic_pictures(*report_, folder_);

@@ -11,8 +11,8 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(ContourLines, OfAPlaneIsOneStraightLine) {
   Eigen::MatrixXd plane(5, 7);

@@ -47,7 +47,7 @@ std::string bound_in_markdown(const Json& gates) {
   return text.substr(begin, last - begin);
 }
 
-class GateSigns : public testing::TestWithParam<GateKindEntry> {};
+class GateSigns : public ::testing::TestWithParam<GateKindEntry> {};
 
 TEST_P(GateSigns, PageAndMarkdownShowWhatIsTested) {
   const GateKind kind = GetParam().kind;
@@ -57,7 +57,7 @@ TEST_P(GateSigns, PageAndMarkdownShowWhatIsTested) {
   EXPECT_EQ(bound_in_markdown(gates), shown);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachKind, GateSigns, testing::ValuesIn(gate_kinds),
+INSTANTIATE_TEST_SUITE_P(OfEachKind, GateSigns, ::testing::ValuesIn(gate_kinds),
                          [](const auto& gate) { return std::string(gate.param.file_word); });
 
 TEST(GateSign, AnUnknownKindHasNone) {

@@ -25,8 +25,8 @@ namespace sturm {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 Json mutation(const char* id) {
   const Json caught = {{"gate", "order_of_absolute_error"}, {"value", 1.9}, {"bound", 0.05}};
@@ -62,7 +62,7 @@ TEST(LensStudyStatistics, ByHand) {
 }
 
 TEST(LensStudyGates, PassAHealthyStudy) {
-  EXPECT_THAT(failures_of(healthy()), testing::IsEmpty());
+  EXPECT_THAT(failures_of(healthy()), ::testing::IsEmpty());
 }
 
 struct Spoilt {
@@ -70,33 +70,33 @@ struct Spoilt {
   Json value;
 };
 
-class EachLensGate : public testing::TestWithParam<Spoilt> {};
+class EachLensGate : public ::testing::TestWithParam<Spoilt> {};
 
 TEST_P(EachLensGate, RejectsTheStudyThatItIsMadeFor) {
   Json report = healthy();
   report.at(Json::json_pointer(GetParam().pointer)) = GetParam().value;
-  EXPECT_THAT(failures_of(report), testing::ElementsAre(GetParam().gate));
+  EXPECT_THAT(failures_of(report), ::testing::ElementsAre(GetParam().gate));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     LensStudy, EachLensGate,
-    testing::Values(Spoilt{"/lens_study/views/1/order", "order_of_absolute_error", 3.94},
-                    Spoilt{"/lens_study/views/1/order", "order_of_absolute_error", nullptr},
-                    Spoilt{"/lens_study/views/3/relative_order", "order_of_relative_error", 2.06},
-                    Spoilt{"/lens_study/views/0/limit_relative", "real_rays_tend_to_first_order", 1e-4},
-                    Spoilt{"/lens_study/views/1/first_order/published/defocus_D", "published_is_told_apart", 0.01},
-                    Spoilt{"/lens_study/views/3/first_order/published/defocus_D", "published_is_exact_without_cylinder",
-                           1e-6},
-                    Spoilt{"/lens_study/views/2/first_order/published", "published_is_exact_without_cylinder", nullptr},
-                    Spoilt{"/lens_study/views/0/previous_unscaled_error", "previous_is_exact_inside", 1e-6},
-                    Spoilt{"/gate_power/mutations/0/caught_by", "every_mutation_is_noticed", Json::array()},
-                    Spoilt{"/gate_power/mutations/1/caught_by", "every_mutation_is_noticed", Json::array()}),
+    ::testing::Values(
+        Spoilt{"/lens_study/views/1/order", "order_of_absolute_error", 3.94},
+        Spoilt{"/lens_study/views/1/order", "order_of_absolute_error", nullptr},
+        Spoilt{"/lens_study/views/3/relative_order", "order_of_relative_error", 2.06},
+        Spoilt{"/lens_study/views/0/limit_relative", "real_rays_tend_to_first_order", 1e-4},
+        Spoilt{"/lens_study/views/1/first_order/published/defocus_D", "published_is_told_apart", 0.01},
+        Spoilt{"/lens_study/views/3/first_order/published/defocus_D", "published_is_exact_without_cylinder", 1e-6},
+        Spoilt{"/lens_study/views/2/first_order/published", "published_is_exact_without_cylinder", nullptr},
+        Spoilt{"/lens_study/views/0/previous_unscaled_error", "previous_is_exact_inside", 1e-6},
+        Spoilt{"/gate_power/mutations/0/caught_by", "every_mutation_is_noticed", Json::array()},
+        Spoilt{"/gate_power/mutations/1/caught_by", "every_mutation_is_noticed", Json::array()}),
     [](const auto& each) { return std::string(each.param.gate) + "_" + std::to_string(each.index); });
 
 TEST(LensStudyGates, PreviousMustDifferThroughEveryLens) {
   Json report = healthy();
   for (const int view : {2, 3}) report["lens_study"]["views"][view]["first_order"]["previous"]["defocus_D"] = 0.001;
-  EXPECT_THAT(failures_of(report), testing::ElementsAre("previous_is_told_apart"));
+  EXPECT_THAT(failures_of(report), ::testing::ElementsAre("previous_is_told_apart"));
 }
 
 TEST(LensStudyGates, AMutantStudyOfOrderTwoFails) {
@@ -108,8 +108,8 @@ TEST(LensStudyGates, AMutantStudyOfOrderTwoFails) {
     view["limit_relative"] = 0.02;
   }
   EXPECT_THAT(failures_of(report),
-              testing::ElementsAre("order_of_absolute_error", "order_of_relative_error",
-                                   "real_rays_tend_to_first_order", "real_rays_tend_to_first_order_through_splines"));
+              ::testing::ElementsAre("order_of_absolute_error", "order_of_relative_error",
+                                     "real_rays_tend_to_first_order", "real_rays_tend_to_first_order_through_splines"));
 }
 
 TEST(LensStudyErrors, TakesTheWorstOfDirectionsAndDistances) {
@@ -118,8 +118,8 @@ TEST(LensStudyErrors, TakesTheWorstOfDirectionsAndDistances) {
   other["direction_deg"] = 90.0;
   section["views"].push_back(other);
   const LensStudyErrors errors(*lens_findings({{"lens_study", section}}));
-  EXPECT_THAT(errors.eccentricities_deg(), testing::ElementsAre(0.0, 20.0));
-  EXPECT_THAT(errors.pupils_mm(), testing::ElementsAre(1.0, 6.0));
+  EXPECT_THAT(errors.eccentricities_deg(), ::testing::ElementsAre(0.0, 20.0));
+  EXPECT_THAT(errors.pupils_mm(), ::testing::ElementsAre(1.0, 6.0));
   const WorstError worst = errors.at("toric", "published", 20.0, 6.0);
   EXPECT_EQ(worst.defocus_D, 0.7);
   EXPECT_EQ(worst.defocus_view, "toric|20° 90°|0.5 m");
@@ -130,9 +130,9 @@ TEST(LensStudyErrors, TakesTheWorstOfDirectionsAndDistances) {
   EXPECT_NEAR(*errors.over_gazes("round", "ray_transfer", 6.0).defocus_D, 0.036, 1e-12);
 }
 
-class LensStudyReport : public testing::Test {
+class LensStudyReport : public ::testing::Test {
  protected:
-  LensStudyReport() : folder_(fs::path(testing::TempDir()) / ("sturm_lens_study_" + std::to_string(::getpid()))) {
+  LensStudyReport() : folder_(fs::path(::testing::TempDir()) / ("sturm_lens_study_" + std::to_string(::getpid()))) {
     fs::create_directories(folder_ / "figures");
     report_ = test::synthetic_report();
     for (const char* part : {"ellipses", "sin2", "psfs", "images"}) report_.erase(part);

@@ -74,7 +74,7 @@ TEST(EllipsesCsv, QuotesWhatNeedsQuoting) {
   const std::string hostile = "a,\"b\"\r\nc";
   report["ellipses"]["cases"][0]["id"] = hostile;
   const std::string csv = ellipses_csv(read_ellipses(report).cases);
-  EXPECT_THAT(csv, testing::HasSubstr("\r\n\"a,\"\"b\"\"\r\nc\",plano,"));
+  EXPECT_THAT(csv, ::testing::HasSubstr("\r\n\"a,\"\"b\"\"\r\nc\",plano,"));
   EXPECT_EQ(at(parse(csv), 1, "case"), hostile);
 }
 

@@ -8,8 +8,8 @@
 namespace sturm {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 GateResult gate(const char* title, bool passed) {
   return {.id = "g",

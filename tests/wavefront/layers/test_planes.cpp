@@ -136,7 +136,7 @@ double rmse_near_edges(const std::string& scene, const Image& test, const Image&
   return std::sqrt(sum / count);
 }
 
-TEST(PartsOfThePupil, HaveTheErrorsThatChooseThem) {
+TEST(PartsOfThePupil, SlowHaveTheErrorsThatChooseThem) {
   for (const ErrorOfParts& row : errors_of_parts()) {
     double worst = 0.0;
     for (const Case& c : {Case{"two", "myope"}, Case{"two", "astigmat"}, Case{"two", "coma"}, Case{"three", "coma"}}) {

@@ -5,7 +5,7 @@
 namespace sturm {
 namespace {
 
-constexpr double pixel = 4e-4;
+constexpr double kernel_pixel = 4e-4;
 
 struct Moments {
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
@@ -27,7 +27,8 @@ Moments moments(const SpreadKernel& kernel) {
 
 TEST(RayKernels, PartsMakeUpTheWholeAndSumToOne) {
   const Eye eye = Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3);
-  const KernelModel whole = ray_kernels(eye, 0.0, pixel, {1, false}), parts = ray_kernels(eye, 0.0, pixel, {4, false});
+  const KernelModel whole = ray_kernels(eye, 0.0, kernel_pixel, {1, false}),
+                    parts = ray_kernels(eye, 0.0, kernel_pixel, {4, false});
   ASSERT_EQ(parts.parts.size(), 4u);
   const SpreadKernel all = whole.kernel(0.5, 0, 0);
   EXPECT_NEAR(all.sum(), 1.0, 1e-6);
@@ -46,14 +47,15 @@ TEST(RayKernels, PartsMakeUpTheWholeAndSumToOne) {
 TEST(RayKernels, VarianceIsThatOfTheBlurDiscAndOfLinearInterpolation) {
   // 1.5 D over 2 mm of radius: 3 mrad = 7.5 px, whose variance is r²/4 along each axis; sharing adds 1/6.
   const SpreadKernel kernel =
-      ray_kernels(Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, pixel, {}).kernel(0.5, 0, 0);
+      ray_kernels(Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, kernel_pixel, {}).kernel(0.5, 0, 0);
   EXPECT_NEAR(moments(kernel).xx, 7.5 * 7.5 / 4.0 + 1.0 / 6.0, 0.01);
   EXPECT_NEAR(moments(kernel).xy, 0.0, 0.01);
 }
 
 TEST(RayKernels, AxisThirtyTurnsTheOtherWayThanAxisOneHundredAndFifty) {
   const auto covariance = [](double axis) {
-    return moments(ray_kernels(Eye::with(Prescription{0.0, -2.0, axis, 0.0}, 4e-3), 0.0, pixel, {}).kernel(0.0, 0, 0))
+    return moments(ray_kernels(Eye::with(Prescription{0.0, -2.0, axis, 0.0}, 4e-3), 0.0, kernel_pixel, {})
+                       .kernel(0.0, 0, 0))
         .xy;
   };
   // AXIS 30 is the meridian 150° of the wearer; power acts across it, along 60°: up and to the right, where rows go
@@ -64,7 +66,7 @@ TEST(RayKernels, AxisThirtyTurnsTheOtherWayThanAxisOneHundredAndFifty) {
 
 TEST(RayKernels, InFocusIsOnePixel) {
   const SpreadKernel kernel =
-      ray_kernels(Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, pixel, {}).kernel(2.0, 0, 0);
+      ray_kernels(Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, kernel_pixel, {}).kernel(2.0, 0, 0);
   EXPECT_EQ(kernel.radius_px, 0);
   EXPECT_EQ(kernel.weight(0, 0), 1.0f);
 }
@@ -82,11 +84,11 @@ TEST(RayKernels, StandUprightInAPicture) {
 
 TEST(RayKernels, APartMovesAwayFromTheWholeAsItsShiftSays) {
   const Eye eye = Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3);
-  const KernelModel model = ray_kernels(eye, 0.0, pixel, {4, false});
+  const KernelModel model = ray_kernels(eye, 0.0, kernel_pixel, {4, false});
   for (int part = 0; part < 4; ++part) {
     // The first sector reaches from the wearer's right to the top: the mean of its points is (a, a)·4/(3π) = 0.4244 a;
     // a vergence V moves light through p to −V p, in pixels to the left and down.
-    const double side = 0.4244132 * 2e-3 / pixel, sign_x = part == 0 || part == 3 ? -1.0 : 1.0,
+    const double side = 0.4244132 * 2e-3 / kernel_pixel, sign_x = part == 0 || part == 3 ? -1.0 : 1.0,
                  sign_y = part < 2 ? 1.0 : -1.0;
     const Eigen::Vector2d shift = model.parts[static_cast<std::size_t>(part)].shift_px_per_D;
     EXPECT_NEAR(shift.x(), sign_x * side, 2e-3 * side);
@@ -100,8 +102,8 @@ TEST(RayKernels, APartMovesAwayFromTheWholeAsItsShiftSays) {
 
 TEST(RayKernels, AccommodationMovesTheFocus) {
   const Eye eye = Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 4e-3);
-  EXPECT_EQ(ray_kernels(eye, 3.0, pixel, {}).kernel(3.0, 0, 0).radius_px, 0);
-  EXPECT_GT(ray_kernels(eye, 3.0, pixel, {}).kernel(0.0, 0, 0).radius_px, 14);  // 3 D · 2 mm = 15 px
+  EXPECT_EQ(ray_kernels(eye, 3.0, kernel_pixel, {}).kernel(3.0, 0, 0).radius_px, 0);
+  EXPECT_GT(ray_kernels(eye, 3.0, kernel_pixel, {}).kernel(0.0, 0, 0).radius_px, 14);  // 3 D · 2 mm = 15 px
 }
 
 TEST(RayKernels, ColoursAreOutOfFocusByTheChromaticEye) {
@@ -122,16 +124,16 @@ TEST(RayKernels, RimOfThePupilCountsLess) {
   // E[t] = 1/q − e^(−q)/(1 − e^(−q)), t = r²/a², q = ρ a² ln 10 = 0.05·16·2.302585: 0.35453 in place of ½.
   Eye eye = Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 8e-3);
   eye.stiles_crawford_per_m2 = 0.05e6;
-  const SpreadKernel kernel = ray_kernels(eye, 0.0, pixel, {}).kernel(0.0, 0, 0);
+  const SpreadKernel kernel = ray_kernels(eye, 0.0, kernel_pixel, {}).kernel(0.0, 0, 0);
   EXPECT_NEAR(moments(kernel).xx, 20.0 * 20.0 * 0.35453 / 2.0 + 1.0 / 6.0, 0.1);  // 2 D · 4 mm are 20 px
   // With an inner ring the parts have different shares of the light.
-  const KernelModel parts = ray_kernels(eye, 0.0, pixel, {8, false});
+  const KernelModel parts = ray_kernels(eye, 0.0, kernel_pixel, {8, false});
   EXPECT_GT(parts.parts.front().weight, 1.3 * parts.parts.back().weight);
 }
 
 TEST(RayKernels, OfAPinholeIsAPoint) {
   const Eye eye = Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 0.0);
-  EXPECT_EQ(ray_kernels(eye, 0.0, pixel, {4, false}).kernel(0.0, 2, 0).radius_px, 0);
+  EXPECT_EQ(ray_kernels(eye, 0.0, kernel_pixel, {4, false}).kernel(0.0, 2, 0).radius_px, 0);
 }
 
 TEST(RayKernels, BlurBeyondTheLimitIsRefused) {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "support/units.h"
 #include "support/wave_cases.h"
 #include "wavefront/psf/disc_area.h"
 #include "wavefront/psf/transfer.h"
@@ -14,8 +14,7 @@ namespace {
 
 using testing::arcmin;
 using testing::examiner_wave;
-
-constexpr double pi = std::numbers::pi;
+using testing::pi;
 
 /// Cycles per radian from cycles per degree, along a direction.
 Eigen::Vector2d frequency(double cpd, double direction_deg) {

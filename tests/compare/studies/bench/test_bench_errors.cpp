@@ -20,7 +20,7 @@ using test::sample;
 using test::two_methods;
 
 constexpr int side = 12;
-constexpr double rounding = 1e-12;
+constexpr double error_rounding = 1e-12;
 
 Image constant(float value) {
   Image image(side, side, 3);
@@ -38,11 +38,11 @@ Image noisy(const Image& mean, double sigma, std::mt19937_64& random) {
 TEST(ReferenceImage, ErrorsByHand) {
   const ReferenceImage reference(constant(0.5f), constant(0.5f), std::nullopt, 1.0);
   const PictureErrors errors = reference.errors_of(constant(0.75f));
-  EXPECT_NEAR(errors.mse, 0.0625, rounding);
-  EXPECT_NEAR(errors.relative_mse, 0.0625 / 0.26, rounding);
-  EXPECT_NEAR(errors.relative_mse_trimmed, 0.0625 / 0.26, rounding);
+  EXPECT_NEAR(errors.mse, 0.0625, error_rounding);
+  EXPECT_NEAR(errors.relative_mse, 0.0625 / 0.26, error_rounding);
+  EXPECT_NEAR(errors.relative_mse_trimmed, 0.0625 / 0.26, error_rounding);
   EXPECT_EQ(reference.noise_floor().mse, 0.0);
-  EXPECT_NEAR(reference.errors_of(constant(0.5f)).one_minus_ssim, 0.0, rounding);
+  EXPECT_NEAR(reference.errors_of(constant(0.5f)).one_minus_ssim, 0.0, error_rounding);
 }
 
 TEST(ReferenceImage, EqualsTheMetricsOfCompare) {
@@ -50,9 +50,9 @@ TEST(ReferenceImage, EqualsTheMetricsOfCompare) {
   const Image reference = noisy(constant(0.4f), 0.1, random), test = noisy(constant(0.5f), 0.2, random);
   const PictureErrors errors = ReferenceImage(reference, reference, std::nullopt, 1.0).errors_of(test);
   const RelativeMse relative = relative_mse(test, reference);
-  EXPECT_NEAR(std::sqrt(errors.mse), rmse(test, reference), rounding);
-  EXPECT_NEAR(errors.relative_mse, relative.plain, rounding);
-  EXPECT_NEAR(errors.relative_mse_trimmed, relative.trimmed, rounding);
+  EXPECT_NEAR(std::sqrt(errors.mse), rmse(test, reference), error_rounding);
+  EXPECT_NEAR(errors.relative_mse, relative.plain, error_rounding);
+  EXPECT_NEAR(errors.relative_mse_trimmed, relative.trimmed, error_rounding);
 }
 
 TEST(ReferenceImage, BrightNeighbourhoodsAreLeftOut) {
@@ -79,7 +79,7 @@ TEST(ReferenceImage, BrightNeighbourhoodsAreLeftOut) {
 TEST(ReferenceImage, TheFloorIsAQuarterOfTheHalvesDifference) {
   const ReferenceImage reference(constant(0.4f), constant(0.6f), std::nullopt, 1.0);
   const double square = std::pow(static_cast<double>(0.6f) - 0.4f, 2) / 4.0;
-  EXPECT_NEAR(reference.noise_floor().mse, square, rounding);
+  EXPECT_NEAR(reference.noise_floor().mse, square, error_rounding);
   EXPECT_NEAR(reference.noise_floor().relative_mse, square / (0.25 + 0.01), 1e-7);  // the mean 0.5 is a float
 }
 
@@ -123,20 +123,20 @@ BenchRequirement requirement(BenchStatistic statistic, const char* error = "rmse
 TEST(BenchEvaluation, EstimatesByHand) {
   const MeasuredSetting setting{
       "m", 4, {sample(1.0, 8.0, 0.03), sample(9.0, 8.0, 0.05), sample(2.0, 8.0, 0.04), sample(3.0, 8.0, 0.04)}, ""};
-  EXPECT_NEAR(median_seconds(setting), 2.5, rounding);
+  EXPECT_NEAR(median_seconds(setting), 2.5, error_rounding);
   PictureErrors floor;
   floor.mse = floor.relative_mse = floor.relative_mse_trimmed = floor.one_minus_ssim = 0.015;
   // Mean 0.04, deviations −0.01, 0.01, 0, 0: standard error √(2e-4/12) = 0.00408248; left after the floor 0.025, its
   // root 0.158114.
   const ErrorEstimate root = estimate(setting, floor, error_kind("rmse"));
-  EXPECT_NEAR(root.raw, 0.2, rounding);
-  EXPECT_NEAR(root.value.value(), 0.15811388300841897, rounding);
-  EXPECT_NEAR(root.standard_error.value(), 0.004082482904638630 / (2.0 * 0.15811388300841897), rounding);
+  EXPECT_NEAR(root.raw, 0.2, error_rounding);
+  EXPECT_NEAR(root.value.value(), 0.15811388300841897, error_rounding);
+  EXPECT_NEAR(root.standard_error.value(), 0.004082482904638630 / (2.0 * 0.15811388300841897), error_rounding);
   EXPECT_EQ(root.status, FloorStatus::Clear);
-  EXPECT_NEAR(estimate(setting, floor, error_kind("relative_mse")).value.value(), 0.025, rounding);
+  EXPECT_NEAR(estimate(setting, floor, error_kind("relative_mse")).value.value(), 0.025, error_rounding);
   EXPECT_NEAR(estimate(setting, floor, error_kind("relative_mse_trimmed")).value.value(), 0.04,
-              rounding);  // nothing taken off
-  EXPECT_NEAR(estimate(setting, floor, error_kind("one_minus_ssim")).value.value(), 0.04, rounding);
+              error_rounding);  // nothing taken off
+  EXPECT_NEAR(estimate(setting, floor, error_kind("one_minus_ssim")).value.value(), 0.04, error_rounding);
   floor.mse = 0.025;
   EXPECT_EQ(estimate(setting, floor, error_kind("rmse")).status, FloorStatus::Near);
   floor.mse = 0.05;
@@ -146,20 +146,22 @@ TEST(BenchEvaluation, EstimatesByHand) {
 
 TEST(BenchEvaluation, StatisticsOfTwoMethodsByHand) {
   const MeasuredView view = two_methods();
-  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::Slope), view).value.value(), -0.5, rounding);
-  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::Slope, "relative_mse"), view).value.value(), -1.0, rounding);
-  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::Error), view).value.value(), 0.5 / 8.0, rounding);
+  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::Slope), view).value.value(), -0.5, error_rounding);
+  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::Slope, "relative_mse"), view).value.value(), -1.0,
+              error_rounding);
+  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::Error), view).value.value(), 0.5 / 8.0, error_rounding);
   const StatisticValue ratio = statistic_of(requirement(BenchStatistic::ErrorRatio), view);
-  EXPECT_NEAR(ratio.value.value(), 0.5, rounding);
+  EXPECT_NEAR(ratio.value.value(), 0.5, error_rounding);
   // Each error: relative standard error of the mean square 0.1·√(2/6), of its root half of that; two of them.
-  EXPECT_NEAR(ratio.standard_error.value(), 0.5 * 0.05 * std::sqrt(2.0 / 6.0) * std::sqrt(2.0), rounding);
+  EXPECT_NEAR(ratio.standard_error.value(), 0.5 * 0.05 * std::sqrt(2.0 / 6.0) * std::sqrt(2.0), error_rounding);
   // The error 1/8 of a at 64 s is reached by b with 16 samples, in 32 s.
   const StatisticValue time = statistic_of(requirement(BenchStatistic::TimeRatio), view);
-  EXPECT_NEAR(time.value.value(), 0.5, 10 * rounding);
+  EXPECT_NEAR(time.value.value(), 0.5, 10 * error_rounding);
   // An error off by 1 % is reached 2 % earlier or later where it falls with the root of the time.
-  EXPECT_NEAR(time.standard_error.value(), 2.0 * ratio.standard_error.value(), 10 * rounding);
-  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::CostRatio), view).value.value(), 0.5, rounding);
-  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::CostRatio, "relative_mse"), view).value.value(), 0.5, rounding);
+  EXPECT_NEAR(time.standard_error.value(), 2.0 * ratio.standard_error.value(), 10 * error_rounding);
+  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::CostRatio), view).value.value(), 0.5, error_rounding);
+  EXPECT_NEAR(statistic_of(requirement(BenchStatistic::CostRatio, "relative_mse"), view).value.value(), 0.5,
+              error_rounding);
 }
 
 TEST(BenchEvaluation, TheOtherWayRoundTheErrorIsNeverReached) {
@@ -185,11 +187,11 @@ TEST(BenchEvaluation, AReportOfTheView) {
   const Json view =
       to_json(evaluated(two_methods(), {{"a", "A"}, {"b", "B"}, {"c", "not used"}}, {{"rmse", 0.25}, {"rmse", 0.01}}));
   ASSERT_EQ(view["methods"].size(), 2u);
-  EXPECT_NEAR(view["methods"][0]["slopes"]["rmse"]["slope"].get<double>(), -0.5, rounding);
+  EXPECT_NEAR(view["methods"][0]["slopes"]["rmse"]["slope"].get<double>(), -0.5, error_rounding);
   EXPECT_EQ(view["methods"][0]["points"][1]["seconds"]["longest"], 48.0);
   EXPECT_EQ(view["methods"][0]["points"][1]["seconds"]["median"], 16.0);
   EXPECT_EQ(view["methods"][0]["points"][1]["samples_per_second"], 1.0);
-  EXPECT_NEAR(view["methods"][0]["times"][0]["seconds"].get<double>(), 16.0, 100 * rounding);
+  EXPECT_NEAR(view["methods"][0]["times"][0]["seconds"].get<double>(), 16.0, 100 * error_rounding);
   EXPECT_EQ(view["methods"][1]["times"][0]["status"], "at_once");
   EXPECT_TRUE(view["methods"][1]["times"][1]["seconds"].is_null());
   // a at 4 s, then b at 8, 32 and 128 s: a at 16 s (error 1/4) is beaten by b at 8 s (error 1/4), a at 64 s by b at 32

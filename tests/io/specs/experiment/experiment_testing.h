@@ -11,7 +11,7 @@
 namespace sturm {
 
 /// An experiment in a folder of its own, read with one place set (/pointer=value).
-class ExperimentDocumentTest : public testing::Test {
+class ExperimentDocumentTest : public ::testing::Test {
  protected:
   /// `file`: where the document would lie in the folder.
   explicit ExperimentDocumentTest(const std::string& file) : file_((folder_ / file).string()) {}

@@ -12,9 +12,9 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 class ExperimentSpecTest : public ExperimentDocumentTest {
  protected:

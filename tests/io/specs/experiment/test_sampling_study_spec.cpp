@@ -8,8 +8,8 @@
 namespace sturm {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 class SamplingStudySpecTest : public ExperimentDocumentTest {
  protected:
@@ -34,7 +34,7 @@ TEST_F(SamplingStudySpecTest, ReadsEverything) {
   ASSERT_TRUE(spec.sampling_study);
   const SamplingStudySpec& study = *spec.sampling_study;
   EXPECT_EQ(study.scene_name, "s.json");
-  EXPECT_THAT(spec.input_files, testing::Contains((folder_ / "s.json").string()));
+  EXPECT_THAT(spec.input_files, ::testing::Contains((folder_ / "s.json").string()));
   ASSERT_EQ(study.configurations.size(), 2u);
   EXPECT_EQ(study.configurations[1].ray_model, RayModel::metalstigmatism);
   EXPECT_EQ(study.configurations[1].eye.prescription.axis_deg, 30);

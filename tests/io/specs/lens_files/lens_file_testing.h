@@ -8,7 +8,7 @@
 namespace sturm {
 
 /// Lens files that a test writes.
-class LensFileTest : public testing::Test {
+class LensFileTest : public ::testing::Test {
  protected:
   LensFile lens(const std::string& text, const std::string& name, LensFileRequest request = {}) {
     write_text(folder_ / name, text);

@@ -11,9 +11,9 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 const std::string job =
     "JOB=4711\r\nDO=B\r\nSPH=-2.00;+1.25\r\nCYL=-1.50;0.00\r\nAX=30;?\r\nLIND=1.498;1.498\r\nCTHICK=2.00;3.10\r\n"

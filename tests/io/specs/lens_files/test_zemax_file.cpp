@@ -8,8 +8,8 @@
 namespace sturm {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 /// A sequential file of a lens between object and image; the parts of its two surfaces are given.
 std::string zmx(const std::string& front, const std::string& back, const std::string& unit = "MM",
