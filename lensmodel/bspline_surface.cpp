@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lensmodel/cubic_basis.h"
-
 namespace sturm {
 
 namespace {
@@ -73,12 +71,37 @@ BSplineSurface BSplineSurface::raised(double height) const {
   return {data_->grid, data_->coefficients.array() + height};  // the splines add up to 1
 }
 
-std::optional<Sag> BSplineSurface::sag(double x, double y) const {
+std::optional<BSplineSurface::Cell> BSplineSurface::cell_at(double x, double y) const {
   const KnotGrid& grid = data_->grid;
   const double u = (x - grid.first.x()) / grid.spacing.x(), v = (y - grid.first.y()) / grid.spacing.y();
   if (!(u >= 0.0 && u <= grid.cells_x && v >= 0.0 && v <= grid.cells_y)) return std::nullopt;
   const int i = std::min(static_cast<int>(u), grid.cells_x - 1), j = std::min(static_cast<int>(v), grid.cells_y - 1);
-  const CubicBasis bx(u - i), by(v - j);
+  return Cell{i, j, CubicBasis(u - i), CubicBasis(v - j)};
+}
+
+std::optional<SagSlope> BSplineSurface::slope(double x, double y) const {
+  const auto cell = cell_at(x, y);
+  if (!cell) return std::nullopt;
+  double z = 0.0, zx = 0.0, zy = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double* row = &data_->coefficients(cell->i + static_cast<int>(k), cell->j);
+    double value = 0.0, first = 0.0;
+    for (std::size_t l = 0; l < 4; ++l) {
+      value += row[l] * cell->y.value[l];
+      first += row[l] * cell->y.first[l];
+    }
+    z += cell->x.value[k] * value;
+    zx += cell->x.first[k] * value;
+    zy += cell->x.value[k] * first;
+  }
+  const Eigen::Vector2d& spacing = data_->grid.spacing;
+  return SagSlope{z, {zx * (1.0 / spacing.x()), zy * (1.0 / spacing.y())}};
+}
+
+std::optional<Sag> BSplineSurface::sag(double x, double y) const {
+  const auto cell = cell_at(x, y);
+  if (!cell) return std::nullopt;
+  const auto& [i, j, bx, by] = *cell;
   double z = 0.0, zx = 0.0, zy = 0.0, zxx = 0.0, zxy = 0.0, zyy = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
     const double* row = &data_->coefficients(i + static_cast<int>(k), j);
@@ -95,7 +118,7 @@ std::optional<Sag> BSplineSurface::sag(double x, double y) const {
     zxy += bx.first[k] * first;
     zyy += bx.value[k] * second;
   }
-  const double hx = 1.0 / grid.spacing.x(), hy = 1.0 / grid.spacing.y();
+  const double hx = 1.0 / data_->grid.spacing.x(), hy = 1.0 / data_->grid.spacing.y();
   Sag result;
   result.value = z;
   result.gradient << zx * hx, zy * hy;

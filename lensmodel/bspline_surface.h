@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "lensmodel/cubic_basis.h"
 #include "lensmodel/sag.h"
 
 namespace sturm {
@@ -35,6 +36,7 @@ class BSplineSurface {
 
   /// z(x, y); none beyond the grid.
   std::optional<Sag> sag(double x, double y) const;
+  std::optional<SagSlope> slope(double x, double y) const;
 
   /// The same surface, higher by `height` [m].
   BSplineSurface raised(double height) const;
@@ -50,6 +52,13 @@ class BSplineSurface {
   const Coefficients& coefficients() const { return data_->coefficients; }
 
  private:
+  /// The cell of a point, and its place in it; none beyond the grid.
+  struct Cell {
+    int i, j;
+    CubicBasis x, y;
+  };
+  std::optional<Cell> cell_at(double x, double y) const;
+
   struct Data {
     KnotGrid grid;
     Coefficients coefficients;

@@ -5,11 +5,11 @@
 namespace sturm {
 
 std::optional<Sag> ConicSurface::sag(double x, double y) const {
-  const double c = curvature, square = x * x + y * y, p2 = 1.0 - (1.0 + conic_constant) * c * c * square;
-  if (!(p2 > 0.0)) return std::nullopt;
-  const double p = std::sqrt(p2);
-  const Eigen::Vector2d gradient(c * x / p, c * y / p);
-  return Sag{c * square / (1.0 + p), gradient,
+  const auto first = slope(x, y);
+  if (!first) return std::nullopt;
+  const Eigen::Vector2d& gradient = first->gradient;
+  const double c = curvature, p = std::sqrt(1.0 - (1.0 + conic_constant) * c * c * (x * x + y * y));
+  return Sag{first->value, gradient,
              c / p * (Eigen::Matrix2d::Identity() + (1.0 + conic_constant) * gradient * gradient.transpose())};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 
 #include "lensmodel/sag.h"
@@ -13,6 +14,13 @@ struct ConicSurface {
 
   /// z(x, y); none beyond the widest circle of an ellipsoid.
   std::optional<Sag> sag(double x, double y) const;
+
+  std::optional<SagSlope> slope(double x, double y) const {
+    const double square = x * x + y * y, p2 = 1.0 - (1.0 + conic_constant) * curvature * curvature * square;
+    if (!(p2 > 0.0)) return std::nullopt;
+    const double p = std::sqrt(p2);
+    return SagSlope{curvature * square / (1.0 + p), {curvature * x / p, curvature * y / p}};
+  }
 };
 
 }  // namespace sturm

@@ -12,6 +12,13 @@ struct Sag {
   Eigen::Matrix2d hessian;   ///< [1/m]
 };
 
+/// Height and gradient alone, which is what a search for a ray's crossing needs at each of its steps: the same bits as
+/// Sag's.
+struct SagSlope {
+  double value;              ///< [m]
+  Eigen::Vector2d gradient;  ///< (∂z/∂x, ∂z/∂y)
+};
+
 /// Unit normal that points outward, away from the eye: (∂z/∂x, ∂z/∂y, −1)/√(1 + |∇z|²).
 Eigen::Vector3d outward_normal(const Sag& sag);
 

@@ -45,7 +45,7 @@ std::optional<Interval> inside(const LightRay& ray, double rim_radius, const Int
 template <class Shape>
 std::optional<double> outward_distance(const Shape& shape, const LightRay& ray, double t) {
   const Eigen::Vector3d p = ray.at(t);
-  const auto s = shape.sag(p.x(), p.y());
+  const auto s = shape.slope(p.x(), p.y());
   return s ? std::optional(s->value - p.z()) : std::nullopt;
 }
 
@@ -108,7 +108,7 @@ Interval height_bounds(const SphereSurface& sphere, double r) {
   return {std::min(0.0, height), std::max(0.0, height)};
 }
 Interval height_bounds(const ConicSurface& conic, double r) {
-  const auto rim = conic.sag(r, 0.0);
+  const auto rim = conic.slope(r, 0.0);
   const double height = rim ? rim->value : conic.curvature * r * r;  // (1 + √…) z = c r², wherever it ends
   return {std::min(0.0, height), std::max(0.0, height)};
 }
@@ -118,7 +118,7 @@ Interval height_bounds(const TorusSurface& torus, double r) {
   const Eigen::Vector2d s = r * torus.sweep_direction(), g(-s.y(), s.x());
   Interval bounds{0.0, 0.0};
   for (const Eigen::Vector2d& corner : {s, g, Eigen::Vector2d(s + g)}) {
-    const auto there = torus.sag(corner.x(), corner.y());
+    const auto there = torus.slope(corner.x(), corner.y());
     if (!there) return {-2.0 * r, 2.0 * r};  // each of the two arcs rises by at most its half chord
     bounds = {std::min(bounds.low, there->value), std::max(bounds.high, there->value)};
   }
@@ -146,7 +146,7 @@ SurfaceHit intersect_shape(const Shape& shape, const LightRay& ray, double rim_r
     return bracketed_root(
         [&](double at) {
           const Eigen::Vector3d p = ray.at(at);
-          const auto s = shape.sag(p.x(), p.y());
+          const auto s = shape.slope(p.x(), p.y());
           constexpr double nan = std::numeric_limits<double>::quiet_NaN();
           if (!s) return std::pair(nan, nan);
           return std::pair(s->value - p.z(), s->gradient.dot(ray.direction.head<2>()) - ray.direction.z());

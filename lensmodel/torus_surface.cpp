@@ -1,7 +1,5 @@
 #include "lensmodel/torus_surface.h"
 
-#include <cmath>
-
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -14,27 +12,19 @@ TorusSurface::TorusSurface(double sweep_curvature, double generator_curvature, d
 }
 
 std::optional<Sag> TorusSurface::sag(double x, double y) const {
-  const double cs = sweep_curvature_, cg = generator_curvature_;
-  const double ax = sweep_direction_.x(), ay = sweep_direction_.y();
-  const double s = ax * x + ay * y, g = ax * y - ay * x;  // along the sweep, along the generator's meridian
-  const double p2 = 1.0 - cg * cg * g * g;
-  if (!(p2 > 0.0)) return std::nullopt;
-  const double p = std::sqrt(p2);
-  const double z0 = cg * g * g / (1.0 + p), slope0 = cg * g / p,
-               bend0 = cg / (p * p * p);  // the generator and its derivatives
-  const double m = 1.0 - cs * z0;         // distance to the sweep axis in units of the sweep radius
-  const double q2 = m * m - cs * cs * s * s;
-  if (!(m > 0.0 && q2 > 0.0)) return std::nullopt;
-  const double q = std::sqrt(q2), q3 = q2 * q;
-  // z = z0 + w with cs (s² + w²) = 2 m w: the circle about the sweep axis. Implicit derivatives of that:
-  const double w = cs * s * s / (m + q);
-  const double zs = cs * s / q, zg = slope0 * m / q;
+  const auto at = place(x, y);
+  if (!at) return std::nullopt;
+  const auto [s, p, z0, slope0, m, q] = *at;
+  const double cs = sweep_curvature_, ax = sweep_direction_.x(), ay = sweep_direction_.y();
+  const double bend0 = generator_curvature_ / (p * p * p);  // the generator's second derivative
+  const double q3 = (m * m - cs * cs * s * s) * q;
   const double zss = cs * m * m / q3, zsg = cs * cs * s * m * slope0 / q3,
                zgg = bend0 * m / q + cs * cs * cs * slope0 * slope0 * s * s / q3;
   Eigen::Matrix2d turn, hessian;
   turn << ax, -ay, ay, ax;  // columns: sweep and generator directions
   hessian << zss, zsg, zsg, zgg;
-  return Sag{z0 + w, turn * Eigen::Vector2d(zs, zg), turn * hessian * turn.transpose()};
+  const SagSlope first = slope(*at);
+  return Sag{first.value, first.gradient, turn * hessian * turn.transpose()};
 }
 
 }  // namespace sturm
