@@ -1,10 +1,10 @@
-"""Wrong input: exit status 2, stderr names file, place and value, nothing on stdout, nothing written. Failures at run time: 3."""
+"""Wrong input: exit status 2, stderr names file, place and value, nothing on stdout, nothing written."""
 import json
 import unittest
 
 import documents
 from documents import changed, without
-from sturm_process import RUNTIME_FAILURE, SOURCE, WRONG_INPUT, FolderTest, snapshot, sturm
+from sturm_process import SOURCE, WRONG_INPUT, FolderTest, snapshot, sturm
 
 OBJ = "v -1 -1 -2\nv 1 -1 -2\nv 0 1 -2\nf 1 2 3\n"
 EXR = SOURCE / "tests/reference/images/reference.exr"
@@ -369,41 +369,6 @@ class OtherCommands(Malformed):
                 self.assertEqual(process.stdout, "")
                 self.assertNotEqual(process.stderr, "")
                 self.assertEqual(snapshot(self.folder), before)
-
-
-class RunTimeFailures(FolderTest):
-    """Status 3, and nothing left behind. (Permissions do not stop root: a file in a folder's place and /proc do.)"""
-
-    def fail(self, *arguments):
-        before = snapshot(self.folder)
-        process = sturm(*arguments, cwd=self.folder)
-        self.assertEqual(process.returncode, RUNTIME_FAILURE, f"{arguments}: {process.stderr}")
-        self.assertEqual(process.stdout, "")
-        self.assertTrue(process.stderr.startswith("error: "), process.stderr)
-        self.assertEqual(snapshot(self.folder), before)
-        return process.stderr
-
-    def test_ellipse(self):
-        self.write("query.json", documents.query())
-        self.write("file", "in the way")
-        for output in ("file/answer.json", "nowhere/answer.json", "/proc/answer.json"):
-            with self.subTest(output):
-                self.assertIn(output, self.fail("ellipse", "query.json", "-o", output))
-
-    def test_render(self):
-        self.write("view.json", documents.view())
-        self.write("file", "in the way")
-        for output in ("file/picture.exr", "nowhere/picture.exr", "/proc/picture.exr"):
-            with self.subTest(output):
-                self.assertIn(output, self.fail("render", "view.json", "-o", output, "--quiet"))
-
-    def test_run(self):
-        self.write("gates.json", documents.gates())
-        self.write("experiment.json", documents.experiment())
-        self.write("file", "in the way")
-        for folder in ("file", "file/report", "/proc/report"):
-            with self.subTest(folder):
-                self.fail("run", "experiment.json", "--out", folder, "--quiet")
 
 
 if __name__ == "__main__":
