@@ -102,7 +102,7 @@ void CommandLine::add_see_view(CLI::App& s) {
   s.add_option("--focus-D", see.focus_D, "accommodation as a power [D]")
       ->check(CLI::Range(0.0, 1000.0))
       ->excludes(focus_m);
-  auto* parts = s.add_option("--parts", see.parts, "parts of the pupil that are composited on their own (default: 4)");
+  auto* parts = s.add_option("--parts", see.parts, "parts of the pupil that are composited on their own (default: 8)");
   parts->check(CLI::Range(1, 64));
   s.add_option("--error", see.error, "root-mean-square error beside edges that parts are chosen for")
       ->check(CLI::PositiveNumber)

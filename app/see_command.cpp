@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int default_parts = 4;
+constexpr int default_parts = 8;
 
 /// A frame of a sequence, or the only picture.
 struct Frame {

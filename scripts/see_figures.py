@@ -124,13 +124,13 @@ class Figures:
     def eyes(self):
         for name, (label, _) in EYES.items():
             chart, card = self.numbers[name] = self.spreads(name)
-            self.sturm("see", self.folder / "room.exr", "--eye", self.eye_file(name), "-o", self.folder / f"{name}.png")
+            self.sturm("see", self.folder / "room.exr", "--eye", self.eye_file(name), "--parts", 4, "-o", self.folder / f"{name}.png")
             self.keep(name, f"{label}; chart: Strehl {chart['strehl']:.2g}, half of the light within {radius(chart)}; card: {card['strehl']:.2g}, {radius(card)}", 2)
 
     def rack(self, frames=5):
         farthest, nearest = 1 / CHART_M, 1 / CARD_M
         self.sturm("see", self.folder / "room.exr", "--eye", self.eye_file("measured"), "--rack-focus-D", farthest, nearest, "--frames", frames,
-                   "-o", self.folder / "rack.png")
+                   "--parts", 4, "-o", self.folder / "rack.png")
         for i in range(frames):
             focus = farthest + (nearest - farthest) * i / (frames - 1)
             self.keep(f"rack_{i + 1:04d}", f"Rack focus, Hofer 5 accommodating to {1 / focus:.2g} m", 4)

@@ -10,6 +10,8 @@
 #include "stages/stopwatch.h"
 #include "wavefront/layers/guessed_background.h"
 #include "wavefront/layers/kernel_bank.h"
+#include "wavefront/layers/lamps.h"
+#include "wavefront/layers/layer_detail.h"
 #include "wavefront/layers/part_count.h"
 #include "wavefront/layers/ray_kernels.h"
 #include "wavefront/layers/unmixed_edges.h"
@@ -78,13 +80,16 @@ SeenPicture seen_through(const SeeSettings& settings, bool pupil_as_a_whole, con
 SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings) {
   // At one distance the parts of the pupil add up to the whole.
   return seen_through(settings, one_distance(sharp, layers), [&](const KernelModel& model, SeeRun& run) {
-    LayeredPicture parted;  // the edges of a picture whose layers are known are parted in a copy
-    if (!layers.empty()) parted = sharp;
-    LayeredPicture& picture = layers.empty() ? sharp : parted;
+    LayeredPicture parted;  // edges and lamps are parted in a copy
+    const bool lamps = may_have_lamps(sharp), in_copy = lamps || !layers.empty();
+    if (in_copy) parted = sharp;
+    LayeredPicture& picture = in_copy ? parted : sharp;
     picture.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
     picture.hidden = hidden_by(picture, layers);
     run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
     unmix_edges(picture, layers);
+    if (lamps || (!layers.empty() && may_have_lamps(picture))) take_lamps(picture);
+    picture.detail = detail_of(picture);
     run.blur(picture, model);
   });
 }

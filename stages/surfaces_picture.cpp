@@ -41,6 +41,8 @@ class Surfaces {
                             std::vector<double>(first_.size() - 1),
                             std::vector<float>(first_.size() - 1, 0.0f),
                             {},
+                            {},
+                            {},
                             jump_D_},
                            margin_};
     for (int y = 0; y < height_; ++y)

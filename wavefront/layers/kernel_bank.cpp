@@ -55,6 +55,7 @@ KernelBank::KernelBank(const KernelModel& model, std::vector<double> planes_D)
       parts_(model.parts),
       channels_(model.channels),
       reach_px_per_D_(model.reach_px_per_D),
+      point_kernel_(model.point_kernel),
       kernels_(planes_D_.size() * parts_.size() * static_cast<std::size_t>(channels_)),
       radii_(planes_D_.size(), 0),
       uniform_(evenly_spaced(planes_D_)) {
@@ -70,6 +71,14 @@ KernelBank::KernelBank(const KernelModel& model, std::vector<double> planes_D)
 
 int KernelBank::largest_radius_px() const {
   return *std::max_element(radii_.begin(), radii_.end());
+}
+
+double KernelBank::widening_px2(int plane) const {
+  double sum = 0.0;
+  for (int part = 0; part < static_cast<int>(parts_.size()); ++part)
+    for (int channel = 0; channel < channels_; ++channel)
+      sum += parts_[static_cast<std::size_t>(part)].weight * kernel(plane, part, channel).widening_px2 / channels_;
+  return sum;
 }
 
 int KernelBank::radius_at(double vergence_D) const {

@@ -22,6 +22,7 @@ class KernelBank {
   const std::vector<PupilPart>& parts() const { return parts_; }
   int channels() const { return channels_; }
   double reach_px_per_D() const { return reach_px_per_D_; }
+  const KernelModel::PointKernel& point_kernel() const { return point_kernel_; }  ///< may be empty
 
   const SpreadKernel& kernel(int plane, int part, int channel) const {
     return kernels_[(static_cast<std::size_t>(plane) * parts_.size() + part) * channels_ + channel];
@@ -29,6 +30,9 @@ class KernelBank {
 
   int radius_px(int plane) const { return radii_[plane]; }  ///< the largest of all parts and channels
   int largest_radius_px() const;
+
+  /// Variance that a plane's kernels add by sharing light out among pixels [px²], the mean of all parts and channels.
+  double widening_px2(int plane) const;
 
   /// The largest radius at a vergence between the planes.
   int radius_at(double vergence_D) const;
@@ -45,6 +49,7 @@ class KernelBank {
   std::vector<PupilPart> parts_;
   int channels_;
   double reach_px_per_D_;
+  KernelModel::PointKernel point_kernel_;
   std::vector<SpreadKernel> kernels_;
   std::vector<int> radii_;
   bool uniform_;

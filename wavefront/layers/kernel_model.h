@@ -21,6 +21,11 @@ struct KernelModel {
   double reach_px_per_D = 0.0;   ///< by which the edge of the pupil moves the picture of a point with its vergence
   /// The picture of a point at a vergence [D] through one part in one channel; it sums to 1.
   std::function<SpreadKernel(double vergence_D, int part, int channel)> kernel;
+  /// The same of a point beside the middle of its pixel [px, to the right and down], without the pixel's own width. May
+  /// be empty.
+  using PointKernel =
+      std::function<SpreadKernel(double vergence_D, int part, int channel, const Eigen::Vector2d& from)>;
+  PointKernel point_kernel = {};
 };
 
 }  // namespace sturm

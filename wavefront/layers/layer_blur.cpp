@@ -7,6 +7,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "wavefront/layers/brightness.h"
 #include "wavefront/layers/tile_blur.h"
 
 namespace sturm {
@@ -18,17 +19,7 @@ long long BlurCounters::layers(LayerWork work) const {
 }
 
 float lamp_level(const Image& radiance) {
-  constexpr float above_median = 1000.0f;
-  constexpr std::size_t one_in = 20;
-  std::vector<float> brightness(radiance.pixels.size() / 3);
-  for (std::size_t i = 0; i < brightness.size(); ++i)
-    brightness[i] = std::max({radiance.pixels[3 * i], radiance.pixels[3 * i + 1], radiance.pixels[3 * i + 2]});
-  const auto middle = brightness.begin() + static_cast<std::ptrdiff_t>(brightness.size() / 2),
-             high = brightness.end() - 1 - static_cast<std::ptrdiff_t>(brightness.size() / one_in);
-  std::nth_element(brightness.begin(), middle, brightness.end());
-  const float median = *middle;
-  std::nth_element(brightness.begin(), high, brightness.end());
-  return std::max(above_median * median, *high);
+  return bright_level(radiance, 1000.0f);
 }
 
 Image blur_layers(const LayeredPicture& picture, const KernelBank& bank, BlurCounters& counters,
@@ -40,7 +31,8 @@ Image blur_layers(const LayeredPicture& picture, const KernelBank& bank, BlurCou
     throw std::invalid_argument("picture, vergence and coverage differ in size");
   const BlurPlan plan(bank);
   const KernelSpectra spectra(bank, plan);
-  const BlurScene scene{picture, bank, plan, spectra, lamp_level(picture.radiance)};
+  const LampKernels lamps(bank, picture.lamps);
+  const BlurScene scene{picture, bank, plan, spectra, lamps, lamp_level(picture.radiance)};
   const int step = plan.side() - 2 * plan.rim(), columns = (width + step - 1) / step, rows = (height + step - 1) / step;
   Image seen(width, height, 3);
   counters.tiles.resize(static_cast<std::size_t>(columns) * rows);

@@ -11,6 +11,11 @@ struct Piece {
   LayerEntry entry;  // its weight is the whole coverage
 };
 
+template <class Pixel>
+auto first_in_row(const std::vector<Pixel>& pixels, int row) {
+  return std::lower_bound(pixels.begin(), pixels.end(), row, [](const Pixel& p, int y) { return p.y < y; });
+}
+
 /// Collects the pieces of a window; those without coverage are left out.
 class WindowPieces {
  public:
@@ -30,10 +35,11 @@ class WindowPieces {
   const std::vector<Piece>& pieces() const { return pieces_; }
 
  private:
-  void add(int x, int y, double vergence_D, float coverage, const float* rgb, const SurfaceSlope& slope) {
+  void add(int x, int y, double vergence_D, float coverage, const float* rgb, const SurfaceSlope& slope,
+           const Detail* detail) {
     if (!(coverage > 0.0f)) return;
     const auto cell = static_cast<std::uint32_t>((y - window_.top) * window_.side + (x - window_.left));
-    pieces_.push_back({bank_.place_of(vergence_D), {cell, coverage, rgb, slope.x, slope.y}});
+    pieces_.push_back({bank_.place_of(vergence_D), {cell, coverage, rgb, slope.x, slope.y, detail}});
   }
 
   void add_front(int y) {
@@ -42,17 +48,17 @@ class WindowPieces {
       const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
       add(x, y, picture_.vergence_D[i], picture_.coverage.empty() ? 1.0f : picture_.coverage[i],
           picture_.radiance.at(x, y),
-          slopes_ ? surface_slope(picture_.vergence_D, width_, height_, x, y, picture_.jump_D) : SurfaceSlope{});
+          slopes_ ? surface_slope(picture_.vergence_D, width_, height_, x, y, picture_.jump_D) : SurfaceSlope{},
+          picture_.detail.empty() ? nullptr : &picture_.detail[i]);
     }
   }
 
   void add_hidden(int first_row, int end_row) {
-    auto hidden = std::lower_bound(picture_.hidden.begin(), picture_.hidden.end(), first_row,
-                                   [](const HiddenPixel& h, int row) { return h.y < row; });
+    auto hidden = first_in_row(picture_.hidden, first_row);
     for (; hidden != picture_.hidden.end() && hidden->y < end_row; ++hidden)
       if (hidden->x >= window_.left && hidden->x < window_.left + window_.side)
         add(hidden->x, hidden->y, hidden->vergence_D, hidden->coverage, hidden->rgb,
-            slopes_ ? SurfaceSlope{hidden->slope_x, hidden->slope_y} : SurfaceSlope{});
+            slopes_ ? SurfaceSlope{hidden->slope_x, hidden->slope_y} : SurfaceSlope{}, &hidden->detail);
   }
 
   const LayeredPicture& picture_;
@@ -81,6 +87,19 @@ SplitWindow::SplitWindow(const LayeredPicture& picture, const KernelBank& bank, 
     LayerEntry& behind = entries_[next[piece.place.plane + 1]++] = piece.entry;
     behind.weight *= piece.place.next_weight;
     entry.weight -= behind.weight;
+  }
+  if (!picture.lamps.empty()) add_lamps(picture, bank, window);
+}
+
+void SplitWindow::add_lamps(const LayeredPicture& picture, const KernelBank& bank, const TileWindow& window) {
+  lamps_.resize(bank.planes_D().size());
+  for (auto lamp = first_in_row(picture.lamps, window.top);
+       lamp != picture.lamps.end() && lamp->y < window.top + window.side; ++lamp) {
+    if (lamp->x < window.left || lamp->x >= window.left + window.side) continue;
+    const auto cell = static_cast<std::uint32_t>((lamp->y - window.top) * window.side + (lamp->x - window.left));
+    const auto [plane, next_weight] = bank.place_of(lamp->vergence_D);
+    lamps_[static_cast<std::size_t>(plane)].push_back({cell, 1.0f - next_weight, &*lamp});
+    if (next_weight > 0.0f) lamps_[static_cast<std::size_t>(plane) + 1].push_back({cell, next_weight, &*lamp});
   }
 }
 

@@ -19,6 +19,14 @@ struct LayerEntry {
   float weight;            ///< coverage that it gives to the plane
   const float* rgb;        ///< its colour
   float slope_x, slope_y;  ///< of its surface [D/px], to the right and down; 0 where the pupil is in one part
+  const Detail* detail;    ///< null: none
+};
+
+/// What a lamp gives to one plane.
+struct LampEntry {
+  std::uint32_t cell;  ///< of the window
+  float weight;        ///< share of its light
+  const LampPixel* lamp;
 };
 
 /// What a window of a picture gives to every plane: each pixel is shared out between the two planes about its vergence
@@ -30,8 +38,14 @@ class SplitWindow {
   std::span<const LayerEntry> entries_of(int plane) const {
     return {entries_.data() + first_[plane], entries_.data() + first_[plane + 1]};
   }
+  std::span<const LampEntry> lamps_of(int plane) const {
+    return lamps_.empty() ? std::span<const LampEntry>() : std::span<const LampEntry>(lamps_[plane]);
+  }
 
  private:
+  void add_lamps(const LayeredPicture& picture, const KernelBank& bank, const TileWindow& window);
+
+  std::vector<std::vector<LampEntry>> lamps_;  // of each plane, if there are any
   std::vector<LayerEntry> entries_;
   std::vector<std::size_t> first_;  // of each plane, and one more
 };

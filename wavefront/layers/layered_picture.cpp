@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "wavefront/layers/layer_detail.h"
+
 namespace sturm {
 
 SurfaceSlope surface_slope(const std::vector<double>& vergence_D, int width, int height, int x, int y, double jump_D) {
@@ -21,17 +23,22 @@ SurfaceSlope surface_slope(const std::vector<double>& vergence_D, int width, int
 std::vector<HiddenPixel> hidden_by(const LayeredPicture& picture, std::span<const PictureLayer> layers) {
   const int width = picture.radiance.width, height = picture.radiance.height;
   std::vector<HiddenPixel> hidden;
+  std::vector<LayerDetail> details;
+  for (const PictureLayer& layer : layers)
+    details.emplace_back(layer.radiance, layer.vergence_D, layer.coverage, picture.jump_D);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * width + x;
       const bool see_through = !picture.coverage.empty() && picture.coverage[i] < 1.0f;
-      for (const PictureLayer& layer : layers) {
+      for (std::size_t number = 0; number < layers.size(); ++number) {
+        const PictureLayer& layer = layers[number];
         const float coverage = layer.coverage.empty() ? 1.0f : layer.coverage[i];
         const double vergence = layer.vergence_D[i];
         if (!(coverage > 0.0f) || !(see_through || vergence < picture.vergence_D[i] - picture.jump_D)) continue;
         const float* rgb = layer.radiance.at(x, y);
         const SurfaceSlope slope = surface_slope(layer.vergence_D, width, height, x, y, picture.jump_D);
-        hidden.push_back({x, y, vergence, coverage, {rgb[0], rgb[1], rgb[2]}, slope.x, slope.y});
+        hidden.push_back(
+            {x, y, vergence, coverage, {rgb[0], rgb[1], rgb[2]}, slope.x, slope.y, details[number].at(x, y)});
       }
     }
   return hidden;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -7,6 +8,18 @@
 
 namespace sturm {
 
+/// What blur that is wider than a pixel lacks where light is shared out among pixels; see layer_detail.h.
+using Detail = std::array<float, 3>;
+
+/// Bright light of a small part of the picture, which is spread from where it lies within its pixel.
+struct LampPixel {
+  std::int32_t x, y;     ///< pixel of the picture
+  double vergence_D;     ///< 1/planar distance
+  float rgb[3];          ///< its light, multiplied by the coverage, beyond what the picture or the hidden pixel has
+  std::uint16_t places;  ///< bit 4 v + u: it lies in the column u and row v of the pixel's 4 × 4 places
+};
+inline constexpr std::uint16_t all_places = 0xffff;
+
 /// A piece of a surface that the sharp picture does not show, because something nearer hides it.
 struct HiddenPixel {
   std::int32_t x, y;                     ///< pixel of the picture
@@ -14,6 +27,7 @@ struct HiddenPixel {
   float coverage;                        ///< of the pixel, 0 … 1
   float rgb[3];                          ///< its colour, not multiplied by the coverage
   float slope_x = 0.0f, slope_y = 0.0f;  ///< of its surface: change of the vergence to the next pixel, right and down
+  Detail detail{};
 };
 
 /// A sharp picture in linear light with the vergence of every pixel, and what it hides.
@@ -22,6 +36,8 @@ struct LayeredPicture {
   std::vector<double> vergence_D;   ///< one for each pixel, row by row: of one surface, never a mean across an edge
   std::vector<float> coverage;      ///< by the picture's surface, 0 … 1; empty where it covers every pixel
   std::vector<HiddenPixel> hidden;  ///< rows ascend, columns within a row
+  std::vector<LampPixel> lamps;     ///< the same order
+  std::vector<Detail> detail;       ///< one for each pixel of the picture, or empty
   /// Vergences of neighbours that differ by more belong to two surfaces.
   double jump_D = 0.0;
 };

@@ -32,12 +32,12 @@ class PartRays {
     return on_picture(sum / static_cast<double>(fan_.points()));
   }
 
-  SpreadKernel kernel(double vergence_D) const {
+  SpreadKernel kernel(double vergence_D, const Vector2d& from, RayShare share) const {
     std::vector<LandedRay> landed;
-    fan_.for_each(vergence_D, count_for(vergence_D), [&](const Vector2d& x, double share) {
-      landed.push_back({on_picture(x), share});
+    fan_.for_each(vergence_D, count_for(vergence_D), [&](const Vector2d& x, double weight) {
+      landed.push_back({from + on_picture(x), weight});
     });
-    return deposited(landed, largest_kernel_radius_px);
+    return deposited(landed, largest_kernel_radius_px, share);
   }
 
  private:
@@ -81,9 +81,15 @@ KernelModel ray_kernels(const Eye& eye, double accommodation_D, double pixel_slo
   }
   model.channels = settings.chromatic ? 3 : 1;
   model.reach_px_per_D = eye.pupil_radius_m / pixel_slope;
-  model.kernel = [=, chromatic = settings.chromatic](double vergence_D, int part, int channel) {
-    const double added_D = chromatic ? chromatic_vergence_D(primary_wavelengths_nm[channel], focus_wavelength_nm) : 0.0;
-    return (*parts)[part].kernel(vergence_D - accommodation_D + added_D);
+  const auto error_D = [=, chromatic = settings.chromatic](double vergence_D, int channel) {
+    return vergence_D - accommodation_D +
+           (chromatic ? chromatic_vergence_D(primary_wavelengths_nm[channel], focus_wavelength_nm) : 0.0);
+  };
+  model.kernel = [=](double vergence_D, int part, int channel) {
+    return (*parts)[part].kernel(error_D(vergence_D, channel), Vector2d::Zero(), RayShare::FourPixels);
+  };
+  model.point_kernel = [=](double vergence_D, int part, int channel, const Vector2d& from) {
+    return (*parts)[part].kernel(error_D(vergence_D, channel), from, RayShare::OnePixel);
   };
   return model;
 }

@@ -1,9 +1,11 @@
 #include "wavefront/layers/tile_blur.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "wavefront/fft/tile_transform.h"
+#include "wavefront/layers/brightness.h"
 #include "wavefront/layers/part_composite.h"
 
 namespace sturm {
@@ -19,6 +21,11 @@ CellBox box_of(std::span<const LayerEntry> entries, int side) {
     box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
   }
   return box;
+}
+
+/// How much of the detail of layers makes up for the width that kernels have gained: all of it for 1/6 px².
+float detail_share_of(double widening_px2) {
+  return static_cast<float>(std::min(1.0, 6.0 * widening_px2));
 }
 
 /// How much larger the picture of a pixel of a slanted surface is through a part of the pupil: 1 + c·∇V.
@@ -49,14 +56,15 @@ void TileBlur::blur(TileWork& tile, Image& seen) {
       tile.layers.push_back(entries.empty() ? LayerWork::Empty : LayerWork::Covered);
       continue;
     }
-    const Blurred layer = blur_layer(plane, entries);
+    const Blurred layer = blur_layer(plane, entries, window.lamps_of(plane));
     tile.layers.push_back(layer.work);
     covered = layer.covered;
   }
   write(tile.left, tile.top, seen);
 }
 
-TileBlur::Blurred TileBlur::blur_layer(int plane, std::span<const LayerEntry> entries) {
+TileBlur::Blurred TileBlur::blur_layer(int plane, std::span<const LayerEntry> entries,
+                                       std::span<const LampEntry> lamps) {
   const int parts = static_cast<int>(totals_.size());
   lit_ = box_of(entries, scene_.plan.side());
   const bool same = same_for_all_parts(entries);
@@ -65,16 +73,19 @@ TileBlur::Blurred TileBlur::blur_layer(int plane, std::span<const LayerEntry> en
   bool covered = true;
   for (int part = 0; part < parts; ++part) {
     const bool fresh = part == 0 || !same;
-    if (fresh) fill_source(entries, part, same, method == BlurMethod::Transform);
+    if (fresh) {
+      fill_source(plane, entries, part, same, method == BlurMethod::Transform);
+      take_lamps(lamps);
+    }
     if (method == BlurMethod::Unblurred) {
+      if (fresh)
+        for (const Lamp& lamp : lamps_) light_in_place(lamp);
       covered &= lay_behind(source_, kept, totals_[part]);
       continue;
     }
     blur_source(method, plane, part, !fresh);
-    if (method == BlurMethod::Transform) {
-      clear_rounding(kept, blurred_);
-      add_lamps(plane, part);
-    }
+    if (method == BlurMethod::Transform) clear_rounding(kept, blurred_);
+    add_lamps(plane, part);
     covered &= lay_behind(blurred_, kept, totals_[part]);
   }
   return {method == BlurMethod::Unblurred ? LayerWork::Unblurred
@@ -92,15 +103,16 @@ bool TileBlur::same_for_all_parts(std::span<const LayerEntry> entries) const {
   return slant * shift < flat;
 }
 
-void TileBlur::fill_source(std::span<const LayerEntry> entries, int part, bool same, bool without_lamps) {
+void TileBlur::fill_source(int plane, std::span<const LayerEntry> entries, int part, bool same, bool without_lamps) {
   source_.clear();
   lamps_.clear();
   const int side = source_.side();
+  const float detail_share = detail_share_of(scene_.bank.widening_px2(plane));
   float* planes[6];
   for (int i = 0; i < source_.count(); ++i) planes[i] = source_.planes[i].pixels.data();
   for (const LayerEntry& entry : entries) {
     const float weight = same ? entry.weight : entry.weight * std::max(0.0f, stretch(entry, scene_.bank.parts()[part]));
-    const float brightness = std::max({entry.rgb[0], entry.rgb[1], entry.rgb[2]});
+    const float brightness = brightness_of(entry.rgb);
     float kept = weight;
     if (without_lamps && brightness > scene_.lamp_level) {
       kept = weight * (scene_.lamp_level / brightness);
@@ -108,10 +120,24 @@ void TileBlur::fill_source(std::span<const LayerEntry> entries, int part, bool s
       for (int c = 0; c < 3; ++c) lamp.rgb[c] = (weight - kept) * entry.rgb[c];
       lamps_.push_back(lamp);
     }
-    for (int c = 0; c < 3; ++c) planes[c][entry.cell] += kept * entry.rgb[c];
+    for (int c = 0; c < 3; ++c)
+      planes[c][entry.cell] += kept * (entry.rgb[c] + (entry.detail ? detail_share * (*entry.detail)[c] : 0.0f));
     for (int i = 3; i < source_.count(); ++i) planes[i][entry.cell] += weight;
   }
+}
+
+void TileBlur::take_lamps(std::span<const LampEntry> lamps) {
+  const int side = source_.side();
+  for (const LampEntry& entry : lamps) {
+    Lamp lamp{static_cast<int>(entry.cell) % side, static_cast<int>(entry.cell) / side, {}, entry.lamp->places};
+    for (int c = 0; c < 3; ++c) lamp.rgb[c] = entry.weight * entry.lamp->rgb[c];
+    lamps_.push_back(lamp);
+  }
   lamp_pixels_ += static_cast<long long>(lamps_.size());
+}
+
+void TileBlur::light_in_place(const Lamp& lamp) {
+  for (int c = 0; c < 3; ++c) source_.planes[c].at(lamp.x, lamp.y)[0] += lamp.rgb[c];
 }
 
 void TileBlur::blur_source(BlurMethod method, int plane, int part, bool transformed) {
@@ -132,17 +158,27 @@ void TileBlur::blur_source(BlurMethod method, int plane, int part, bool transfor
 }
 
 void TileBlur::add_lamps(int plane, int part) {
-  const CellBox kept = scene_.plan.kept();
   for (const Lamp& lamp : lamps_)
     for (int c = 0; c < 3; ++c) {
-      const SpreadKernel& kernel = scene_.bank.kernel(plane, part, source_.kernel_of(c));
-      const CellBox reached = CellBox{lamp.x, lamp.y, lamp.x + 1, lamp.y + 1}.grown(kernel.radius_px).within(kept);
-      for (int y = reached.top; y < reached.bottom; ++y) {
-        float* const row = blurred_.planes[c].at(0, y);
-        for (int x = reached.left; x < reached.right; ++x)
-          row[x] += kernel.weight(x - lamp.x, y - lamp.y) * lamp.rgb[c];
+      const int channel = source_.kernel_of(c);
+      if (!scene_.lamps.parted(plane, lamp.places)) {
+        add_lamp(lamp, scene_.bank.kernel(plane, part, channel), c, 1.0f);
+        continue;
       }
+      const float share = 1.0f / static_cast<float>(std::popcount(lamp.places));
+      for (int place = 0; place < 16; ++place)
+        if (lamp.places >> place & 1) add_lamp(lamp, scene_.lamps.kernel(plane, part, channel, place), c, share);
     }
+}
+
+void TileBlur::add_lamp(const Lamp& lamp, const SpreadKernel& kernel, int channel, float share) {
+  const float light = share * lamp.rgb[channel];
+  const CellBox reached =
+      CellBox{lamp.x, lamp.y, lamp.x + 1, lamp.y + 1}.grown(kernel.radius_px).within(scene_.plan.kept());
+  for (int y = reached.top; y < reached.bottom; ++y) {
+    float* const row = blurred_.planes[channel].at(0, y);
+    for (int x = reached.left; x < reached.right; ++x) row[x] += kernel.weight(x - lamp.x, y - lamp.y) * light;
+  }
 }
 
 void TileBlur::write(int left, int top, Image& seen) const {

@@ -5,6 +5,7 @@
 
 #include "wavefront/layers/blur_plan.h"
 #include "wavefront/layers/kernel_spectra.h"
+#include "wavefront/layers/lamp_kernels.h"
 #include "wavefront/layers/layer_blur.h"
 #include "wavefront/layers/layer_split.h"
 #include "wavefront/layers/tile_light.h"
@@ -17,6 +18,7 @@ struct BlurScene {
   const KernelBank& bank;
   const BlurPlan& plan;
   const KernelSpectra& spectra;
+  const LampKernels& lamps;
   float lamp_level;
 };
 
@@ -34,6 +36,7 @@ class TileBlur {
   struct Lamp {
     int x, y;      // cell
     float rgb[3];  // its light beyond the lamp level, times its coverage
+    std::uint16_t places = all_places;
   };
 
   struct Blurred {
@@ -41,11 +44,14 @@ class TileBlur {
     bool covered;  // nothing behind it is seen
   };
 
-  Blurred blur_layer(int plane, std::span<const LayerEntry> entries);
+  Blurred blur_layer(int plane, std::span<const LayerEntry> entries, std::span<const LampEntry> lamps);
   bool same_for_all_parts(std::span<const LayerEntry> entries) const;
-  void fill_source(std::span<const LayerEntry> entries, int part, bool same, bool without_lamps);
+  void fill_source(int plane, std::span<const LayerEntry> entries, int part, bool same, bool without_lamps);
+  void take_lamps(std::span<const LampEntry> lamps);
+  void light_in_place(const Lamp& lamp);
   void blur_source(BlurMethod method, int plane, int part, bool transformed);
   void add_lamps(int plane, int part);
+  void add_lamp(const Lamp& lamp, const SpreadKernel& kernel, int channel, float share);
   void write(int left, int top, Image& seen) const;
 
   BlurScene scene_;

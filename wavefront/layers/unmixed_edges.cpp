@@ -14,10 +14,14 @@ using Eigen::Vector3f;
 
 constexpr float like_colors = 1e-4f;  // squared difference below which the two sides of an edge tell no coverage
 constexpr float all = 0.999f, little = 0.05f;
+constexpr float doubt_of_place =
+    1.0f / 48.0f;                // variance of a coverage between a half and one, of which no more is known
+constexpr float unknown = 1e6f;  // doubt about a colour of which nothing is known
 
 struct NearSurface {
   Vector3f color;
   double vergence_D;
+  float variance;  // of each channel
 };
 
 class EdgePixels {
@@ -52,26 +56,53 @@ class EdgePixels {
     return found;
   }
 
+  double farthest_beside(int x, int y) const {
+    double farthest = vergence(x, y);
+    around(x, y, 1, [&](int u, int v) { farthest = std::min(farthest, vergence(u, v)); });
+    return farthest;
+  }
+
   bool beside_nearer(int x, int y) const {
     bool found = false;
     around(x, y, 1, [&](int u, int v) { found |= vergence(u, v) - vergence(x, y) > picture_.jump_D; });
     return found;
   }
 
-  /// The unmixed pixels of the nearest surface about (x, y), if that is nearer than `than_D`.
+  /// The unmixed pixels of the nearest surface about (x, y), if that is nearer than `than_D`; of a surface that has
+  /// none, the mixed ones, which say nothing about its colour.
   std::optional<NearSurface> near_surface(int x, int y, double than_D) const {
     double nearest = than_D;
     around(x, y, 1, [&](int u, int v) { nearest = std::max(nearest, vergence(u, v)); });
-    NearSurface mean{Vector3f::Zero(), 0.0};
-    int count = 0;
-    around(x, y, 2, [&](int u, int v) {
-      if (std::abs(vergence(u, v) - nearest) > picture_.jump_D || beside_farther(u, v)) return;
-      mean.color += color(u, v);
-      mean.vergence_D += vergence(u, v);
-      ++count;
+    for (const bool mixed : {false, true}) {
+      NearSurface mean{Vector3f::Zero(), 0.0, 0.0f};
+      float weights = 0.0f, largest = 0.0f;
+      around(x, y, mixed ? 1 : 2, [&](int u, int v) {
+        if (std::abs(vergence(u, v) - nearest) > picture_.jump_D || beside_farther(u, v) != mixed) return;
+        const float weight = 1.0f / static_cast<float>(std::max(1, (u - x) * (u - x) + (v - y) * (v - y)));
+        mean.color += weight * color(u, v);
+        mean.variance += weight * color(u, v).squaredNorm() / 3.0f;
+        if (weight > largest) mean.vergence_D = vergence(u, v);
+        largest = std::max(largest, weight);
+        weights += weight;
+      });
+      if (weights == 0.0f) continue;
+      mean.color /= weights;
+      mean.variance = mixed ? unknown : std::max(0.0f, mean.variance / weights - mean.color.squaredNorm() / 3.0f);
+      return mean;
+    }
+    return std::nullopt;
+  }
+
+  /// The share of a pixel that a surface nearer than `behind_D` covers if its edge is straight, by the depth of the
+  /// pixels about it.
+  float coverage_by_place(int x, int y, double behind_D) const {
+    float near = 0.0f, all_weights = 0.0f;
+    around(x, y, 1, [&](int u, int v) {
+      const auto weight = static_cast<float>((2 - std::abs(u - x)) * (2 - std::abs(v - y)));
+      all_weights += weight;
+      if (vergence(u, v) - behind_D > picture_.jump_D) near += weight;
     });
-    if (count == 0) return std::nullopt;
-    return NearSurface{mean.color / static_cast<float>(count), mean.vergence_D / count};
+    return near / all_weights;
   }
 
   /// The colour of the layer that lies where `wanted` says, if one covers the pixel.
@@ -92,20 +123,27 @@ class EdgePixels {
     if (beside_nearer(x, y)) {
       const auto behind = layer_color(x, y, [&](double v) { return std::abs(v - here) <= picture_.jump_D; });
       const auto near = near_surface(x, y, here);
-      if (behind && near && near->vergence_D > here) part(x, y, *near, *behind, false);
+      if (behind && near && near->vergence_D > here) part(x, y, *near, *behind, here, false);
     } else if (beside_farther(x, y)) {
       const auto behind = layer_color(x, y, [&](double v) { return v < here - picture_.jump_D; });
       const auto near = near_surface(x, y, here);
-      if (behind && near) part(x, y, *near, *behind, true);
+      if (behind && near) part(x, y, *near, *behind, farthest_beside(x, y), true);
     }
   }
 
-  void part(int x, int y, const NearSurface& near, const Vector3f& behind, bool near_in_front) {
+  /// Parts the pixel between a near surface and the colour behind it, whose vergence is `behind_D` or less.
+  void part(int x, int y, const NearSurface& near, const Vector3f& behind, double behind_D, bool near_in_front) {
     const Vector3f contrast = near.color - behind;
-    if (!(contrast.squaredNorm() > like_colors)) return;
+    const float square = std::max(contrast.squaredNorm(), 1e-12f);
+    if (!(square + 3.0f * near.variance > like_colors)) return;
     const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
     const Vector3f mixed = color(x, y);
-    const float alpha = std::clamp((mixed - behind).dot(contrast) / contrast.squaredNorm(), 0.0f, 1.0f);
+    const float by_color = std::clamp((mixed - behind).dot(contrast) / square, 0.0f, 1.0f);
+    // What a mixture of the two colours leaves unexplained says how far the colour of the near surface can be trusted.
+    const float unexplained = (mixed - behind - by_color * contrast).squaredNorm() / 3.0f;
+    const float doubt = (near.variance + unexplained) / square;
+    const float alpha =
+        (by_color * doubt_of_place + coverage_by_place(x, y, behind_D) * doubt) / (doubt_of_place + doubt);
     const Vector3f own =
         alpha > little ? Vector3f((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f) : near.color;
     if (near_in_front) {

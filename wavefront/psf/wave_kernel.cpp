@@ -15,6 +15,7 @@ SpreadKernel wave_kernel(const WavePsf& psf, double pixel_rad, double left_out) 
   const double scale = 1.0 / cells.energy.cwiseMax(0.0).sum();
   SpreadKernel kernel;
   kernel.radius_px = radius;
+  kernel.widening_px2 = 1.0 / 12.0;  // of a pixel's width
   kernel.weights.resize(static_cast<std::size_t>(kernel.side()) * static_cast<std::size_t>(kernel.side()));
   for (int dy = -radius; dy <= radius; ++dy)
     for (int dx = -radius; dx <= radius; ++dx)  // the pupil's y points up, the picture's down

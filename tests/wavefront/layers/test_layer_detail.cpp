@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "wavefront/layers/layer_blur.h"
+#include "wavefront/layers/layer_detail.h"
+#include "wavefront/layers/ray_kernels.h"
+
+namespace sturm {
+namespace {
+
+LayeredPicture picture_of(int width, int height, const std::function<float(int, int)>& value) {
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  picture.vergence_D.assign(static_cast<std::size_t>(width) * height, 1.0);
+  picture.jump_D = 0.5;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) std::fill_n(picture.radiance.at(x, y), 3, value(x, y));
+  return picture;
+}
+
+TEST(LayerDetail, IsATwelfthOfTheSecondDifferences) {
+  // x² has the second difference 2 along x and none along y.
+  const LayeredPicture picture = picture_of(5, 3, [](int x, int) { return 50.0f + static_cast<float>(x * x); });
+  EXPECT_NEAR(detail_of(picture)[5 + 2][0], -2.0f / 12.0f, 1e-5);
+  EXPECT_NEAR(detail_of(picture)[5 + 0][0], -1.0f / 12.0f, 1e-5);  // one neighbour beyond the border is missing
+}
+
+TEST(LayerDetail, DoesNotCrossEdgesNorHoles) {
+  LayeredPicture picture = picture_of(4, 1, [](int x, int) { return static_cast<float>(1 << x); });
+  EXPECT_NEAR(detail_of(picture)[1][0], -1.0f / 12.0f, 1e-6);  // of 1, 2, 4
+  picture.vergence_D[2] = picture.vergence_D[3] = 3.0;
+  EXPECT_EQ(detail_of(picture)[1][0], 0.0f);
+  picture.vergence_D.assign(4, 1.0);
+  picture.coverage = {1.0f, 1.0f, 0.0f, 1.0f};
+  EXPECT_EQ(detail_of(picture)[1][0], 0.0f);
+}
+
+TEST(LayerDetail, StepsBetweenPixelsStay) {
+  // Of a step that lies within the third pixel the two halves count.
+  for (const float middle : {1.0f, 1.5f, 2.0f}) {
+    const LayeredPicture picture = picture_of(5, 1, [&](int x, int) { return x < 2 ? 1.0f : x > 2 ? 2.0f : middle; });
+    EXPECT_NEAR(detail_of(picture)[1][0], middle == 1.5f ? -0.5f / 12.0f : 0.0f, 1e-6) << middle;
+  }
+}
+
+TEST(LayerDetail, KeepsLightAndMakesNoneNegative) {
+  const LayeredPicture picture = picture_of(40, 30, [](int x, int y) {
+    return (x * 7 + y * 11) % 5 == 0 ? 1e3f : 0.1f * static_cast<float>((x * 3 + y) % 4);
+  });
+  const std::vector<Detail> detail = detail_of(picture);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < detail.size(); ++i) {
+    sum += detail[i][0];
+    EXPECT_GE(picture.radiance.pixels[3 * i] + detail[i][0], 0.0f);
+  }
+  EXPECT_NEAR(sum, 0.0, 1e-4);  // of 240 lamps of 1000, in single precision
+}
+
+TEST(LayerDetail, StripesKeepTheContrastThatTheBlurLeavesThem) {
+  // A disc of radius r leaves 2 J₁(kr)/(kr) of stripes of period 2π/k. Here k = 0.7, r = 1.5 px; linear sharing alone
+  // would take another k²/12 = 4 % of them.
+  constexpr double k = 0.7, r = 1.5, pixel = 4e-4;
+  LayeredPicture picture =
+      picture_of(300, 40, [&](int x, int) { return static_cast<float>(0.5 + 0.1 * std::cos(k * x)); });
+  picture.detail = detail_of(picture);
+  // In focus at 0 D, so that 1 D of error over a radius of r px.
+  const KernelModel model = ray_kernels(Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 2.0 * r * pixel), 0.0, pixel, {});
+  BlurCounters work;
+  const Image seen = blur_layers(picture, KernelBank(model, {1.0}), work);
+  const double left = 2.0 * std::cyl_bessel_j(1.0, k * r) / (k * r);
+  for (int x = 100; x < 200; ++x) EXPECT_NEAR(seen.at(x, 20)[0], 0.5 + 0.1 * left * std::cos(k * x), 4e-4) << x;
+}
+
+TEST(LayerDetail, DoesNothingInFocus) {
+  LayeredPicture picture = picture_of(300, 40, [](int x, int y) { return static_cast<float>((x * 7 + y * 3) % 5); });
+  picture.detail = detail_of(picture);
+  const KernelModel model = ray_kernels(Eye::with(Prescription{-1.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, 4e-4, {});
+  BlurCounters work;
+  EXPECT_EQ(blur_layers(picture, KernelBank(model, {1.0}), work).pixels, picture.radiance.pixels);
+}
+
+}  // namespace
+}  // namespace sturm
