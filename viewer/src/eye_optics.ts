@@ -40,6 +40,9 @@ export function lensNumbers(side: Side, glasses: GlassesState, eye: EyeState, of
 
 export interface SightTable { data: Float32Array; columns: number; rows: number; first: [number, number]; step: [number, number] }
 
+/** Accommodation by vergence (columns) and height in the picture (rows, upper first); RGBA. */
+export interface FocusTable { data: Float32Array; width: number; height: number }
+
 export class EyeOptics {
   readonly optics: Optics & { delete(): void };
   private eyeKey = '';
@@ -86,8 +89,8 @@ export class EyeOptics {
     return { data, columns, rows, first, step };
   }
 
-  /** Accommodation by vergence (columns) and height in the picture (rows, upper first) of an eye that seeks focus; RGBA. */
-  focusTable(pose: Pose): { data: Float32Array; width: number; height: number } {
+  /** Of an eye that seeks focus. */
+  focusTable(pose: Pose): FocusTable {
     const [, , lower, upper] = edgesOf(pose), height = this.lens ? 9 : 2, data = new Float32Array(4 * focusVergences * height);
     for (let j = 0; j < height; ++j) {
       const slope = upper + ((lower - upper) * j) / (height - 1);
