@@ -98,6 +98,10 @@ class Browser:
         """The visible part of the page as bytes of a PNG file."""
         return base64.b64decode(self._call("GET", "/screenshot"))
 
+    def screenshot_of(self, selector):
+        """The same of one element, all of it."""
+        return base64.b64decode(self._call("GET", f"/element/{self.find(selector)}/screenshot"))
+
     def console(self):
         """Messages of the page's console and errors of its scripts since the last call."""
         return self._call("POST", "/se/log", {"type": "browser"})

@@ -41,6 +41,13 @@ def gltf(path):
     return [path, buffer, picture]
 
 
+def add_lamp(model):
+    """A lamp without a surface, which neither the program nor the page takes from a model."""
+    model.extension("KHR_lights_punctual")
+    model.json["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 50}]}}
+    model.node(translation=[0, 1, 0], extensions={"KHR_lights_punctual": {"light": 0}})
+
+
 def obj(path):
     """An OBJ file with a library and a picture that it names. Returns all files."""
     library, picture = path.with_suffix(".mtl"), path.with_name("texels.png")

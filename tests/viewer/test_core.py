@@ -49,6 +49,21 @@ class Bits(FolderTest):
         self.assertLessEqual(worst["angles_deg"], 3e-14)
 
 
+class Sights(unittest.TestCase):
+    def test_nodes_between_traced_ones_in_the_time_of_a_slider(self):
+        for lens, found in core("sights").items():
+            with self.subTest(lens=lens):
+                print(f"lines of sight of a picture, {lens}: {found['ms']:.1f} ms", flush=True)
+                self.assertLess(found["ms"], 5)
+                self.assertGreater(found["stopped"], 100)  # by the rim, to which nodes are right
+                self.assertEqual(found["wrong"], 0)
+                # Straight lines between nodes, as in the program and on the graphics card, are off by 2e-5 rad (conoid/pictures/sight_field.h); here
+                # the next two nodes bend them. The surface of a progressive lens is a spline, whose fourth derivative is where its knots are.
+                self.assertLess(found["directions"], {"toric": 2e-6, "progressive": 2e-5}[lens])
+                self.assertLess(found["places"], 1e-7)
+                self.assertLess(found["powers"], {"toric": 1e-5, "progressive": 0.03}[lens])
+
+
 class Answers(FolderTest):
     def close(self, mine, theirs, scale):
         self.assertEqual(mine is None, theirs is None)

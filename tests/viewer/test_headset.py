@@ -1,7 +1,8 @@
 """A session in an emulated headset: two eyes, each with its own place and prescription, the panel by rays, and back to the page."""
 import math
 
-from page_in_browser import SOFTWARE, PageTest, emissive_view, main
+from page_in_browser import QUADS, QUADS_ASIDE, SOFTWARE, PageTest, emissive_view, main, rectangle
+from picture_measures import differences, rmse, same_passes
 from sturm_process import SOURCE
 from webdriver import Browser
 
@@ -23,7 +24,35 @@ PRESS = """
   else window.emulated.controllers.right.updateButtonValue('trigger', on ? 1 : 0);"""
 TRACK = (210 / 640, 460 / 640)  # of a slider, along the panel
 ROWS = 8
+EYE_PX, PASSES = 112, 16  # 0.7 of half the window
+# The head moves and turns by atan(7/24) to the left. Each eye sees farther outwards and down, as in most headsets: straight ahead is 16 px from the
+# middle of its picture, and 8 px above it. Both are multiples of the 4 pixels in which points of the pupil repeat.
+CENTER = (72, 48)  # of the left eye [px]
+LOOK_ASIDE = """
+  const {position, quaternion} = window.emulated, own = Object.getOwnPropertyDescriptor(XRView.prototype, 'projectionMatrix').get;
+  position.set(position.x + 0.05, position.y - 0.02, position.z + 0.03);
+  quaternion.set(0, Math.sqrt(0.02), 0, Math.sqrt(0.98));  // cosine 0.96, sine 0.28
+  Object.defineProperty(XRView.prototype, 'projectionMatrix', {get() {
+    const matrix = Float32Array.from(own.call(this));
+    matrix[8] = this.eye === 'left' ? -2 / 7 : 2 / 7;
+    matrix[9] = -1 / 7;
+    return matrix;
+  }});"""
+EYES = "const {left, right} = window.sturmViewer.app.headset.eyes;"
+# What is done wrong; once more undoes it.
+MISTAKES = {
+    "each eye where the other is": "[left.pose.position, right.pose.position] = [right.pose.position, left.pose.position];",
+    "each eye with the other's power": "[left.uniforms, right.uniforms] = [right.uniforms, left.uniforms];",
+    "a frustum mirrored": "left.pose.center[0] = left.pose.width - left.pose.center[0];",
+    "a frustum upside down": "left.pose.center[1] = left.pose.height - left.pose.center[1];",
+}
 SPH, GLASSES, LAST = 1, 6, 7
+
+
+def full_view():
+    """Before a wall that ends outside of every picture: beyond it would be black, and the program takes more passes where bright borders on black."""
+    quads = (("wall", rectangle(0, 0, -6, 40, 40), 8), *QUADS[1:], *((f"{name} aside", corners, shade) for name, corners, shade in QUADS_ASIDE[1:]))
+    return emissive_view(quads=quads)
 
 
 def small_view():
@@ -60,24 +89,49 @@ class HeadsetTest(PageTest):
         self.browser.run("return window.sturmViewer.app.enterHeadset()")
         self.frames(2)
 
-    def test_two_eyes(self):
-        self.wear_headset(small_view())
+    def test_two_eyes_are_the_programs_stereo_pair(self):
+        self.wear_headset(full_view())
+        self.browser.run(LOOK_ASIDE)
+        self.frames(2)
         self.rest()
         poses = self.browser.run("return ['left', 'right'].map((side) => window.sturmViewer.app.headset.eyes[side].pose)")
         apart = [b - a for a, b in zip(*(pose["position"] for pose in poses))]
-        for mine, expected in zip(apart, [0.063, 0, 0]):  # the right eye is on the right
+        for mine, expected in zip(apart, [0.063 * 0.96, 0, -0.063 * 0.28]):  # the right eye is on the right, also of a turned head
             self.assertAlmostEqual(mine, expected, places=6)
-        worn = self.browser.run("const {eyes} = window.sturmViewer.app.headset; return ['left', 'right'].map((side) => Array.from(eyes[side].uniforms.u_correction))")
-        # -6.00 -3.00 x 30 by Long's matrix on the wearer's axes (150 degrees), and none.
-        self.assertEqual(worn[1], [0, 0, 0])
-        for mine, expected in zip(worn[0], [-6.75, -3 * math.sqrt(3) / 4, -8.25]):
-            self.assertAlmostEqual(mine, expected, places=12)
+        program = self.stereo_pair()
+        self.change(f"s.passes = {PASSES}")
+        for side in program:
+            with self.subTest(side=side):
+                traced = self.measured(f"inHeadset('{side}', 'gather')")
+                self.assertTrue(same_passes(traced, program[side], PASSES), f"{sum(d > 1e-6 for d in differences(traced, program[side]))} pixels")
+                drawn = rmse(self.measured(f"inHeadset('{side}', 'raster')"), program[side])
+                print(f"{side}: RMSE {drawn:.1e}, rasterised", flush=True)
+                self.assertLess(drawn, 3e-3)  # as on the page (test_pictures.py)
+        for name, mistake in MISTAKES.items():
+            with self.subTest(mistake=name):
+                self.browser.run(EYES + mistake)
+                self.assertFalse(same_passes(self.measured("inHeadset('left', 'gather')"), program["left"], PASSES))
+                self.browser.run(EYES + mistake)
         self.browser.run("window.sturmViewer.app.headset.leave()")
         self.page_is_back()
 
+    def stereo_pair(self):
+        """The program's pictures for what LOOK_ASIDE sets: each eye's is a part of one twice as wide as its wider half, so that the middle is straight ahead."""
+        width, height = 2 * max(CENTER[0], EYE_PX - CENTER[0]), 2 * max(CENTER[1], EYE_PX - CENTER[1])
+        view, head = full_view(), [0.05, -0.02, 0.03]
+        view["camera"] = {"position_m": head, "look_at_m": [head[0] - 0.28, head[1], head[2] - 0.96], "vfov_deg": 2 * math.degrees(math.atan(height / EYE_PX)),
+                          "resolution": [width, height], "stereo": {"interpupillary_distance_mm": 63}}
+        view["method"]["passes"] = PASSES
+        view["left"] = {"eye": view["eye"]}
+        view["eye"] = {**view["eye"], "prescription": "+0.00 DS"}
+        pair = self.rendered(view, "pair")
+        above = height // 2 - CENTER[1]
+        starts = {"left": width // 2 - CENTER[0], "right": width + width // 2 - (EYE_PX - CENTER[0])}
+        return {side: [value for y in range(above, above + EYE_PX) for value in pair[3 * (2 * width * y + x):3 * (2 * width * y + x + EYE_PX)]] for side, x in starts.items()}
+
     def rest(self):
         """The session goes on without pictures, which take long without a graphics card."""
-        self.browser.run("window.sturmViewer.app.headset.draw = () => {}")
+        self.browser.run("Object.assign(window.sturmViewer.app.headset, {draw: () => {}, drawPanel: () => {}})")
 
     def page_is_back(self):
         self.wait("!window.sturmViewer.app.headset && !window.sturmViewer.app.held")

@@ -62,7 +62,7 @@ class Models(OpeningTest):
         for name, base, metallic, roughness in (("matt", 0.5, 0, 1), ("coat", 0.25, 0, 0.5), ("metal", 0.64, 1, 0.25), ("mirror", 0.64, 1, 0.001)):
             model.square(model.add("materials", name=name, pbrMetallicRoughness={"baseColorFactor": [base, base, base, 1], "metallicFactor": metallic, "roughnessFactor": roughness}))
         model.square(model.add("materials", name="veil", alphaMode="MASK", alphaCutoff=0.25))
-        model.extension("KHR_lights_punctual")
+        opened_files.add_lamp(model)
         self.open(model.write(self.folder / "kinds.glb"))
         facts = self.app("app.data.materials")
         self.assertEqual([(m["name"], m["type"], m.get("roughness")) for m in facts[:4]],
@@ -71,6 +71,7 @@ class Models(OpeningTest):
         self.assertAlmostEqual(facts[2]["kappa"][0], 8 / 3, delta=1e-6)
         self.assertEqual((facts[4]["opacity"]["mode"], facts[4]["opacity"]["cutoff"]), ("mask", 0.25))
         self.assertIn('The material "veil" lets rays pass in parts and is drawn opaque.', self.app("app.view.notDrawn"))
+        self.assertIn("Lights of the file are left out (1).", self.app("app.view.notDrawn"))
         self.assertEqual(self.saved()["scene"]["lights"][0]["type"], "point")  # nothing in it shines
 
     def test_files_are_dropped(self):

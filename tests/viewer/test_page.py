@@ -6,6 +6,8 @@ import re
 import struct
 import time
 
+import opened_files
+from gltf_models import Model
 from page_in_browser import TEMPLATE, PageTest, emissive_view, main
 from sturm_process import SOURCE
 from webdriver import KEYS
@@ -49,6 +51,16 @@ class Page(PageTest):
         self.assertLessEqual(len(gzip.compress(page, 9)), 1e6)
         for name in (b"three.js authors", b"Garrett Johnson", b"Niels Lohmann", b"Syoyo Fujita", b"fflate", b"Tristan Penman"):
             self.assertIn(name, page)  # their licences ask for it
+
+    def test_what_is_left_out_is_named(self):
+        view, model = emissive_view(64), Model()
+        model.square()
+        opened_files.add_lamp(model)
+        view["scene"]["models"] = [{"file": str(model.write(self.folder / "lamp.glb"))}]
+        self.browser.open(self.write_page(view, "lamp"))
+        self.wait("window.sturmViewer")
+        listed = self.browser.run("return [...document.querySelectorAll('#left-out li')].map((item) => item.textContent)")
+        self.assertIn("lamp.glb: 1 lights of the file are left out", listed)
 
     def test_nothing_is_fetched(self):
         self.open()

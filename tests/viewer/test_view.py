@@ -120,6 +120,23 @@ class Page(FolderTest):
         self.assertEqual(process.returncode, WRONG_INPUT)
         self.assertIn("scripts/viewer builds it", process.stderr)
 
+    def test_the_script_says_what_it_takes_before_it_builds(self):
+        script = self.folder / "scripts/viewer"  # alone: it could build nothing
+        script.parent.mkdir()
+        shutil.copy(SOURCE / "scripts/viewer", script)
+
+        def run(*words):
+            return subprocess.run([script, *words], capture_output=True, text=True)
+
+        for word in ("--help", "-h"):
+            process = run(word)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            self.assertIn("scripts/viewer [VIEW.json", process.stdout)
+        for words, expected in ((["none.json"], "none.json: no such file"), (["--quiet"], '"--quiet" comes before a view')):
+            process = run(*words)
+            self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""))
+            self.assertIn(expected, process.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

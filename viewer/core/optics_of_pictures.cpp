@@ -7,6 +7,7 @@
 #include "pathtrace/cameras/ray_model.h"
 #include "viewer/core/from_js.h"
 #include "viewer/core/optics.h"
+#include "viewer/core/sight_grid.h"
 #include "viewer/core/to_js.h"
 
 namespace sturm::viewer {
@@ -27,23 +28,6 @@ val counters_of(const Counters& c) {
   put("total_internal_reflection", c.total_internal_reflection);
   put("no_convergence", c.no_convergence);
   return result;
-}
-
-void append(std::vector<float>& numbers, const Eigen::Vector3d& v, float last) {
-  for (const double x : v) numbers.push_back(static_cast<float>(x));
-  numbers.push_back(last);
-}
-
-/// Ten texels: see `SlopeGrid` in core_module.d.ts.
-void append(std::vector<float>& numbers, const Sight& sight) {
-  if (!sight.reaches) {
-    numbers.insert(numbers.end(), 40, 0.0f);
-    return;
-  }
-  append(numbers, sight.origin, 1.0f);
-  append(numbers, sight.direction, 0.0f);
-  for (const Sight::Map* map : {&sight.offset_p, &sight.offset_s, &sight.slope_p, &sight.slope_s})
-    for (int column = 0; column < 2; ++column) append(numbers, map->col(column), 0.0f);
 }
 
 double number(const val& object, const char* key) {
@@ -117,12 +101,7 @@ val Optics::sights(const val& grid) const {
   head.gaze = read_gaze(grid["gaze"]);
   const Eigen::Vector2d first(number(grid, "first_x"), number(grid, "first_y")),
       step(number(grid, "step_x"), number(grid, "step_y"));
-  std::vector<float> numbers;
-  numbers.reserve(40 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i)
-      append(numbers, traced_sight(head, eye_, lens(), first + Eigen::Vector2d(i, j).cwiseProduct(step)));
-  return copy_of(numbers);
+  return copy_of(sight_grid(head, eye_, lens(), {first, step, columns, rows}));
 }
 
 val Optics::pixel_rays(const val& camera, int x, int y, int width, int height, const val& vergences_D) const {

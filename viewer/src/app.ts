@@ -222,10 +222,12 @@ export class App {
   private draw(allowed: number): boolean {
     const open = this.panels.filter((p) => p.passes < this.pictures.goal(p.mode));
     const drawnModes = this.panels.some((p) => p.mode === 'sharp' || p.mode === 'raster');
-    if (drawnModes && !this.scene.lightIsSettled) this.settleLight(allowed);
-    else if (open.length === 0) return false;
+    const settles = drawnModes && !this.scene.lightIsSettled;
+    if (!settles && open.length === 0) return false;
+    // The first picture has no light yet: what gathers it takes long to compile.
+    if (settles && this.firstPicture_ms > 0) this.settleLight(allowed);
     for (const p of open) {
-      // A unit of work is a pass of the rasteriser or four rows of rays.
+      // A unit of work is a pass of the rasteriser or four rows of rays, of the light too.
       if (isTraced(p.mode)) this.pictures.step(p, 4 * allowed);
       else for (let k = 0; k < allowed && p.passes < this.pictures.goal(p.mode); ++k) this.pictures.step(p, 0);
     }
@@ -238,9 +240,10 @@ export class App {
     return true;
   }
 
-  /** Light at the vertices of the drawn mesh; pictures begin anew when it has doubled its samples. */
+  /** Light at the vertices of the drawn mesh, the first sample at once; pictures begin anew when it has doubled its samples. */
   private settleLight(allowed: number): void {
-    if (!this.scene.gatherLight(this.pictures.programs, allowed, this.view.maxBounces)) return;
+    const rows = this.scene.bakedSamples === 0 ? 64 : 4 * allowed;
+    if (!this.scene.gatherLight(this.pictures.programs, rows, this.view.maxBounces)) return;
     const n = this.scene.bakedSamples;
     if ((n & (n - 1)) === 0) this.panels.filter((p) => p.mode === 'sharp' || p.mode === 'raster').forEach((p) => this.pictures.restart(p));
   }

@@ -1,4 +1,5 @@
 /** The scene as triangles for the rasteriser, cut so small that the field and the light are linear within each. */
+import { Numbering } from './numbering';
 import type { SceneData, Vec3 } from './scene_file';
 
 export interface DrawnMesh {
@@ -11,53 +12,56 @@ export interface DrawnMesh {
 }
 
 interface Corner { position: Vec3; normal: Vec3; coordinate: [number, number]; colour: Vec3 }
+type Three = [Corner, Corner, Corner];
 
 const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a: Vec3, b: Vec3): Vec3 => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const middle = <T extends number[]>(a: T, b: T) => a.map((x, k) => 0.5 * (x + (b[k] ?? 0))) as T;
+const length = (a: Vec3) => Math.sqrt(dot(a, a));
+const middle = (a: Vec3, b: Vec3): Vec3 => [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])];
 
 function halfway(a: Corner, b: Corner): Corner {
-  return { position: middle(a.position, b.position), normal: middle(a.normal, b.normal), coordinate: middle(a.coordinate, b.coordinate), colour: middle(a.colour, b.colour) };
+  return {
+    position: middle(a.position, b.position), normal: middle(a.normal, b.normal), colour: middle(a.colour, b.colour),
+    coordinate: [0.5 * (a.coordinate[0] + b.coordinate[0]), 0.5 * (a.coordinate[1] + b.coordinate[1])],
+  };
 }
 
 /** Collects triangles; equal corners of one material whose surfaces face nearly alike become one vertex. */
 class MeshBuilder {
-  private readonly numbers = new Map<string, number>();
+  private readonly numbers = new Numbering(9);
   readonly vertices: number[] = [];
   readonly places: number[] = [];
   readonly index: number[] = [];
 
   constructor(private readonly eye: Vec3) {}
 
-  add(corners: [Corner, Corner, Corner], material: number): void {
+  add(corners: Three, material: number): void {
     const [a, b, c] = corners;
-    const flat = cross(subtract(b.position, a.position), subtract(c.position, a.position)), length = Math.hypot(...flat);
-    if (length === 0) return;
-    const side = dot(flat, subtract(this.eye, a.position)) < 0 ? -1 / length : 1 / length;
+    const flat = cross(subtract(b.position, a.position), subtract(c.position, a.position)), size = length(flat);
+    if (size === 0) return;
+    const side = dot(flat, subtract(this.eye, a.position)) < 0 ? -1 / size : 1 / size;
     const normal: Vec3 = [flat[0] * side, flat[1] * side, flat[2] * side];
     for (const corner of corners) this.index.push(this.numberOf(corner, normal, material));
   }
 
   private numberOf(corner: Corner, flat: Vec3, material: number): number {
-    const smooth = Math.hypot(...corner.normal), sign = dot(corner.normal, flat) < 0 ? -1 : 1;
-    const normal = smooth > 0 ? (corner.normal.map((x) => (sign * x) / smooth) as Vec3) : flat;
-    const key = [...corner.position, material, ...normal.map((x) => Math.round(4 * x)), ...corner.coordinate].join();
-    const known = this.numbers.get(key);
-    if (known !== undefined) return known;
-    const number = this.numbers.size;
-    this.numbers.set(key, number);
-    this.vertices.push(...corner.position, material, ...corner.coordinate, ...corner.colour);
-    this.places.push(...corner.position, material, ...normal, 0);
+    const { position: p, coordinate: c, colour } = corner, smooth = length(corner.normal), scale = (dot(corner.normal, flat) < 0 ? -1 : 1) / smooth;
+    const n: Vec3 = smooth > 0 ? [corner.normal[0] * scale, corner.normal[1] * scale, corner.normal[2] * scale] : flat;
+    const before = this.numbers.count, number = this.numbers.numberOf([p[0], p[1], p[2], material, Math.round(4 * n[0]), Math.round(4 * n[1]), Math.round(4 * n[2]), c[0], c[1]]);
+    if (number === before) {
+      this.vertices.push(p[0], p[1], p[2], material, c[0], c[1], colour[0], colour[1], colour[2]);
+      this.places.push(p[0], p[1], p[2], material, n[0], n[1], n[2], 0);
+    }
     return number;
   }
 }
 
 /** Cuts every edge that is seen under more than the angle, from both of its sides alike, so that no gaps open. */
-function cut(corners: [Corner, Corner, Corner], material: number, isLong: (a: Corner, b: Corner) => boolean, depth: number, into: Pick<MeshBuilder, 'add'>): void {
+function cut(corners: Three, isLong: (a: Corner, b: Corner) => boolean, depth: number, add: (piece: Three) => void): void {
   const [a, b, c] = corners;
   const ab = depth > 0 && isLong(a, b), bc = depth > 0 && isLong(b, c), ca = depth > 0 && isLong(c, a);
-  const again = (...next: [Corner, Corner, Corner]) => cut(next, material, isLong, depth - 1, into);
+  const again = (...next: Three) => cut(next, isLong, depth - 1, add);
   if (ab && bc && ca) {
     const d = halfway(a, b), e = halfway(b, c), f = halfway(c, a);
     again(a, d, f); again(d, b, e); again(f, e, c); again(d, e, f);
@@ -71,7 +75,7 @@ function cut(corners: [Corner, Corner, Corner], material: number, isLong: (a: Co
     const f = halfway(c, a);
     again(c, f, b); again(f, a, b);
   } else {
-    into.add(corners, material);
+    add(corners);
   }
 }
 
@@ -91,7 +95,7 @@ function ballTriangles(steps: number): Vec3[][] {
     const face: Vec3[] = [[x, 0, 0], [0, y, 0], [0, 0, z]];
     return x * y * z > 0 ? face : face.reverse();
   })));
-  const out = (p: Vec3): Vec3 => { const l = Math.hypot(...p); return [p[0] / l, p[1] / l, p[2] / l]; };
+  const out = (p: Vec3): Vec3 => { const l = length(p); return [p[0] / l, p[1] / l, p[2] / l]; };
   for (let k = 0; k < steps; ++k)
     faces = faces.flatMap((face) => {
       const [a, b, c] = face as [Vec3, Vec3, Vec3], d = out(middle(a, b)), e = out(middle(b, c)), f = out(middle(c, a));
@@ -100,36 +104,36 @@ function ballTriangles(steps: number): Vec3[][] {
   return faces;
 }
 
-/** How many triangles an edge limit makes of one; stops counting beyond `most`. */
-function pieces(corners: [Corner, Corner, Corner], isLong: (a: Corner, b: Corner) => boolean, depth: number, most: number): number {
-  let count = 0;
-  cut(corners, 0, (a, b) => count < most && isLong(a, b), depth, { add: () => { ++count; } });
-  return count;
-}
-
 const depth = 12, mostTriangles = 150000;
+
+interface Piece { corners: Three; material: number }
+
+/** Null where an edge limit makes more than `most`. */
+function piecesOf(scene: SceneData, corners: readonly Three[], eye: Vec3, angle: number, most: number): Piece[] | null {
+  const pieces: Piece[] = [];
+  // Whoever has too many already cuts no further.
+  const isLong = (a: Corner, b: Corner) =>
+    pieces.length <= most && length(subtract(a.position, b.position)) > angle * Math.max(0.2, length(subtract(middle(a.position, b.position), eye)));
+  for (let t = 0; t < corners.length && pieces.length <= most; ++t) {
+    const material = scene.triangleMaterials[t] ?? 0;
+    cut(corners[t] as Three, isLong, depth, (piece) => pieces.push({ corners: piece, material }));
+  }
+  return pieces.length <= most ? pieces : null;
+}
 
 /** `angle_rad`: the largest that an edge may be seen under from the eye, unless that makes too many triangles; then it grows. */
 export function drawnMesh(scene: SceneData, eye: Vec3, angle_rad: number): DrawnMesh {
-  const corners = Array.from({ length: scene.triangles.length / 3 }, (_, t) => [0, 1, 2].map((c) => cornerOf(scene, scene.triangles[3 * t + c] ?? 0)) as [Corner, Corner, Corner]);
-  const longer = (angle: number) => (a: Corner, b: Corner) => {
-    const from = Math.hypot(...subtract(middle(a.position, b.position), eye));
-    return Math.hypot(...subtract(a.position, b.position)) > angle * Math.max(0.2, from);
-  };
+  const corners = Array.from({ length: scene.triangles.length / 3 }, (_, t) => [0, 1, 2].map((c) => cornerOf(scene, scene.triangles[3 * t + c] ?? 0)) as Three);
   const most = mostTriangles + corners.length;
-  let angle = angle_rad;
-  for (let sum = most + 1; sum > most; angle *= 1.5) {
-    sum = 0;
-    for (let t = 0; t < corners.length && sum <= most; ++t) sum += pieces(corners[t] as [Corner, Corner, Corner], longer(angle), depth, most);
-    if (sum <= most) break;
-  }
-  const into = new MeshBuilder(eye), isLong = longer(angle);
-  corners.forEach((three, t) => cut(three, scene.triangleMaterials[t] ?? 0, isLong, depth, into));
+  let pieces = piecesOf(scene, corners, eye, angle_rad, most);
+  for (let angle = 1.5 * angle_rad; !pieces; angle *= 1.5) pieces = piecesOf(scene, corners, eye, angle, most);
+  const into = new MeshBuilder(eye);
+  for (const piece of pieces) into.add(piece.corners, piece.material);
   for (const ball of scene.spheres)
     for (const face of ballTriangles(3)) {
       const three = face.map((p): Corner => ({
         position: p.map((x, k) => (ball.center_m[k] ?? 0) + ball.radius_m * x) as Vec3, normal: p, coordinate: [0, 0], colour: [1, 1, 1],
-      })) as [Corner, Corner, Corner];
+      })) as Three;
       into.add(three, ball.material);
     }
   return { vertices: new Float32Array(into.vertices), places: new Float32Array(into.places), index: new Uint32Array(into.index), vertexCount: into.vertices.length / 9 };

@@ -40,6 +40,9 @@ export function lensNumbers(side: Side, glasses: GlassesState, eye: EyeState, of
 
 export interface SightTable { data: Float32Array; columns: number; rows: number; first: [number, number]; step: [number, number] }
 
+/** Accommodation by vergence (columns) and height in the picture (rows, upper first); RGBA. */
+export interface FocusTable { data: Float32Array; width: number; height: number }
+
 export class EyeOptics {
   readonly optics: Optics & { delete(): void };
   private eyeKey = '';
@@ -79,15 +82,16 @@ export class EyeOptics {
   sights(state: State, pose: Pose): SightTable | null {
     if (!this.lens) return null;
     const [left, right, lower, upper] = edgesOf(pose), sizes: [number, number] = [right - left, upper - lower];
-    const cells = sizes.map((size) => Math.min(96, Math.max(2, Math.ceil(size / sightStep)))) as [number, number];
+    // Even, as the core traces every second node and the first and the last of a line should be such.
+    const cells = sizes.map((size) => 2 * Math.min(48, Math.ceil(size / (2 * sightStep)))) as [number, number];
     const step: [number, number] = [sizes[0] / cells[0], sizes[1] / cells[1]], first: [number, number] = [left - step[0], lower - step[1]];
     const columns = cells[0] + 3, rows = cells[1] + 3;
     const data = this.optics.sights({ gaze: state.camera.gaze, first_x: first[0], first_y: first[1], step_x: step[0], step_y: step[1], columns, rows });
     return { data, columns, rows, first, step };
   }
 
-  /** Accommodation by vergence (columns) and height in the picture (rows, upper first) of an eye that seeks focus; RGBA. */
-  focusTable(pose: Pose): { data: Float32Array; width: number; height: number } {
+  /** Of an eye that seeks focus. */
+  focusTable(pose: Pose): FocusTable {
     const [, , lower, upper] = edgesOf(pose), height = this.lens ? 9 : 2, data = new Float32Array(4 * focusVergences * height);
     for (let j = 0; j < height; ++j) {
       const slope = upper + ((lower - upper) * j) / (height - 1);

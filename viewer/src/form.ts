@@ -91,15 +91,15 @@ function glassesPart(change: Change, view: () => ViewData): FormPart {
 }
 
 function picturePart(change: Change): FormPart {
-  const part = new FormPart('Picture', change), paths = (s: State) => s.modes.some((m) => m === 'path' || m === 'sphere');
+  const part = new FormPart('Picture', change), paths = (s: State) => s.modes.some((m) => m === 'path' || m === 'sphere'), isFlat = (s: State) => !s.modes.includes('sphere');
   part.select('Mode', modeNames, (s) => s.modes[0], (s, mode) => { s.modes[0] = mode; });
   part.select('Beside it', [['nothing', 'Nothing'], ...modeNames], (s) => s.modes[1] ?? 'nothing', (s, mode) => { s.modes = mode === 'nothing' ? [s.modes[0]] : [s.modes[0], mode]; });
   part.select('Ray model', modelNames, (s) => s.rayModel, (s, model) => { s.rayModel = model; }, paths);
   part.select('Passes', [['16', '16'], ['64', '64'], ['256', '256']], (s) => String(s.passes), (s, n) => { s.passes = Number(n); }, (s) => s.modes.some((m) => m === 'raster' || m === 'gather'));
   part.check('Filter noise', (s) => s.filter, (s, on) => { s.filter = on; }, (s) => s.modes.some(isTraced));
-  part.slider('Brightness', 'exposure', '', 2, (s) => s.exposure, (s, x) => { s.exposure = x; });
-  part.slider('Field', 'field_deg', '°', 1, (s) => s.camera.field_deg, (s, x) => { s.camera.field_deg = x; });
-  part.check('Ellipses over the field', (s) => s.fieldOverlay, (s, on) => { s.fieldOverlay = on; });
+  part.slider('Brightness', 'brightness_stops', ' stops', 1, (s) => Math.log2(s.exposure), (s, x) => { s.exposure = 2 ** x; });
+  part.slider('Field', 'field_deg', '°', 1, (s) => s.camera.field_deg, (s, x) => { s.camera.field_deg = x; }, (s) => s.modes.some((m) => m !== 'sphere'));
+  part.check('Ellipses over the field', (s) => s.fieldOverlay, (s, on) => { s.fieldOverlay = on; }, isFlat);
   return part;
 }
 

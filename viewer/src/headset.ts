@@ -1,7 +1,7 @@
 /** The picture in a headset: passes for each eye with its own prescription, from where the headset says that it is, and a panel of controls. */
 import type { App } from './app';
 import type { Pose } from './camera';
-import { EyeOptics, type SightTable } from './eye_optics';
+import { EyeOptics, type FocusTable, type SightTable } from './eye_optics';
 import type { Uniform } from './gpu';
 import { HeadsetPanel } from './headset_panel';
 import { PanelPlace, PanelPointing } from './headset_pointing';
@@ -13,7 +13,7 @@ const passes = 8;
 /** Of the headset's own resolution along each side. */
 const scale = 0.7;
 
-interface EyeView { optics: EyeOptics; panel: Panel | null; state: State; uniforms: Record<string, Uniform>; sights: SightTable | null; edges: string; pose: Pose | null }
+interface EyeView { optics: EyeOptics; panel: Panel | null; state: State; uniforms: Record<string, Uniform>; sights: SightTable | null; focus: FocusTable | null; edges: string; pose: Pose | null }
 
 export async function headsetIsThere(): Promise<boolean> {
   try {
@@ -47,7 +47,7 @@ export class Headset {
 
   /** `start` is where the head is and which way ahead is when the session begins. */
   private constructor(private readonly app: App, private readonly session: XRSession, private readonly layer: XRWebGLLayer, private readonly space: XRReferenceSpace, private readonly start: Pose) {
-    const eye = (): EyeView => ({ optics: new EyeOptics(app.core), panel: null, state: app.state, uniforms: {}, sights: null, edges: '', pose: null });
+    const eye = (): EyeView => ({ optics: new EyeOptics(app.core), panel: null, state: app.state, uniforms: {}, sights: null, focus: null, edges: '', pose: null });
     this.eyes = { right: eye(), left: eye() };
     this.panel = new HeadsetPanel(() => app.state, (edit) => app.change(edit), () => this.leave());
     this.pointing = new PanelPointing(session, space, this.panel);
@@ -102,7 +102,8 @@ export class Headset {
         done = false;
         continue;
       }
-      Object.assign(eye, { state, uniforms: eye.optics.uniforms(state, app.view), sights: eye.pose && eye.optics.sights(state, eye.pose) });
+      Object.assign(eye, { state, uniforms: eye.optics.uniforms(state, app.view) });
+      if (eye.pose) this.tabulate(side, eye.pose);
     }
     if (done) this.shown = app.state;
     this.panel.isStale = true;
@@ -132,29 +133,44 @@ export class Headset {
     for (const view of pose.views) {
       const port = this.layer.getViewport(view);
       if (!port) continue;
-      this.draw(this.eyes[view.eye === 'left' ? 'left' : 'right'], view, port);
+      this.draw(view.eye === 'left' ? 'left' : 'right', view, port);
       this.drawPanel(view);
     }
     ++this.frames;
   }
 
-  private draw(eye: EyeView, view: XRView, port: XRViewport): void {
-    const { pictures, gpu, state } = this.app, width = Math.max(1, Math.round(scale * port.width)), height = Math.max(1, Math.round(scale * port.height));
+  /** What depends on where the picture's edges are, and not on the head. */
+  private tabulate(side: Side, pose: Pose): void {
+    const eye = this.eyes[side], { optics, state } = eye;
+    eye.sights = optics.sights(state, pose);
+    eye.focus = state.eyes[side].accommodation === 'best' ? optics.focusTable(pose) : null;
+  }
+
+  private draw(side: Side, view: XRView, port: XRViewport): void {
+    const { pictures, gpu, state } = this.app, eye = this.eyes[side], width = Math.max(1, Math.round(scale * port.width)), height = Math.max(1, Math.round(scale * port.height));
     eye.pose = poseOfView(view, width, height, this.start);
     const edges = [width, height, ...eye.pose.pixelSlope, ...eye.pose.center].join();
     if (edges !== eye.edges) {
       eye.edges = edges;
-      eye.sights = eye.optics.sights(eye.state, eye.pose);
+      this.tabulate(side, eye.pose);
       if (eye.panel) gpu.release(eye.panel.sum);
       eye.panel = pictures.panel('raster', width, height);
     }
-    const panel = eye.panel as Panel, best = eye.state.eyes[eye.state.side].accommodation === 'best';
-    pictures.setEye({ ...eye.uniforms }, eye.sights, best ? eye.optics.focusTable(eye.pose) : null);
-    pictures.setPose(eye.pose);
+    const panel = eye.panel as Panel;
+    this.lookThrough(side);
     panel.mode = this.isSharp ? 'sharp' : 'raster';
     pictures.restart(panel);
     for (let k = 0; k < (this.isSharp ? 1 : passes); ++k) pictures.step(panel, 0);
     pictures.showIn(this.layer.framebuffer, panel.sum, port, state.exposure);
+  }
+
+  /** Pictures are those of this eye from now on, as it was when it was drawn last; its pose, null before the first frame. */
+  lookThrough(side: Side): Pose | null {
+    const { uniforms, sights, focus, pose } = this.eyes[side], { pictures } = this.app;
+    if (!pose) return null;
+    pictures.setEye({ ...uniforms }, sights, focus);
+    pictures.setPose(pose);
+    return pose;
   }
 
   /** Over the picture and without its blur, in the part of the framebuffer that was drawn last. */

@@ -3,7 +3,7 @@ import type { App } from './app';
 import type { Target } from './gpu';
 import { sets } from './pictures';
 import { viewDocument } from './save';
-import type { Mode } from './state';
+import type { Mode, Side } from './state';
 
 function base64(values: Float32Array): string {
   const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
@@ -23,6 +23,8 @@ function pixelsOf(app: App, sum: Target): string {
   return base64(result);
 }
 
+interface Size { width: number; height: number }
+
 export class Measured {
   constructor(private readonly app: App) {}
 
@@ -36,17 +38,34 @@ export class Measured {
   /** `samples` passes (0: the first round, as the program makes them), on request filtered. */
   picture(mode: Mode, samples: number, filter = false, seed = 1): string {
     this.ready();
-    const { pictures, width, height, gpu } = this.app, panel = pictures.panel(mode, width, height, seed), end = samples || pictures.round(mode);
+    return this.grown(mode, this.app, samples, filter, seed);
+  }
+
+  /** The rasteriser with every pixel's own set of passes, as `sturm render` takes them. */
+  interleaved(): string {
+    this.ready();
+    return this.woven(this.app);
+  }
+
+  /** What an eye in the headset sees, in its own size: traced passes, or as `interleaved`. */
+  inHeadset(side: Side, mode: 'gather' | 'raster'): string {
+    const { headset, pictures, state } = this.app;
+    pictures.setPasses(state.passes);
+    const pose = headset?.lookThrough(side);
+    if (!pose) throw new Error('expected an eye in a headset');
+    return mode === 'gather' ? this.grown(mode, pose, 0) : this.woven(pose);
+  }
+
+  private grown(mode: Mode, { width, height }: Size, samples: number, filter = false, seed = 1): string {
+    const { pictures, gpu } = this.app, panel = pictures.panel(mode, width, height, seed), end = samples || pictures.round(mode);
     while (panel.passes < end) pictures.step(panel, 64);
     const pixels = pixelsOf(this.app, filter ? pictures.filtered(panel) : panel.sum);
     gpu.release(panel.sum);
     return pixels;
   }
 
-  /** The rasteriser with every pixel's own set of passes, as `sturm render` takes them. */
-  interleaved(): string {
-    this.ready();
-    const { pictures, width, height, gpu, state } = this.app, panel = pictures.panel('raster', width, height);
+  private woven({ width, height }: Size): string {
+    const { pictures, gpu, state } = this.app, panel = pictures.panel('raster', width, height);
     for (let set = 0; set < sets; ++set) for (let pass = 0; pass < state.passes; ++pass) pictures.drawn(panel, pass, set, true);
     const pixels = pixelsOf(this.app, panel.sum);
     gpu.release(panel.sum);

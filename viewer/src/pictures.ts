@@ -1,7 +1,7 @@
 /** Pictures in the making: each mode adds passes to a sum until it has enough. */
 import type { Core } from './core_module';
 import type { Pose } from './camera';
-import type { SightTable } from './eye_optics';
+import type { FocusTable, SightTable } from './eye_optics';
 import type { Gpu, Target, Uniform } from './gpu';
 import type { GpuScene } from './gpu_scene';
 import { NoiseFilter } from './noise_filter';
@@ -64,7 +64,7 @@ export class Pictures {
     this.order = spreadOrder(count);
   }
 
-  setEye(uniforms: Record<string, Uniform>, sights: SightTable | null, focus: { data: Float32Array; width: number; height: number } | null): void {
+  setEye(uniforms: Record<string, Uniform>, sights: SightTable | null, focus: FocusTable | null): void {
     const { gl } = this.gpu;
     this.eye = uniforms;
     if (sights) {

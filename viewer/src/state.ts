@@ -74,7 +74,7 @@ export interface State {
 export const ranges = {
   sphere_D: [-20, 20, 0.25], cylinder_D: [-8, 8, 0.25], axis_deg: [0, 180, 1], vertex_mm: [0, 20, 0.5], pupil_mm: [0, 9, 0.1],
   focus_D: [0, 12, 0.05], amplitude_D: [0, 16, 0.25], addition_D: [0, 4, 0.25], turn_deg: [-180, 180, 0.1], tilt_deg: [-89, 89, 0.1],
-  age_years: [10, 60, 1], field_deg: [2, 120, 0.1], passes: [1, 256, 1], exposure: [0.01, 100, 0.01], position_m: [-1e6, 1e6, 0.001], coefficients_m: [-1e-3, 1e-3, 1e-9], radius_m: [1e-4, 0.02, 1e-6],
+  age_years: [10, 60, 1], field_deg: [2, 120, 0.1], passes: [1, 256, 1], exposure: [0.01, 100, 0.01], brightness_stops: [-6.5, 6.5, 0.1], position_m: [-1e6, 1e6, 0.001], coefficients_m: [-1e-3, 1e-3, 1e-9], radius_m: [1e-4, 0.02, 1e-6],
 } as const;
 
 export const startEye: EyeState = { sphere_D: 0, cylinder_D: 0, axis_deg: 180, vertex_mm: 0, pupil_mm: 4, accommodation: 'relaxed', focus_D: 0, amplitude_D: 4, wavefront: null };

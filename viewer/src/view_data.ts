@@ -12,6 +12,7 @@ export interface ViewData {
   rayModel: RayModel;
   /** Of paths, in reflections. */
   maxBounces: number;
+  /** And what else reading the view and its scene brought up. */
   notDrawn: string[];
 }
 
@@ -26,7 +27,7 @@ export function viewOfPage(): ViewData | null {
   if (view.format !== 'sturm.viewer_view/1') throw new Error(`The view of this page has the format ${String(view.format)}, expected sturm.viewer_view/1.`);
   return {
     title: view.title, document: view.view, camera: view.camera, worn: { right: view.right, left: view.left ?? view.right },
-    maxBounces: view.view?.method?.max_bounces ?? 16, rayModel: rayModels.includes(view.ray_model) ? view.ray_model : 'power_matrix', notDrawn: view.not_drawn,
+    maxBounces: view.view?.method?.max_bounces ?? 16, rayModel: rayModels.includes(view.ray_model) ? view.ray_model : 'power_matrix', notDrawn: [...view.not_drawn, ...view.notes],
   };
 }
 
