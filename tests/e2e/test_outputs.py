@@ -172,6 +172,21 @@ class NamedOutputs(Outputs):
         self.assertIn("--preview", process.stderr)
         self.succeed("render", "view.json", "-o", "BIG.EXR", "--quiet", cwd=self.folder)
 
+    def test_text_is_not_named_as_a_picture(self):
+        self.write("lens.json", {"format": "sturm.spectacles/1", **documents.spectacles()})
+        self.write("wearers.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\n")
+        thin = {"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}}
+        self.write("thin.json", thin)
+        for arguments in (["render", "view.json", "--print-config", "-o", "x.exr"], ["ellipse", "query.json", "--print-config", "-o", "x.png"],
+                          ["ellipse", "query.json", "-o", "x.SVG"], ["lens", "lens.json", "-o", "x.svg"], ["psf", "--rx", "-2", "--pupil", 3, "-o", "x.png"],
+                          ["wavefront", "--random", "-o", "x.pdf"], ["stress", "--cases", 3, "--quiet", "-o", "x.html"],
+                          ["wearers", "wearers.csv", "thin.json", "-o", "x.png"]):
+            with self.subTest(arguments):
+                process = sturm(*arguments, cwd=self.folder)
+                self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""), process.stderr)
+                self.assertIn("such as x.json", process.stderr)
+                self.assertEqual(list(self.folder.glob("x.*")), [])
+
     def test_long_names(self):
         name = "x" * 250 + ".json"
         self.succeed("ellipse", "query.json", "-o", name, cwd=self.folder)
