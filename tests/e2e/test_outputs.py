@@ -44,7 +44,9 @@ class Outputs(FolderTest):
         self.write("lens.json", {"format": "sturm.spectacles/1", **documents.spectacles()})
         yield from [["--help"], ["--version"], ["render", "--help"], ["schema"], ["schema", "scene"], ["validate", "query.json"], ["ellipse", "query.json"],
                     ["compare", REFERENCE, REFERENCE], ["compare", REFERENCE, REFERENCE, "--json", "-"], ["plan-samples"],
-                    ["stress", "--cases", 10, "--quiet"], ["render", "view.json", "--explain"], ["lens", "lens.json", "--azimuth-deg", 0, "--elevation-deg", 0]]
+                    ["stress", "--cases", 10, "--quiet"], ["render", "view.json", "--explain"], ["lens", "lens.json", "--azimuth-deg", 0, "--elevation-deg", 0],
+                    ["psf", "--rx", "-2", "--pupil", 1], ["wavefront", "--random"], ["doctor"], ["completion", "bash"], ["man", "see"],
+                    ["render", "view.json", "--print-config"]]
 
 
 class StandardOutput(Outputs):
@@ -93,7 +95,7 @@ class NamedOutputs(Outputs):
         report = next(path for path in REPORTS if json.loads(path.read_text()).get("format") == "sturm.report/1")
         return [["ellipse", "query.json", "-o", name], ["compare", REFERENCE, REFERENCE, "--json", name], ["stress", "--cases", 5, "--quiet", "-o", name],
                 ["gate", report, "--junit", name], ["gate", report, "--markdown", name], ["compare-runs", report, report, "--json", name],
-                ["report", report, "-o", name]]
+                ["report", report, "-o", name], ["wavefront", "--random", "-o", name], ["psf", "--rx", "-2", "--pupil", 1, "-o", name]]
 
     def test_pipe(self):
         for arguments in self.writers("pipe"):
