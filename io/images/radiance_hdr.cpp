@@ -104,7 +104,7 @@ class Reader {
 
   void read_variable(std::string_view line) {
     const std::size_t equals = line.find('=');
-    if (line.starts_with('#') || equals == std::string_view::npos) return;
+    if (equals == std::string_view::npos) return;
     const std::string_view key = line.substr(0, equals), value = line.substr(equals + 1);
     if (key == "FORMAT") {
       if (value.find("32-bit_rle_rgbe") == std::string_view::npos)
