@@ -136,9 +136,9 @@ StoredImage read_stored_image(const std::filesystem::path& path) {
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;
   };
-  const auto [format, most] = admitted(bytes_at, std::filesystem::file_size(path), path.string());
+  const auto admission = admitted(bytes_at, std::filesystem::file_size(path), path.string());
   return decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
-    return module().read(format.reader, path.c_str(), most, &pixels, error, error_size);
+    return module().read(admission.first.reader, path.c_str(), admission.second, &pixels, error, error_size);
   });
 }
 
