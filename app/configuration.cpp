@@ -7,6 +7,7 @@
 
 #include "app/document_kinds.h"
 #include "app/eye_options.h"
+#include "app/name_of_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
 #include "io/files/shipped_files.h"
@@ -67,6 +68,7 @@ CommonOptions with_source(const CommonOptions& options) {
 }
 
 int print_configuration(const Json& document, const std::string& file, const std::string& output) {
+  require_name_of_text(output);
   read_as_its_format(document, file);
   write_result(document, output);
   return 0;
@@ -77,6 +79,7 @@ void write_result(const Json& result, const std::string& output) {
 }
 
 void write_text(const std::string& text, const std::string& output) {
+  require_name_of_text(output);
   if (output.empty() || output == "-")
     std::cout << text;
   else

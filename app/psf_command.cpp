@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/name_of_text.h"
 #include "app/several_documents.h"
 #include "io/files/error.h"
 #include "io/files/plain_file.h"
@@ -23,6 +24,7 @@ int answer_point_spreads(const CommonOptions& options, const PsfOptions& files) 
       {{"format", "sturm.psf/1"}, {"eye", {{"pupil_diameter_mm", 4}}}, {"lights", {{{"wavelength_nm", 555}}}}});
   if (options.print_config) return print_configuration(document, options.file, files.output);
   const PsfSpec spec = read_psf_spec(document, options.file);
+  require_name_of_text(files.output);
   if (!files.output.empty()) require_writable(files.output);
   if (!files.images.empty()) require_writable(exr);
   const PointSpreads spreads = point_spreads(spec, options.file);

@@ -3,12 +3,14 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/name_of_text.h"
 #include "experiments/run/progress.h"
 #include "experiments/stress/report.h"
 
 namespace sturm {
 
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output) {
+  require_name_of_text(output);
   const std::uint64_t seed = options.seed.value_or(1);
   if (stress.replayed) {
     const stress::FreeFormLenses free_forms;

@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/name_of_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/csv.h"
 #include "io/files/error.h"
@@ -236,8 +237,10 @@ int wavefront_command(const WavefrontOptions& o) {
     throw InputError("", "--residuals", "\"" + o.residuals + "\"", "a table of a sensor or of heights to fit");
   const Json eye = eye_document(outcome.eye);
   validate(eye, "eye", o.output);
-  for (const std::string& file : {o.output, o.report, o.residuals})
+  for (const std::string& file : {o.output, o.report, o.residuals}) {
+    require_name_of_text(file);
     if (!file.empty()) require_writable(file);
+  }
   if (!o.output.empty()) write_file_atomically(o.output, json_text(eye, 1) + "\n");
   if (!o.residuals.empty()) write_file_atomically(o.residuals, outcome.residuals);
   write_result(outcome.report, o.report);

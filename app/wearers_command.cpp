@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/name_of_text.h"
 #include "app/option_values.h"
 #include "app/several_documents.h"
 #include "experiments/figures/wearer_table.h"
@@ -34,6 +35,7 @@ int wearers_command(const WearersOptions& options) {
     designs.push_back({names[designs.size()], file, document});
   }
   const auto wearers = read_prescription_table(options.table, metres_per_millimetre * options.vertex_mm);
+  require_name_of_text(options.output);
   if (!options.output.empty()) require_writable(options.output);
   const std::string csv = wearer_csv(wearer_table(wearers, designs, question), options.clear_D);
   if (options.output.empty())

@@ -69,7 +69,6 @@ void fill_holes(DepthMap& map) {
 }
 
 Image read_float_map(const std::filesystem::path& path) {
-  constexpr std::size_t most_pixels = std::size_t{1} << 28;
   const std::optional<std::string> bytes = file_contents(path);
   if (!bytes) throw InputError(path.string(), "", "no such file", "a PFM file");
   if (!is_portable_float_map(*bytes)) throw InputError(path.string(), "", "another first word", "PF or Pf");

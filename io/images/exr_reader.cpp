@@ -37,8 +37,13 @@ double largest_ratio(Imf::Compression compression) {
     case Imf::ZIPS_COMPRESSION:
     case Imf::PXR24_COMPRESSION:
       return 1500.0;  // deflate's 1032, and 24 bits for 32
+    case Imf::PIZ_COMPRESSION:
+      return 512.0;  // a run of 256 half numbers in 10 bits
+    case Imf::B44_COMPRESSION:
+    case Imf::B44A_COMPRESSION:
+      return 16.0;  // three bytes for a block of 4 × 4 half numbers
     default:
-      return 1e5;
+      return 1e5;  // DWA: two numbers, deflated, for a block of 8 × 8
   }
 }
 
@@ -57,6 +62,14 @@ void fill_blocks(Image& image, int c, const Imf::Channel& channel) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       image.at(x, y)[c] = image.at(x - x % channel.xSampling, y - y % channel.ySampling)[c];
+}
+
+/// Rows that are read before there is room for the next ones: of about 64 MiB, but all lines that may be compressed
+/// together.
+int rows_at_once(std::size_t row_values) {
+  constexpr std::size_t values = (std::size_t{1} << 26) / sizeof(float), rows_of_dwab = 256;
+  return static_cast<int>(std::max(values / std::max(row_values, std::size_t{1}) / rows_of_dwab, std::size_t{1}) *
+                          rows_of_dwab);
 }
 
 double stored_bytes(const Imf::Header& header) {
@@ -130,21 +143,31 @@ std::vector<Image> ExrReader::read(int part, const std::vector<std::vector<std::
   require_room(part, channel_count, max_bytes);
   const Imath::Box2i data = header(part).dataWindow();
   const Imf::ChannelList& stored = header(part).channels();
+  const auto width = static_cast<int>(extent(data.min.x, data.max.x));
   std::vector<Image> images;
-  Imf::FrameBuffer frame;
   for (const auto& group : groups) {
-    Image& image =
-        images.emplace_back(static_cast<int>(extent(data.min.x, data.max.x)),
-                            static_cast<int>(extent(data.min.y, data.max.y)), static_cast<int>(group.size()));
-    for (std::size_t c = 0; c < group.size(); ++c) {
-      const Imf::Slice whole =
-          exr_slice(image.pixels.data(), image.width, image.channels, static_cast<int>(c), data.min.x, data.min.y);
-      frame.insert(group[c], blocks_of(whole, stored[group[c].c_str()]));
-    }
+    Image& image = images.emplace_back();
+    image.width = width;
+    image.height = static_cast<int>(extent(data.min.y, data.max.y));
+    image.channels = static_cast<int>(group.size());
   }
   Imf::InputPart pixels(*file_, part);
-  pixels.setFrameBuffer(frame);
-  pixels.readPixels(data.min.y, data.max.y);
+  const int rows = rows_at_once(static_cast<std::size_t>(width) * channel_count);
+  for (std::int64_t y = data.min.y; y <= data.max.y; y += rows) {
+    const auto last = static_cast<int>(std::min<std::int64_t>(y + rows - 1, data.max.y));
+    Imf::FrameBuffer frame;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      Image& image = images[i];
+      image.pixels.resize(static_cast<std::size_t>(extent(data.min.y, last)) * width * groups[i].size());
+      for (std::size_t c = 0; c < groups[i].size(); ++c) {
+        const Imf::Slice whole =
+            exr_slice(image.pixels.data(), width, image.channels, static_cast<int>(c), data.min.x, data.min.y);
+        frame.insert(groups[i][c], blocks_of(whole, stored[groups[i][c].c_str()]));
+      }
+    }
+    pixels.setFrameBuffer(frame);
+    pixels.readPixels(static_cast<int>(y), last);
+  }
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t c = 0; c < groups[i].size(); ++c)
       fill_blocks(images[i], static_cast<int>(c), stored[groups[i][c].c_str()]);

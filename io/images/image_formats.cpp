@@ -6,20 +6,27 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "io/files/code_folder.h"
 #include "io/files/error.h"
 #include "io/files/plain_file.h"
+#include "io/images/claimed_size.h"
 #include "io/images/imageformats/abi.h"
+#include "io/images/picture_format.h"
 
 namespace sturm {
 
 namespace {
+
+using namespace std::string_view_literals;
 
 /// The functions of the module. Never closed: OpenImageIO keeps threads and thread-local memory.
 struct Module {
@@ -60,18 +67,42 @@ const Module& module() {
 
 /// What a function of the module decodes; `name` is for messages.
 template <class Read>
-Image decoded(const std::string& name, const Read& read) {
-  Image image;
-  float* pixels = nullptr;
+StoredImage decoded(const std::string& name, const Read& read) {
+  StoredImage stored;
+  sturm_imageformats_pixels pixels{&stored.image.pixels, [](void* owner, std::size_t count) {
+                                     auto& values = *static_cast<std::vector<float>*>(owner);
+                                     values.resize(count);
+                                     return values.data();
+                                   }};
   std::array<char, 1024> error{};
-  if (read(image, &pixels, error.data(), error.size())) {
+  if (read(pixels, error.data(), error.size())) {
     std::string reason = error.data();
     std::replace(reason.begin(), reason.end(), '\n', ';');
-    throw InputError(name, "", reason, "an image that OpenImageIO reads");
+    throw InputError(name, "", reason.empty() ? "pixels that break off" : reason, "an image that OpenImageIO reads");
   }
-  const std::unique_ptr<float, decltype(Module::free)> owner(pixels, module().free);
-  image.pixels.assign(pixels, pixels + static_cast<std::size_t>(image.width) * image.height * image.channels);
-  return image;
+  stored.image.width = pixels.width;
+  stored.image.height = pixels.height;
+  stored.image.channels = pixels.channels;
+  stored.bits = pixels.bits;
+  return stored;
+}
+
+/// The format of a picture, and how many pixels it may have. Throws InputError about `name` for other formats, and for
+/// claims that the bytes cannot fulfil.
+std::pair<PictureFormat, std::uint64_t> admitted(const BytesAt& bytes_at, std::uint64_t size, const std::string& name) {
+  const std::optional<PictureFormat> format = picture_format(bytes_at);
+  if (!format) throw InputError(name, "", "a file of another kind", picture_formats);
+  const std::uint64_t most = most_pixels_of(*format, size);
+  try {
+    if (const auto claim = claimed_size(*format, bytes_at);
+        claim && claim->height > 0 && claim->width > most / claim->height)
+      throw std::runtime_error("a header that claims " + std::to_string(claim->width) + " x " +
+                               std::to_string(claim->height) + " pixels in a file of " + std::to_string(size) +
+                               " bytes");
+  } catch (const std::runtime_error& error) {
+    throw InputError(name, "", error.what(), std::string("a complete ") + format->reader + " picture");
+  }
+  return {*format, most};
 }
 
 template <class Integer>
@@ -97,12 +128,18 @@ std::vector<unsigned char> encoded_png(const Image& display) {
 
 StoredImage read_stored_image(const std::filesystem::path& path) {
   require_plain_file(path, "an image");
-  int bits = 0;
-  Image stored = decoded(path.string(), [&](Image& image, float** pixels, char* error, std::size_t error_size) {
-    return module().read(path.c_str(), most_pixels, &image.width, &image.height, &image.channels, &bits, pixels, error,
-                         error_size);
+  std::ifstream file(path, std::ios::binary);
+  const BytesAt bytes_at = [&](std::uint64_t offset, std::size_t count) {
+    std::string bytes(count, '\0');
+    file.clear();
+    file.seekg(static_cast<std::streamoff>(offset)).read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+  };
+  const auto admission = admitted(bytes_at, std::filesystem::file_size(path), path.string());
+  return decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
+    return module().read(admission.first.reader, path.c_str(), admission.second, &pixels, error, error_size);
   });
-  return {std::move(stored), bits};
 }
 
 Image read_image(const std::filesystem::path& path) {
@@ -110,10 +147,20 @@ Image read_image(const std::filesystem::path& path) {
 }
 
 Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {
-  return decoded(name, [&](Image& image, float** pixels, char* error, std::size_t error_size) {
-    return module().read_memory(bytes.data(), bytes.size(), most_pixels, &image.width, &image.height, &image.channels,
-                                pixels, error, error_size);
-  });
+  const BytesAt bytes_at = [&](std::uint64_t offset, std::size_t count) {
+    const auto part = bytes.subspan(std::min<std::size_t>(offset, bytes.size()));
+    return std::string(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(std::min(count, part.size())));
+  };
+  const auto format = picture_format(bytes_at);
+  if (!format || (format->reader != "png"sv && format->reader != "jpeg"sv))
+    throw InputError(name, "", "neither a PNG nor a JPEG file", "an image that OpenImageIO reads");
+  const std::uint64_t most = admitted(bytes_at, bytes.size(), name).second;
+  return decoded(name,
+                 [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
+                   return module().read_memory(format->reader, bytes.data(), bytes.size(), most, &pixels, error,
+                                               error_size);
+                 })
+      .image;
 }
 
 std::vector<unsigned char> encode_png(const Image& display, int bits) {

@@ -18,8 +18,9 @@ struct StoredImage {
   int bits = 0;  ///< of integer values; 0 for floats
 };
 
-/// Reads an image (PNG, JPEG, TGA, TIFF, …) with OpenImageIO, which is loaded on first use. Values are not decoded (see
-/// srgb_to_linear). Throws InputError for missing, broken or oversized (> 2^28 pixels) files, RuntimeFailure where the
+/// Reads an image (see picture_format.h) with OpenImageIO, which is loaded on first use. Values are not decoded (see
+/// srgb_to_linear). Room is made for pixels that are there, not for those that a header claims. Throws InputError for
+/// missing and broken files, those of other kinds and claims that the bytes cannot fulfil, RuntimeFailure where the
 /// format module is not installed.
 StoredImage read_stored_image(const std::filesystem::path& path);
 

@@ -54,24 +54,9 @@ class Reader {
 
   RadianceHdr run() {
     read_header();
-    prepare_scales();
-    RadianceHdr picture;
-    const bool rows = header_.lines.name == 'Y';
-    const std::size_t width = rows ? header_.pixels.length : header_.lines.length,
-                      height = rows ? header_.lines.length : header_.pixels.length;
-    picture.image = Image(static_cast<int>(width), static_cast<int>(height), 3);
-    std::vector<Rgbe> line(header_.pixels.length);
-    for (std::size_t i = 0; i < header_.lines.length; ++i) {
-      read_line(line);
-      for (std::size_t k = 0; k < line.size(); ++k) {
-        const std::size_t x = position(rows ? header_.pixels : header_.lines, rows ? k : i),
-                          y = position(rows ? header_.lines : header_.pixels, rows ? i : k);
-        put(line[k], picture.image.at(static_cast<int>(x), static_cast<int>(y)));
-      }
-    }
-    picture.primaries = header_.primaries;
-    picture.notes = std::move(header_.notes);
-    return picture;
+    std::vector<Rgbe> stored;
+    for (std::size_t i = 0; i < header_.lines.length; ++i) read_line(stored);
+    return {upright(stored), header_.primaries, std::move(header_.notes)};
   }
 
  private:
@@ -83,13 +68,23 @@ class Reader {
     return counts_on ? n : axis.length - 1 - n;
   }
 
-  void prepare_scales() {
+  /// The picture of pixels in the order of the file. Room for it is made when all of them are there.
+  Image upright(const std::vector<Rgbe>& stored) const {
+    std::array<std::array<double, 3>, 256>
+        scales{};  // of one step of a mantissa, by exponent; none for 0, which is black
     for (std::size_t e = 1; e < 256; ++e)
-      for (std::size_t c = 0; c < 3; ++c) scales_[e][c] = std::ldexp(1.0, static_cast<int>(e) - 136) / header_.gain[c];
-  }
-
-  void put(const Rgbe& colour, float* pixel) const {
-    for (std::size_t c = 0; c < 3; ++c) pixel[c] = static_cast<float>(colour[c] * scales_[colour[3]][c]);
+      for (std::size_t c = 0; c < 3; ++c) scales[e][c] = std::ldexp(1.0, static_cast<int>(e) - 136) / header_.gain[c];
+    const bool rows = header_.lines.name == 'Y';
+    const Axis &across = rows ? header_.pixels : header_.lines, &down = rows ? header_.lines : header_.pixels;
+    Image image(static_cast<int>(across.length), static_cast<int>(down.length), 3);
+    auto colour = stored.begin();
+    for (std::size_t i = 0; i < header_.lines.length; ++i)
+      for (std::size_t k = 0; k < header_.pixels.length; ++k, ++colour) {
+        float* pixel =
+            image.at(static_cast<int>(position(across, rows ? k : i)), static_cast<int>(position(down, rows ? i : k)));
+        for (std::size_t c = 0; c < 3; ++c) pixel[c] = static_cast<float>((*colour)[c] * scales[(*colour)[3]][c]);
+      }
+    return image;
   }
 
   std::string_view text_line() {
@@ -109,7 +104,7 @@ class Reader {
 
   void read_variable(std::string_view line) {
     const std::size_t equals = line.find('=');
-    if (line.starts_with('#') || equals == std::string_view::npos) return;
+    if (equals == std::string_view::npos) return;
     const std::string_view key = line.substr(0, equals), value = line.substr(equals + 1);
     if (key == "FORMAT") {
       if (value.find("32-bit_rle_rgbe") == std::string_view::npos)
@@ -171,43 +166,47 @@ class Reader {
     return taken;
   }
 
-  void read_line(std::vector<Rgbe>& line) {
-    const bool may_have_runs = line.size() >= shortest_run_line && line.size() <= longest_run_line;
-    if (may_have_runs && bytes_.size() - at_ >= 4) {
+  /// Appends a scan line to those that came before.
+  void read_line(std::vector<Rgbe>& stored) {
+    const std::size_t length = header_.pixels.length;
+    if (length >= shortest_run_line && length <= longest_run_line && bytes_.size() - at_ >= 4) {
       const auto* start = reinterpret_cast<const unsigned char*>(bytes_.data()) + at_;
       if (start[0] == 2 && start[1] == 2 && start[2] < 128) {
-        if ((std::size_t{start[2]} << 8 | start[3]) != line.size())
+        if ((std::size_t{start[2]} << 8 | start[3]) != length)
           throw std::runtime_error("a scan line of another length");
         at_ += 4;
-        for (std::size_t component = 0; component < 4; ++component) read_runs(line, component);
+        stored.resize(stored.size() + length);
+        for (std::size_t component = 0; component < 4; ++component) read_runs(stored, component);
         return;
       }
     }
-    read_pixels(line);
+    read_pixels(stored);
   }
 
-  void read_runs(std::vector<Rgbe>& line, std::size_t component) {
-    for (std::size_t k = 0; k < line.size();) {
+  /// One component of the last scan line.
+  void read_runs(std::vector<Rgbe>& stored, std::size_t component) {
+    for (std::size_t k = stored.size() - header_.pixels.length; k < stored.size();) {
       const std::size_t code = *take(1), count = code > 128 ? code - 128 : code;
-      if (count == 0 || count > line.size() - k) throw std::runtime_error("a run beyond its scan line");
+      if (count == 0 || count > stored.size() - k) throw std::runtime_error("a run beyond its scan line");
       const unsigned char* values = take(code > 128 ? 1 : count);
-      for (std::size_t i = 0; i < count; ++i) line[k++][component] = values[code > 128 ? 0 : i];
+      for (std::size_t i = 0; i < count; ++i) stored[k++][component] = values[code > 128 ? 0 : i];
     }
   }
 
   /// Flat pixels; (1, 1, 1, n) repeats the last one n times, 256 n times if it follows another one of its kind.
-  void read_pixels(std::vector<Rgbe>& line) {
+  void read_pixels(std::vector<Rgbe>& stored) {
+    const std::size_t start = stored.size(), end = start + header_.pixels.length;
     std::size_t shift = 0;
-    for (std::size_t k = 0; k < line.size();) {
+    while (stored.size() < end) {
       const unsigned char* p = take(4);
       if (p[0] != 1 || p[1] != 1 || p[2] != 1) {
-        line[k++] = {p[0], p[1], p[2], p[3]};
+        stored.push_back({p[0], p[1], p[2], p[3]});
         shift = 0;
         continue;
       }
-      const std::size_t count = shift < 32 ? std::size_t{p[3]} << shift : line.size() + 1;
-      if (k == 0 || count > line.size() - k) throw std::runtime_error("a run beyond its scan line");
-      for (std::size_t i = 0; i < count; ++i, ++k) line[k] = line[k - 1];
+      const std::size_t count = shift < 32 ? std::size_t{p[3]} << shift : end;
+      if (stored.size() == start || count > end - stored.size()) throw std::runtime_error("a run beyond its scan line");
+      stored.insert(stored.end(), count, Rgbe(stored.back()));
       shift += 8;
     }
   }
@@ -215,8 +214,6 @@ class Reader {
   std::string_view bytes_;
   std::size_t max_pixels_, at_ = 0;
   Header header_;
-  std::array<std::array<double, 3>, 256>
-      scales_{};  // of one step of a mantissa, by exponent; none for 0, which is black
 };
 
 }  // namespace

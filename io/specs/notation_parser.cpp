@@ -108,7 +108,15 @@ void NotationParser::word() {
       if (is_number(0) && is(1, Term::millimetres)) return vertex_distance();
       fail("\"x\" before an axis: @ stands for the meridian of a power, too");
     case Term::prism:
+      if (tokens_[at_ - 1].text == "pd" && is_number(0) && !is(1, Term::base) && !named_base(1))
+        fail("a prescription without the distance of the pupils, \"PD " + tokens_[at_].text + "\"");
       return prism(expect_number("an amount of prism, as in \"2^ base up\""));
+    case Term::base:
+    case Term::base_in:
+    case Term::base_out:
+    case Term::base_up:
+    case Term::base_down:
+      return base_then_prism();
     case Term::filler:
       return;
     default:
@@ -119,7 +127,10 @@ void NotationParser::word() {
 void NotationParser::number() {
   const NotationToken& token = tokens_[at_++];
   section_.started = true;
-  if (prism_follows()) return prism(token);
+  const bool of_sphere = !section_.sphere_D && !section_.cylinder_D && whole_prism_follows();
+  if (of_sphere && !token.has_sign && token.value != 0.0)
+    fail("a sign before the sphere: \"" + token.text + "\" could be a sphere, or a prism with its base behind it");
+  if (!of_sphere && prism_follows()) return prism(token);
   if (is(0, Term::addition) && !is_number(1)) return ++at_, addition(token);
   skip(Term::dioptres);
   if (skip(Term::spheres_unit)) return labelled(Term::sphere, token);
@@ -147,6 +158,8 @@ void NotationParser::labelled(Term term, const NotationToken& number) {
 void NotationParser::unlabelled(const NotationToken& number) {
   const bool may_be_axis = !number.has_sign && !number.has_point;
   if (!section_.sphere_D && !section_.cylinder_D) {
+    if (is(0, Term::degrees))
+      fail("the axis, " + number.text + "°, behind the cylinder, as in " + std::string(example));
     section_.sphere_D = dioptres(number, "sphere", largest_power_D);
     return;
   }
@@ -205,34 +218,59 @@ void NotationParser::vertex_distance() {
 }
 
 bool NotationParser::prism_follows() const {
-  for (const Term term : {Term::prism, Term::base, Term::base_in, Term::base_out, Term::base_up, Term::base_down})
-    if (is(0, term)) return true;
-  return false;
+  return is(0, Term::prism) || is(0, Term::base) || named_base(0);
+}
+
+std::optional<Term> NotationParser::named_base(std::size_t ahead) const {
+  for (const Term term : {Term::base_in, Term::base_out, Term::base_up, Term::base_down})
+    if (is(ahead, term)) return term;
+  return std::nullopt;
+}
+
+/// A prism with an amount of its own: "prism 2 BI", or "BI 2" that is not the beginning of "BI 2^ BU".
+bool NotationParser::whole_prism_follows() const {
+  if (is(0, Term::prism) && is_number(1)) return is(2, Term::base) || named_base(2);
+  const std::size_t base = is(0, Term::base) ? 1 : 0, behind = base + 2;
+  return named_base(base) && is_number(base + 1) && !named_base(behind) && !is(behind, Term::base) &&
+         !is(behind, Term::prism);
+}
+
+double NotationParser::prism_amount(const NotationToken& number) const {
+  if ((number.has_sign && number.text[0] == '-') || number.value > largest_prism)
+    fail("a prism from 0 to 40 dioptres with its base, not \"" + number.text + "\"");
+  return number.value;
+}
+
+void NotationParser::add_prism(Term base, double amount) {
+  NotedPrescription& p = section_.prism;
+  (base == Term::base_in || base == Term::base_out ? p.prism_nasal : p.prism_up) +=
+      base == Term::base_in || base == Term::base_up ? amount : -amount;
+}
+
+void NotationParser::base_then_prism() {
+  section_.started = true;
+  if (tokens_[at_ - 1].term != Term::base) --at_;
+  const std::optional<Term> base = named_base(0);
+  if (!base) fail("a number before \"" + tokens_[at_ - 1].text + "\", as in \"2^ base 135\"");
+  ++at_;
+  const double amount = prism_amount(expect_number("an amount of prism, as in \"base up 2\" or \"2^ base up\""));
+  while (skip(Term::prism) || skip(Term::dioptres)) {
+  }
+  add_prism(*base, amount);
 }
 
 void NotationParser::prism(const NotationToken& number) {
   section_.started = true;
-  if ((number.has_sign && number.text[0] == '-') || number.value > largest_prism)
-    fail("a prism from 0 to 40 dioptres with its base, not \"" + number.text + "\"");
+  const double amount = prism_amount(number);
   while (skip(Term::prism) || skip(Term::dioptres) || skip(Term::base)) {
   }
-  NotedPrescription& p = section_.prism;
-  if (skip(Term::base_in))
-    p.prism_nasal += number.value;
-  else if (skip(Term::base_out))
-    p.prism_nasal -= number.value;
-  else if (skip(Term::base_up))
-    p.prism_up += number.value;
-  else if (skip(Term::base_down))
-    p.prism_up -= number.value;
-  else {
-    skip(Term::meridian);
-    if (!is_number(0)) fail("where the base of the prism is: in, out, up, down or an angle, as in \"2^ base up\"");
-    const double degrees = angle("a base from 0 to 360", 360.0), turn = degrees * std::numbers::pi / 180.0;
-    skip(Term::degrees);
-    p.prism_right += number.value * (std::fmod(degrees, 180.0) == 90.0 ? 0.0 : std::cos(turn));
-    p.prism_up += number.value * (std::fmod(degrees, 180.0) == 0.0 ? 0.0 : std::sin(turn));
-  }
+  if (const std::optional<Term> base = named_base(0)) return ++at_, add_prism(*base, amount);
+  skip(Term::meridian);
+  if (!is_number(0)) fail("where the base of the prism is: in, out, up, down or an angle, as in \"2^ base up\"");
+  const double degrees = angle("a base from 0 to 360", 360.0), turn = degrees * std::numbers::pi / 180.0;
+  skip(Term::degrees);
+  section_.prism.prism_right += amount * (std::fmod(degrees, 180.0) == 90.0 ? 0.0 : std::cos(turn));
+  section_.prism.prism_up += amount * (std::fmod(degrees, 180.0) == 0.0 ? 0.0 : std::sin(turn));
 }
 
 const NotationToken& NotationParser::expect_number(const char* what) {

@@ -51,7 +51,12 @@ class NotationParser {
   void addition(const NotationToken& number);
   void vertex_distance();
   void prism(const NotationToken& number);
+  void base_then_prism();
+  void add_prism(Term base, double amount);
+  double prism_amount(const NotationToken& number) const;
   bool prism_follows() const;
+  bool whole_prism_follows() const;
+  std::optional<Term> named_base(std::size_t ahead) const;
 
   void finish_section();
   void finish_cross();

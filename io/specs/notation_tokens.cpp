@@ -89,14 +89,22 @@ constexpr Word words[] = {
     {"pdpt", Term::prism},
     {"base", Term::base},
     {"basis", Term::base},
+    {"bas", Term::base},
+    {"b", Term::base},
     {"in", Term::base_in},
     {"bi", Term::base_in},
+    {"nasal", Term::base_in},
+    {"innen", Term::base_in},
     {"out", Term::base_out},
     {"bo", Term::base_out},
+    {"temporal", Term::base_out},
+    {"aussen", Term::base_out},
     {"up", Term::base_up},
     {"bu", Term::base_up},
+    {"oben", Term::base_up},
     {"down", Term::base_down},
     {"bd", Term::base_down},
+    {"unten", Term::base_down},
     {"rx", Term::filler},
     {"eye", Term::filler},
     {"and", Term::filler},
@@ -107,22 +115,14 @@ constexpr Word words[] = {
 constexpr std::array planos = {"pl"sv, "plano"sv, "plan"sv, "pln"sv};
 
 /// What is typed with other than ASCII characters, in ASCII.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> spellings{{
-    {"\u00D7", " x "},
-    {"\u2715", " x "},
-    {"\u2716", " x "},
-    {"\u2A2F", " x "},
-    {"*", " x "},
-    {"\u0394", "^"},
-    {"\u03B4", "^"},
-    {"\u2206", "^"},
-    {"\u25B3", "^"},
-    {"\u00B0", " deg "},
-    {"\u00BA", " deg "},
-    {"\u02DA", " deg "},
-    {"\u00BC", ".25"},
-    {"\u00BD", ".50"},
-    {"\u00BE", ".75"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> spellings{{
+    {"\u00D7", " x "}, {"\u2715", " x "},   {"\u2716", " x "},   {"\u2A2F", " x "},
+    {"\u2573", " x "}, {"\u0445", " x "},  // Cyrillic
+    {"\u00E0", " x "},                     // French: "-0,50 à 90°"
+    {"*", " x "},      {"\u0394", "^"},     {"\u03B4", "^"},     {"\u2206", "^"},
+    {"\u25B3", "^"},   {"\u00B0", " deg "}, {"\u00BA", " deg "}, {"\u02DA", " deg "},
+    {"cm/m", " ^ "},   {"\u00DF", "ss"},    {"\u2322", " / "},  // "combined with"
+    {"\u00B7", "."},   {"\u00BC", ".25"},   {"\u00BD", ".50"},   {"\u00BE", ".75"},
 }};
 
 bool is_digit(char c) {
@@ -132,8 +132,21 @@ bool is_letter(char c) {
   return c >= 'a' && c <= 'z';
 }
 
+/// "2 ½" is 2½.
+void join_fractions(std::string& text) {
+  for (const std::string_view fraction : {"\u00BC"sv, "\u00BD"sv, "\u00BE"sv})
+    for (std::size_t at = 0; (at = text.find(fraction, at)) != std::string::npos; at += fraction.size()) {
+      std::size_t digits = at;
+      while (digits > 0 && text[digits - 1] == ' ') --digits;
+      if (digits == 0 || !is_digit(text[digits - 1])) continue;
+      text.erase(digits, at - digits);
+      at = digits;
+    }
+}
+
 std::string in_ascii(std::string_view text) {
   std::string plain = with_keyboard_signs(text);
+  join_fractions(plain);
   for (const auto& [typed, spelt] : spellings)
     for (std::size_t at = 0; (at = plain.find(typed, at)) != std::string::npos; at += spelt.size())
       plain.replace(at, typed.size(), spelt);
@@ -191,11 +204,22 @@ class Scanner {
       token.has_point |= point;
       token.text += point ? '.' : c;
     }
+    if (is_fraction(token))
+      throw NotationError("a decimal number in place of \"" + token.text + text_.substr(at_, 2) +
+                          "\", which may be a fraction, or a cylinder and its axis");
     const std::size_t start = token.text.starts_with('+') ? 1 : 0;
     const char* end = token.text.data() + token.text.size();
     if (read_number(token.text.data() + start, end, token.value) != end)
       throw NotationError("a number in place of \"" + token.text + "\"");
     tokens_.push_back(std::move(token));
+  }
+
+  /// Whether "1/4", "3/4" or the like begins with this number, which ends at the slash.
+  bool is_fraction(const NotationToken& number) const {
+    const char top = number.text.back(), bottom = peek(1);
+    const bool one_digit = number.text.size() == (number.has_sign ? 2 : 1);
+    return one_digit && peek(0) == '/' && !is_digit(peek(2)) && peek(2) != '.' && peek(2) != ',' &&
+           ((bottom == '2' && top == '1') || ((bottom == '4' || bottom == '8') && "1357"sv.find(top) < 4));
   }
 
   /// Letters; points within abbreviations ("o.d.") do not end it.

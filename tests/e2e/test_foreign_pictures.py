@@ -1,7 +1,11 @@
 """Pictures of other programs: what `sturm compare` makes of them, and what they are as environments and textures."""
+import base64
 import math
 import random
+import resource
+import struct
 import unittest
+import zlib
 
 import picture_files as files
 from srgb import srgb_to_linear
@@ -243,6 +247,79 @@ class Formats(Compared):
         self.write("b.exr", files.exr(renamed(lit, "psf.{}")))
         result = self.compared("a.exr", files.exr({**lit, "A": noise(1)}), "--psf", "--pixel-arcmin", 1)
         self.assertEqual(result["psf"]["shift_arcmin"], [0, 0])
+
+
+class Claims(Compared):
+    """What a header says costs nothing before the pixels are there."""
+
+    SIDE = 16000
+
+    def jpeg(self, frame):
+        """Tables of one code of one bit each, a frame of this kind, and a scan that breaks off."""
+        tables = b"\xff\xdb\0\x43\0" + b"\1" * 64 + b"".join(b"\xff\xc4\0\x14" + bytes([table, 1]) + b"\0" * 16 for table in (0, 16))
+        sizes = struct.pack(">HBHHB", 17, 8, self.SIDE, self.SIDE, 3) + bytes([1, 17, 0, 2, 17, 0, 3, 17, 0])
+        return b"\xff\xd8" + tables + b"\xff" + bytes([frame]) + sizes + b"\xff\xda\0\x0c\3\1\0\2\0\3\0\0\0\0"
+
+    def tiff(self, compression, bits=8, channels=3):
+        entries = [(256, 4, self.SIDE), (257, 4, self.SIDE), (258, 3, bits), (259, 3, compression), (262, 3, 2 if channels == 3 else 0),
+                   (273, 4, 8), (277, 3, channels), (278, 4, self.SIDE), (279, 4, 4)]
+        return (struct.pack("<2sHI4sH", b"II", 42, 12, b"abcd", len(entries)) +
+                b"".join(struct.pack("<HHII", tag, kind, 1, value) for tag, kind, value in entries) + bytes(4))
+
+    def claims(self):
+        side = self.SIDE
+        yield "29 bytes of TGA", base64.b64decode("AAAKMgEAAAAAAAAIMiA/MCA/MApqcGVnD4AAskA=")
+        yield "TGA with runs", struct.pack("<BBB9xHHBB", 0, 0, 10, side, side, 32, 8) + b"\x80abcd"
+        yield "PNG", files.png([[(0, 0, 0)]]).replace(struct.pack(">II", 1, 1), struct.pack(">II", side, side), 1)
+        yield "JPEG", self.jpeg(0xC0)
+        yield "progressive JPEG", self.jpeg(0xC2)
+        yield "BMP with runs", struct.pack("<2s8xIIiiHHII20x", b"BM", 54, 40, side, side, 1, 8, 1, 0) + b"\0\1"
+        yield "GIF", struct.pack("<6sHHBBB", b"GIF89a", side, side, 0xF0, 0, 0) + bytes(6) + struct.pack("<BHHHHB", 44, 0, 0, side, side, 0) + b"\2\1\x4c\0;"
+        yield "WebP", struct.pack("<4sI8sIBI", b"RIFF", 26, b"WEBPVP8L", 14, 0x2F, (side - 1) | (side - 1) << 14) + b"\x88\x88\x08" + bytes(6)
+        yield "DDS", struct.pack("<4s7I44xII4s20x5I", b"DDS ", 124, 0x1007, side, side, 0, 0, 0, 32, 4, b"DXT1", 0x1000, 0, 0, 0, 0)
+        yield "PSD", struct.pack(">4sH6xHIIHHIII", b"8BPS", 1, 4, side, side, 8, 3, 0, 0, 0) + b"\0\1"
+        yield "PPM", b"P6\n16000 16000\n255\n"
+        yield "SGI", struct.pack(">HBBHHHHII", 474, 1, 1, 3, side, side, 4, 0, 255).ljust(512, b"\0")
+        for compression in (1, 5, 7, 8, 32773, 34925, 50000):
+            yield f"TIFF of compression {compression}", self.tiff(compression)
+        yield "fax", self.tiff(4, 1, 1)
+        yield "Radiance with runs of old", b"#?RADIANCE\n\n-Y 8000 +X 32768\n" + b"abcd" * 9000
+
+    def test_memory_is_for_pixels_that_are_there(self):
+        for name, content in self.claims():
+            with self.subTest(name):
+                self.refused("a.png", content, "a.png")
+        self.assertLess(1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 5e8)  # half of what an input may take
+
+    def test_one_colour_takes_few_bytes_and_is_a_picture(self):
+        """4096 x 4096 of one colour, black: 1027 bytes of pixels for one byte of PNG, 64 for one of TGA."""
+        side = 4096
+        grey = struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0)
+        raw = bytes((1 + side) * side)
+
+        def chunk(kind, body):
+            return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+        png = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", grey) + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b"")
+        self.assertGreater(len(raw) / len(png), 1000)
+        tga = struct.pack("<BBB9xHHBB", 0, 0, 11, side, side, 8, 0) + b"\xff\0" * (side * side // 128)
+        for name, content in (("a.png", png), ("a.tga", tga)):  # it has been read, but has not the size of the other one
+            self.refused(name, content, f"{name}: got 4096 × 4096 pixels, expected the size of b.exr")
+
+    def test_what_breaks_off_is_no_picture(self):
+        rows = [[(x * y % 251, x, y) for x in range(WIDTH)] for y in range(HEIGHT)]
+        strips = files.float_tiff([[tuple(v / 256 for v in pixel) for pixel in row] for row in rows])
+        # Its one strip starts so late that most of it would lie behind the end of the file.
+        short = strips.replace(struct.pack("<HHII", 273, 4, 1, 8), struct.pack("<HHII", 273, 4, 1, len(strips) - 100))
+        self.assertNotEqual(short, strips)
+        self.write("b.png", files.png(rows))
+        self.refused("a.tif", short, "a.tif", reference="b.png")
+        self.refused("a.png", files.png(rows)[:-40], "a.png", reference="b.png")
+
+    def test_other_files_are_not_opened(self):
+        """A reader may make up what a name asks for: "a.null" had 1024 x 1024 black pixels."""
+        for name in ("a.null", "a.mp4", "a.png", "a"):
+            self.refused(name, b"no picture at all", name, "another kind", "PNG, JPEG, TIFF")
 
 
 if __name__ == "__main__":

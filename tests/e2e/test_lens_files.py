@@ -34,6 +34,11 @@ class LensFiles(FolderTest):
             self.assertAlmostEqual(xy, 0, delta=1e-9)
             self.assertAlmostEqual(yy, along, delta=1e-9)
             self.assertEqual(report["diameter_mm"], 60)
+        tilted = text.replace("SURF 1\r\n", "SURF 7\r\n  TYPE COORDBRK\r\n  PARM 3 10\r\n  DISZ 0\r\nSURF 1\r\n").replace("  DIAM", "  MEMA")
+        report, notes = self.report(self.write("tilted.zmx", tilted))
+        self.assertIn("coordinate break of surface 7 does not count", notes)
+        self.assertIn("no DIAM; the diameter is taken as 70 mm", notes)
+        self.assertAlmostEqual(report["back_vertex"]["matrix_D"][0], across, delta=1e-9)
         named = {"format": "sturm.spectacles/1", "lens_file": {"file": "a.zmx", "diameter_mm": 50, "vertex_distance_mm": 14, "material": "MR-8"}}
         report, _ = self.report(self.write("lens.json", named))
         self.assertEqual((report["diameter_mm"], report["vertex_distance_mm"], report["material"]["name"]), (50, 14, "MR-8"))
@@ -54,12 +59,16 @@ class LensFiles(FolderTest):
         process = sturm("lens", path)
         self.assertEqual(process.returncode, WRONG_INPUT)
         self.assertIn('"eye"', process.stderr)
+        one_eye, _ = self.report(self.write("one.oma", "DO=R;\r\n" + job.replace("DO=B\r\n", "")))
+        self.assertEqual(one_eye["back_vertex"], power)
         # Surfaces alone, one eye.
         surfaces = self.write("one.vca", "do=L\nfrnt=;5.00\nback=;7.00\nlind=;1.67\ncthick=;1.8\nLMATID=;7\n")
         report, notes = self.report(surfaces)
         expected = back_vertex_power(0.67 * 5 / 0.53, -0.67 * 7 / 0.53, 1.8, 1.67)
         self.assertAlmostEqual(report["back_vertex"]["sphere_D"], expected, delta=1e-9)
         self.assertIn("LMATID", notes)
+        self.assertIn("no DIA; the diameter is taken as 70 mm", notes)
+        self.assertEqual(report["diameter_mm"], 70)
 
     def test_an_eye_wears_a_file(self):
         self.write("lens.zmx", zmx(120, ["  TYPE STANDARD", f"  CURV {1 / 80!r}"], 2.5))

@@ -33,6 +33,8 @@ class Notation(FolderTest):
                               ("OD -1.00/-0.50x90", (-1, -0.5, 90, 12)), ("-1.00/-0.50×90", (-1, -0.5, 90, 12)), ("-2,00 -1,50 x 30", (-2, -1.5, 30, 12)),
                               ("-2.00 -1.50 axis 30°", (-2, -1.5, 30, 12)), ("-2.00 DS -1.50 DC x 30", (-2, -1.5, 30, 12)),
                               ("sph -2.00 cyl -1.50 ax 30", (-2, -1.5, 30, 12)), ("\u22122.00 \u22121.50 x 30 VD 14", (-2, -1.5, 30, 14)),
+                              ("OD : -1,75 (-0,50 à 90°)", (-1.75, -0.5, 90, 12)), ("-2 ½ -1 ¼ x 30", (-2.5, -1.25, 30, 12)),
+                              ("\uff0d2·00 ⌢ \uff0d1·50 ╳ 030", (-2, -1.5, 30, 12)),
                               ("+1.00 +2.00 x 120 BVD 0mm", (1, 2, 120, 0)), ("OS -6.00 -2.25 x 7", (-6, -2.25, 7, 12))):
             for results in (ask(query(text)), ask(query({"sphere_D": 9}), "--rx", text), ask(query({"sphere_D": 9}), "--set", f"/eye/prescription={text}")):
                 for got, expected in zip(results[0]["wavefront_curvature_D"], power(*numbers)):
@@ -49,6 +51,8 @@ class Notation(FolderTest):
     def test_what_is_ambiguous_is_refused_with_its_readings(self):
         for text, words in (("-2.00 / -1.50 @ 30", ("x 30", "x 120")), ("-200 -150 x 30", ("-2.00", "-200")), ("-2.00 x 30", ("-2.00 DS", "PL -2.00 x 30")),
                             ("-2.00 -1.50", ("an axis",)), ("-2.00 -1.50 x 190", ("from 0 to 180",)), ("piano", ("plano",)), ("-2.00 DS 2^ BI", ("OD or OS",)),
+                            ("-2 1/4", ("fraction", "axis")), ("OD 1.00 BI 2", ("sphere", "prism")), ("90° -0,50 -1,75", ("behind the cylinder",)),
+                            ("-2.00 DS PD 63", ("distance of the pupils",)),
                             ("OD -1.00 DS OS -2.00 DS", ("OS -2.00 DS",))):
             for process in (sturm("ellipse", "-", stdin=json.dumps(query(text))),
                             sturm("ellipse", "-", "--rx", text, stdin=json.dumps(query("PL")))):
@@ -78,8 +82,9 @@ class Notation(FolderTest):
         self.assertAlmostEqual(prism["prism_cm_per_m"], 2, delta=1e-9)
         self.assertAlmostEqual(math.cos(math.radians(prism["base_deg"])), 1, delta=1e-9)  # towards the examiner's right: the nose of a right eye
         self.assertIn("no addition", notes)
-        option, _ = report(lens("single_vision", vertex_distance_mm=14), "--rx", "OD -2.00/-1.50x30 2^ base in")
-        self.assertEqual(option["back_vertex"], text["back_vertex"])
+        for way in ("2^ base in", "BI 2", "2 cm/m nasal"):
+            option, _ = report(lens("single_vision", vertex_distance_mm=14), "--rx", "OD -2.00/-1.50x30 " + way)
+            self.assertEqual((option["back_vertex"], option["gazes"][0]["prism"]), (text["back_vertex"], prism), way)
 
         progressive = dict(knot_spacing_mm=0.5, diameter_mm=50)
         text, _ = report(lens("progressive", prescription="OS -1.00 DS ADD +2.00", **progressive))

@@ -44,7 +44,9 @@ class Outputs(FolderTest):
         self.write("lens.json", {"format": "sturm.spectacles/1", **documents.spectacles()})
         yield from [["--help"], ["--version"], ["render", "--help"], ["schema"], ["schema", "scene"], ["validate", "query.json"], ["ellipse", "query.json"],
                     ["compare", REFERENCE, REFERENCE], ["compare", REFERENCE, REFERENCE, "--json", "-"], ["plan-samples"],
-                    ["stress", "--cases", 10, "--quiet"], ["render", "view.json", "--explain"], ["lens", "lens.json", "--azimuth-deg", 0, "--elevation-deg", 0]]
+                    ["stress", "--cases", 10, "--quiet"], ["render", "view.json", "--explain"], ["lens", "lens.json", "--azimuth-deg", 0, "--elevation-deg", 0],
+                    ["psf", "--rx", "-2", "--pupil", 1], ["wavefront", "--random"], ["doctor"], ["completion", "bash"], ["man", "see"],
+                    ["render", "view.json", "--print-config"]]
 
 
 class StandardOutput(Outputs):
@@ -93,7 +95,7 @@ class NamedOutputs(Outputs):
         report = next(path for path in REPORTS if json.loads(path.read_text()).get("format") == "sturm.report/1")
         return [["ellipse", "query.json", "-o", name], ["compare", REFERENCE, REFERENCE, "--json", name], ["stress", "--cases", 5, "--quiet", "-o", name],
                 ["gate", report, "--junit", name], ["gate", report, "--markdown", name], ["compare-runs", report, report, "--json", name],
-                ["report", report, "-o", name]]
+                ["report", report, "-o", name], ["wavefront", "--random", "-o", name], ["psf", "--rx", "-2", "--pupil", 1, "-o", name]]
 
     def test_pipe(self):
         for arguments in self.writers("pipe"):
@@ -171,6 +173,21 @@ class NamedOutputs(Outputs):
         self.assertEqual(process.returncode, WRONG_INPUT)
         self.assertIn("--preview", process.stderr)
         self.succeed("render", "view.json", "-o", "BIG.EXR", "--quiet", cwd=self.folder)
+
+    def test_text_is_not_named_as_a_picture(self):
+        self.write("lens.json", {"format": "sturm.spectacles/1", **documents.spectacles()})
+        self.write("wearers.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\n")
+        thin = {"format": "sturm.spectacles/1", "single_vision": {"center_thickness_mm": 2, "refractive_index": 1.5}}
+        self.write("thin.json", thin)
+        for arguments in (["render", "view.json", "--print-config", "-o", "x.exr"], ["ellipse", "query.json", "--print-config", "-o", "x.png"],
+                          ["ellipse", "query.json", "-o", "x.SVG"], ["lens", "lens.json", "-o", "x.svg"], ["psf", "--rx", "-2", "--pupil", 3, "-o", "x.png"],
+                          ["wavefront", "--random", "-o", "x.pdf"], ["stress", "--cases", 3, "--quiet", "-o", "x.html"],
+                          ["wearers", "wearers.csv", "thin.json", "-o", "x.png"]):
+            with self.subTest(arguments):
+                process = sturm(*arguments, cwd=self.folder)
+                self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""), process.stderr)
+                self.assertIn("such as x.json", process.stderr)
+                self.assertEqual(list(self.folder.glob("x.*")), [])
 
     def test_long_names(self):
         name = "x" * 250 + ".json"

@@ -6,14 +6,24 @@
 /// sturm_imageformats_free.
 extern "C" {
 
-/// Values as stored, 0…1 for integer formats; height × width × channels floats, row 0 at the top. `bits` of integer
-/// values, 0 for floats.
-int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels, int* bits,
-                            float** pixels, char* error, std::size_t error_size);
+/// Where pixels go. `room` gives room for `count` floats in all; those that were there before stay.
+struct sturm_imageformats_pixels {
+  void* owner;
+  float* (*room)(void* owner, std::size_t count);
+  int width = 0, height = 0, channels = 0;
+  int bits = 0;  ///< of integer values, 0 for floats
+};
+
+/// Values as stored, 0…1 for integer formats; height × width × channels floats, row 0 at the top. `format` is
+/// OpenImageIO's name of the file's format. More than `max_pixels` are refused before there is room for them, and room
+/// is made as pixels arrive.
+int sturm_imageformats_read(const char* format, const char* path, std::size_t max_pixels,
+                            sturm_imageformats_pixels* pixels, char* error, std::size_t error_size);
 
 /// The same of a PNG or JPEG file of `size` bytes in memory.
-int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size, std::size_t max_pixels, int* width,
-                                   int* height, int* channels, float** pixels, char* error, std::size_t error_size);
+int sturm_imageformats_read_memory(const char* format, const unsigned char* bytes, std::size_t size,
+                                   std::size_t max_pixels, sturm_imageformats_pixels* pixels, char* error,
+                                   std::size_t error_size);
 
 /// `pixels` has bytes where `bits` is 8, and std::uint16_t where it is 16.
 int sturm_imageformats_encode_png(const void* pixels, int bits, int width, int height, int channels,

@@ -1,6 +1,8 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -41,58 +43,117 @@ OIIO::ImageSpec values_as_stored() {
   return wishes;
 }
 
-/// All pixels of an opened file, in memory from malloc; `input` is null where it could not be opened.
-void read_opened(std::unique_ptr<OIIO::ImageInput> input, std::size_t max_pixels, int* width, int* height,
-                 int* channels, float** pixels) {
-  if (!input) throw std::runtime_error(OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
+/// How many bytes of pixels a byte of a TIFF file can stand for, by its compression; of fax, Zstandard and LZMA
+/// generously.
+double largest_tiff_ratio(int compression) {
+  constexpr int none = 1, lzw = 5, old_jpeg = 6, jpeg = 7, deflate = 8, old_deflate = 32946, pack_bits = 32773;
+  switch (compression) {
+    case none:
+      return 1.0;
+    case pack_bits:
+      return 64.0;
+    case lzw:
+      return 2731.0;  // 12 bits for 4096
+    case deflate:
+    case old_deflate:
+      return 1032.0;
+    case old_jpeg:
+    case jpeg:
+      return 3 * 512.0;  // a bit for a block of 8 × 8 with three channels
+    default:
+      return 65536.0;
+  }
+}
+
+void require_honest_tiff(const OIIO::ImageSpec& spec, std::uint64_t file_size) {
+  const double bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * spec.format.basesize()));
+  const double bytes = static_cast<double>(spec.image_pixels()) * spec.nchannels * bits / 8.0;
+  if (bytes > largest_tiff_ratio(spec.get_int_attribute("tiff:Compression", 1)) * static_cast<double>(file_size))
+    throw std::runtime_error("a header that claims more pixels than a file of this size can hold");
+}
+
+void require_readable(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 16)
     throw std::runtime_error("not a two-dimensional image of 1 to 16 channels");
-  if (spec.image_pixels() > max_pixels) throw std::runtime_error("more than " + std::to_string(max_pixels) + " pixels");
-  float* memory = allocate<float>(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, memory)) {
-    std::free(memory);
-    throw std::runtime_error(input->geterror());
+  if (spec.image_pixels() > max_pixels)
+    throw std::runtime_error("a header that claims " + std::to_string(spec.width) + " x " +
+                             std::to_string(spec.height) + " pixels, more than " + std::to_string(max_pixels));
+}
+
+/// How many rows are read at once: whole tiles or strips, of about 64 MiB.
+int rows_at_once(const OIIO::ImageSpec& spec) {
+  constexpr std::size_t bytes = std::size_t{1} << 26;
+  const auto row_bytes =
+      static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels) * sizeof(float);
+  const int wanted = std::max(1, static_cast<int>(std::min<std::size_t>(bytes / row_bytes, 1 << 20)));
+  const int unit = spec.tile_width ? spec.tile_height : std::max(1, spec.get_int_attribute("tiff:RowsPerStrip", 1));
+  return std::min(spec.height, (std::max(wanted, unit) / unit) * unit);
+}
+
+/// Of what a reader complains about and reads on, only that bytes are missing counts: other programs' JPEG files have
+/// stray bytes and markers that do no harm. A TIFF reader says nothing by its result where a strip is broken.
+void require_whole(OIIO::ImageInput& input) {
+  if (!input.has_error()) return;
+  const std::string complaint = input.geterror();
+  if (std::string(input.format_name()) != "jpeg" || complaint.find("remature end") != std::string::npos)
+    throw std::runtime_error(complaint);
+}
+
+/// All pixels of an opened file.
+void read_opened(OIIO::ImageInput& input, sturm_imageformats_pixels* pixels) {
+  const OIIO::ImageSpec spec = input.spec();
+  pixels->bits = spec.format.is_floating_point()
+                     ? 0
+                     : spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * spec.format.basesize()));
+  const std::size_t row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
+  const int step = rows_at_once(spec), left = spec.x, right = spec.x + spec.width;
+  for (int y = 0; y < spec.height; y += step) {
+    const int rows = std::min(step, spec.height - y), top = spec.y + y;
+    float* to =
+        pixels->room(pixels->owner, row * static_cast<std::size_t>(y + rows)) + row * static_cast<std::size_t>(y);
+    const bool read =
+        spec.tile_width
+            ? input.read_tiles(0, 0, left, right, top, top + rows, 0, 1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, to)
+            : input.read_scanlines(0, 0, top, top + rows, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, to);
+    if (!read) throw std::runtime_error(input.geterror());
+    require_whole(input);
   }
-  *width = spec.width;
-  *height = spec.height;
-  *channels = spec.nchannels;
-  *pixels = memory;
+  pixels->width = spec.width;
+  pixels->height = spec.height;
+  pixels->channels = spec.nchannels;
+}
+
+std::unique_ptr<OIIO::ImageInput> reader_of(const char* format) {
+  auto input = OIIO::ImageInput::create(format);
+  if (!input) throw std::runtime_error(OIIO::geterror());
+  return input;
 }
 
 }  // namespace
 
-int sturm_imageformats_read(const char* path, std::size_t max_pixels, int* width, int* height, int* channels, int* bits,
-                            float** pixels, char* error, std::size_t error_size) {
+int sturm_imageformats_read(const char* format, const char* path, std::size_t max_pixels,
+                            sturm_imageformats_pixels* pixels, char* error, std::size_t error_size) {
   return guarded(error, error_size, [&] {
-    const OIIO::ImageSpec wishes = values_as_stored();
-    auto input = OIIO::ImageInput::open(path, &wishes);
-    if (input) {
-      const OIIO::TypeDesc stored = input->spec().format;
-      *bits = stored.is_floating_point()
-                  ? 0
-                  : input->spec().get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * stored.basesize()));
-    }
-    read_opened(std::move(input), max_pixels, width, height, channels, pixels);
+    const auto input = reader_of(format);
+    OIIO::ImageSpec spec;
+    if (!input->open(path, spec, values_as_stored())) throw std::runtime_error(input->geterror());
+    require_readable(spec, max_pixels);
+    if (std::strcmp(format, "tiff") == 0) require_honest_tiff(spec, OIIO::Filesystem::file_size(path));
+    read_opened(*input, pixels);
   });
 }
 
-int sturm_imageformats_read_memory(const unsigned char* bytes, std::size_t size, std::size_t max_pixels, int* width,
-                                   int* height, int* channels, float** pixels, char* error, std::size_t error_size) {
+int sturm_imageformats_read_memory(const char* format, const unsigned char* bytes, std::size_t size,
+                                   std::size_t max_pixels, sturm_imageformats_pixels* pixels, char* error,
+                                   std::size_t error_size) {
   return guarded(error, error_size, [&] {
-    constexpr unsigned char png_signature[] = {0x89, 'P', 'N', 'G'}, jpeg_signature[] = {0xFF, 0xD8, 0xFF};
-    const auto begins_with = [&](const auto& signature) {
-      return size >= sizeof signature && std::memcmp(bytes, signature, sizeof signature) == 0;
-    };
-    const char* format = begins_with(png_signature) ? "png" : begins_with(jpeg_signature) ? "jpeg" : nullptr;
-    if (!format) throw std::runtime_error("neither a PNG nor a JPEG file");
     OIIO::Filesystem::IOMemReader memory_file(const_cast<unsigned char*>(bytes), size);  // it only reads
-    auto input = OIIO::ImageInput::create(format);
-    if (!input) throw std::runtime_error(OIIO::geterror());
+    const auto input = reader_of(format);
     OIIO::ImageSpec spec;
     if (!input->set_ioproxy(&memory_file) || !input->open(std::string("memory.") + format, spec, values_as_stored()))
       throw std::runtime_error(input->geterror());
-    read_opened(std::move(input), max_pixels, width, height, channels, pixels);
+    require_readable(spec, max_pixels);
+    read_opened(*input, pixels);
   });
 }
 

@@ -4,11 +4,13 @@
 #include <array>
 
 #include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "io/files/lower_case.h"
 #include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
 #include "io/specs/lens_files/vca_file.h"
 #include "io/specs/lens_files/zemax_file.h"
+#include "lensmodel/units.h"
 
 namespace sturm {
 
@@ -24,6 +26,11 @@ bool is_lens_file(std::string_view name) {
   const std::string lower = lower_case(name);
   const auto ends = [&](std::string_view suffix) { return lower.ends_with(suffix); };
   return ends(zemax_suffix) || std::ranges::any_of(vca_suffixes, ends);
+}
+
+std::string assumed_diameter(const std::string& record, double diameter_m) {
+  return "it has no " + record + "; the diameter is taken as " + plain_number(diameter_m / metres_per_millimetre) +
+         " mm";
 }
 
 LensFile read_lens_file(const LensFileRequest& request) {

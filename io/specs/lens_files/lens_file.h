@@ -31,6 +31,9 @@ struct LensFile {
 /// case.
 bool is_lens_file(std::string_view name);
 
+/// The note of a lens whose file does not have the record that states its diameter.
+std::string assumed_diameter(const std::string& record, double diameter_m);
+
 /// Reads such a file: Zemax for .zmx, else the Data Communication Standard. Throws InputError.
 LensFile read_lens_file(const LensFileRequest& request);
 

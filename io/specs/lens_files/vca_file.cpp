@@ -106,6 +106,8 @@ class VcaBuilder {
       lens.diameter_m = *request_.diameter_m;
     else if (const auto diameter = number("DIA"))
       lens.diameter_m = metres_per_millimetre * in_range("DIA", *diameter, 1.0, 200.0);
+    else
+      note(assumed_diameter("DIA", lens.diameter_m));
   }
 
   void read_prescription() {

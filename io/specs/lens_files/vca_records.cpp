@@ -140,7 +140,7 @@ std::optional<double> VcaRecords::number(const std::string& label, EyeSide eye) 
 
 std::vector<EyeSide> VcaRecords::eyes() const {
   if (const auto done = records_.find("DO"); done != records_.end()) {
-    const std::string eye = in_capitals(done->second.value);
+    const std::string eye = in_capitals(parts_of(done->second.value)[0]);
     if (eye == "R") return {EyeSide::right};
     if (eye == "L") return {EyeSide::left};
     if (eye == "B") return {EyeSide::right, EyeSide::left};

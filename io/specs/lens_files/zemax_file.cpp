@@ -36,6 +36,10 @@ struct ZemaxSurface {
   std::map<int, double> parameters;
   bool has_extra_data = false;
   std::optional<Grid> grid;
+
+  bool has_parameters() const {
+    return std::any_of(parameters.begin(), parameters.end(), [](const auto& p) { return p.second != 0.0; });
+  }
 };
 
 struct ZemaxFile {
@@ -316,6 +320,8 @@ LensFile zemax_lens(std::string_view text, const LensFileRequest& request) {
     lens.diameter_m = *request.diameter_m;
   else if (smaller > 0.0)
     lens.diameter_m = 2.0 * zemax.unit_m * smaller;
+  else
+    builder.result.notes.push_back(request.file + ": " + assumed_diameter("DIAM", lens.diameter_m));
   if (!(lens.diameter_m > 0.0 && lens.diameter_m <= 0.2))
     fail(request.file, front, "a diameter of " + plain_number(lens.diameter_m / metres_per_millimetre, 12) + " mm",
          "at most 200 mm, or \"diameter_mm\" beside \"file\"");
@@ -327,6 +333,10 @@ LensFile zemax_lens(std::string_view text, const LensFileRequest& request) {
     fail(request.file, front, "a glass without a thickness (DISZ) above 0 and up to 50 mm",
          "the lens's thickness at its centre");
   lens.refractive_index = builder.refractive_index(front);
+  for (std::size_t i = 0; i < index; ++i)
+    if (const ZemaxSurface& s = zemax.surfaces[i]; s.type == "COORDBRK" && s.has_parameters())
+      builder.result.notes.push_back(request.file + ": the coordinate break of surface " + std::to_string(s.number) +
+                                     " does not count; \"mounting\" beside \"file\" tilts or decentres a lens");
   lens.front = builder.surface(front, "front");
   lens.back = builder.surface(back, "back");
   return std::move(builder.result);

@@ -161,6 +161,52 @@ TEST(RadianceHdr, ReadsAllOrders) {
   EXPECT_EQ(decoded("-X 2 +Y 3", "fdbeca"), "abcdef");
 }
 
+/// The values of one channel of a picture of one scan line; with exponent 136 a value is its mantissa.
+std::vector<float> radiance_line(const std::string& variables, std::size_t width, const std::string& pixels,
+                                 int channel = 0) {
+  const RadianceHdr hdr =
+      decode_radiance_hdr("#?RADIANCE\n" + variables + "\n-Y 1 +X " + std::to_string(width) + "\n" + pixels, 1 << 20);
+  std::vector<float> line;
+  for (int x = 0; x < hdr.image.width; ++x) line.push_back(hdr.image.at(x, 0)[channel]);
+  return line;
+}
+
+std::string rgbe(int r, int g, int b, int e = 136) {
+  return {static_cast<char>(r), static_cast<char>(g), static_cast<char>(b), static_cast<char>(e)};
+}
+
+TEST(RadianceHdr, OldRunsRepeatTheLastPixel) {
+  // 3 times more, then 1 · 256 times more; behind another pixel a run counts in ones again.
+  const std::string pixels = rgbe(10, 0, 0) + rgbe(1, 1, 1, 3) + rgbe(1, 1, 1, 1) + rgbe(20, 0, 0) + rgbe(1, 1, 1, 2);
+  std::vector<float> expected(260, 10.0f);
+  expected.insert(expected.end(), 3, 20.0f);
+  EXPECT_EQ(radiance_line("", 263, pixels), expected);
+  EXPECT_THROW(radiance_line("", 262, pixels), std::runtime_error);
+  EXPECT_THROW(radiance_line("", 9, rgbe(1, 1, 1, 9)), std::runtime_error);  // nothing to repeat
+}
+
+TEST(RadianceHdr, NewRunsAreToldFromPixels) {
+  // 128 different values stand behind the count 128; 129 is a run of one.
+  std::string different(1, '\x80'), same;
+  for (int i = 0; i < 128; ++i) different += static_cast<char>(i);
+  for (int i = 0; i < 128; ++i) same += std::string("\x81\x88", 2);
+  const std::vector<float> line =
+      radiance_line("", 128, std::string("\2\2\0\x80", 4) + different + different + different + same);
+  for (int i = 0; i < 128; ++i) EXPECT_EQ(line[static_cast<std::size_t>(i)], static_cast<float>(i));
+  // In a line of fewer than 8 pixels, and with a third byte above 127, these are a pixel's own bytes.
+  EXPECT_THAT(radiance_line("", 2, rgbe(2, 2, 0, 136) + rgbe(5, 5, 5)), ElementsAre(2.0f, 5.0f));
+  std::string flat = rgbe(2, 2, 200);
+  for (int i = 1; i < 8; ++i) flat += rgbe(i, 0, 0);
+  EXPECT_THAT(radiance_line("", 8, flat), ElementsAre(2, 1, 2, 3, 4, 5, 6, 7));
+}
+
+TEST(RadianceHdr, GainsAreDividedOutAllOfThem) {
+  const std::string gains =
+      "COLORCORR=2 4 8\r\nEXPOSURE=2.5\r\n# EXPOSURE=1000\r\nVIEW= -vp 1 2 3\r\nEXPOSURE= 0.4\r\n";
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_THAT(radiance_line(gains + "\r", 1, rgbe(80, 80, 80), channel), ElementsAre(80.0f / (2 << channel)));
+}
+
 TEST(RadianceHdr, RefusesBrokenFiles) {
   const std::string head = "#?RADIANCE\n\n";
   for (const std::string& file :
@@ -178,6 +224,9 @@ TEST(PortableFloatMap, RowsRunUpwards) {
   EXPECT_THAT(decode_portable_float_map(big, 10).pixels, ElementsAre(2.0f, 1.0f));
   const std::string windows("Pf\r\n1 2\r\n-0.5\r\n\0\0\x80\x3f\0\0\0\x40", 23);
   EXPECT_THAT(decode_portable_float_map(windows, 10).pixels, ElementsAre(1.0f, 0.5f));
+  const std::string noted("PF # by hand\n# 1 x 1\n1 1\n-2\n\0\0\x80\x3f\0\0\0\x40\0\0\x80\x40", 40);
+  EXPECT_THAT(decode_portable_float_map(noted, 10).pixels, ElementsAre(2.0f, 4.0f, 8.0f));
+  EXPECT_THAT(decode_portable_float_map(noted, 10, true).pixels, ElementsAre(1.0f, 2.0f, 4.0f));
   for (const std::string& text :
        {std::string("Pf\n1 2\n-1\nabc"), std::string("Pf\n-1 2\n-1\n"), std::string("Pf\n1 2\n0\nabcdefgh"),
         std::string("PF\n"), std::string("Pf\n1 2\nx\nabcdefgh"), std::string("Pf\n9 9\n1\n")})

@@ -107,6 +107,42 @@ TEST(PrescriptionNotation, Prisms) {
   EXPECT_EQ(read("2^ base in"), "+0.00 DS 2^ BI");
 }
 
+TEST(PrescriptionNotation, TheBaseMayStandBeforeItsAmount) {
+  for (const char* text : {"OD +1.00 BI 2", "OD +1.00 2 BI", "OD +1.00 DS base in 2^", "OD +1.00 2 cm/m BI",
+                           "OD +1.00 Pr. 2 nasal", "R +1,00 dpt Prisma 2 Basis innen", "OD +1.00 prism 2 B in"})
+    EXPECT_EQ(read(text), "OD +1.00 DS 2^ BI") << text;
+  for (const char* text : {"OS -1.00 -0.50 x 20 BU 1.5 BO 2", "OS -1.00 -0.50 x 20 1.5^ BU 2^ BO",
+                           "OS -1.00 -0.50 x 20 2 temporal 1,5 oben"})
+    EXPECT_EQ(read(text), "OS -1.00 -0.50 x 20 2^ BO 1.5^ BU") << text;
+  EXPECT_EQ(read("OD PL 2 cm/m B 180"), "OD +0.00 DS 2^ base 180");
+  EXPECT_THAT(refused("OD 1.00 BI 2"), HasSubstr("a sign before the sphere"));  // 1 D and 2^, or 1^ and 2 D
+  EXPECT_THAT(refused("OD 1.00 prism 2 BI"), HasSubstr("a sign before the sphere"));
+  EXPECT_THAT(refused("OD -1.00 DS BI 2 BU"), HasSubstr("an amount of prism"));
+  EXPECT_THAT(refused("OD -1.00 DS base 2"), HasSubstr("2^ base 135"));
+}
+
+TEST(PrescriptionNotation, Fractions) {
+  EXPECT_EQ(read("-2½ -1¼ x 30"), "-2.50 -1.25 x 30");
+  EXPECT_EQ(read("-2 ½ -1 ¼ x 30"), "-2.50 -1.25 x 30");
+  EXPECT_EQ(read("-½"), "-0.50 DS");
+  // It had been a cylinder of one dioptre with axis 4.
+  for (const char* text : {"-2 1/4", "-2 1/2 -1 3/4 x 30", "1/4", "-2/-1/4"})
+    EXPECT_THAT(refused(text), HasSubstr("may be a fraction")) << text;
+  EXPECT_EQ(read("-2/-1/40"), "-2.00 -1.00 x 40");
+  EXPECT_EQ(read("-2.00/-1.00/4"), "-2.00 -1.00 x 4");
+}
+
+TEST(PrescriptionNotation, OtherCountriesWays) {
+  EXPECT_EQ(read("OD : -1,75 (-0,50 à 90°)"), "OD -1.75 -0.50 x 90");
+  EXPECT_EQ(read("-2·00 -1·50 x 30"), "-2.00 -1.50 x 30");
+  EXPECT_EQ(read("-2.00 DS ⌢ -1.50 DC ╳ 30"), "-2.00 -1.50 x 30");
+  EXPECT_EQ(read("-2.00 -1.50 \u0445 30"), "-2.00 -1.50 x 30");
+  EXPECT_THAT(refused("90° (-0,50) -1,75"), HasSubstr("the axis, 90°, behind the cylinder"));
+  EXPECT_THAT(refused("-2.00 -1.50 x 30 PD 63"), HasSubstr("without the distance of the pupils, \"PD 63\""));
+  EXPECT_THAT(refused("-2.00 -1.50 x 30 PD 31.5"), HasSubstr("without the distance of the pupils"));
+  EXPECT_EQ(read("OD -2.00 DS PD 2 BI"), "OD -2.00 DS 2^ BI");
+}
+
 TEST(PrescriptionNotation, TheNoseIsOnEitherSide) {
   // As an examiner sees it: 0° is the examiner's right, where a right eye has its nose.
   const auto base = [](const char* text) {

@@ -97,6 +97,30 @@ TEST_F(VcaFile, HeightsStandAsAnExaminerSeesThem) {
               AllOf(HasSubstr("line 6"), HasSubstr("3660 heights"), HasSubstr("61 records ZZ")));
 }
 
+TEST_F(VcaFile, EachEyeHasItsOwnHeights) {
+  // Backs z = c r²/2 with c = 6 m⁻¹ of the left eye, which stands first, and 10 m⁻¹ of the right one; a semicolon ends
+  // each row.
+  std::string text = "DO=B\nLIND=1.5\nCTHICK=2\nDIA=40\nFRNT=5.3\nTIND=1.5\n";
+  for (const auto& [side, curvature] : {std::pair("L", 6.0), {"R", 10.0}}) {
+    text += std::string("SURFMT=1;") + side + ";B;41;41;40;40\n";
+    for (int row = 0; row < 41; ++row) {
+      text += "ZZ=";
+      for (int column = 0; column < 41; ++column) {
+        const double x = column - 20.0, y = row - 20.0;
+        char cell[40];
+        std::snprintf(cell, sizeof cell, "%.9f;", 0.5e-3 * curvature * (x * x + y * y));
+        text += cell;
+      }
+      text += "\n";
+    }
+  }
+  // Nine digits of heights: 1e-12 m / h² at h = 1 mm.
+  EXPECT_NEAR(vertex_power(lens(text, "job.sdf", eye(EyeSide::right)).lens).back.xx(), -0.5 * 10.0, 1e-5);
+  EXPECT_NEAR(vertex_power(lens(text, "job.sdf", eye(EyeSide::left)).lens).back.xx(), -0.5 * 6.0, 1e-5);
+  // The front's curve is stated for 1.5, the lens's own index.
+  EXPECT_NEAR(vertex_power(lens(text, "job.sdf", eye(EyeSide::left)).lens).front.xx(), 5.3, 1e-12);
+}
+
 TEST_F(VcaFile, PrismsAndAdditionsAreNotLost) {
   const std::string prism = job + "PRVM=2.00;1.50\r\nPRVA=90;180\r\nADD=2.00;2.00\r\n";
   const LensFile file = lens(prism, "job.oma", eye(EyeSide::right));
@@ -108,6 +132,9 @@ TEST_F(VcaFile, PrismsAndAdditionsAreNotLost) {
   const LensFile left = lens(job + "PRVIN=0;1.5\r\nPRVUP=0;0\r\n", "job.oma", eye(EyeSide::left));
   EXPECT_DOUBLE_EQ(left.made_for->prism_cm_per_m, 1.5);
   EXPECT_DOUBLE_EQ(left.made_for->prism_base_deg, 180.0);
+  const LensFile down = lens(job + "PRVUP=-1.5;0\r\n", "job.oma", eye(EyeSide::right));
+  EXPECT_DOUBLE_EQ(down.made_for->prism_cm_per_m, 1.5);
+  EXPECT_DOUBLE_EQ(down.made_for->prism_base_deg, 270.0);
   EXPECT_THAT(error(job + "PRVM=2;2\r\n", "job.oma", eye(EyeSide::right)),
               AllOf(HasSubstr("line 11"), HasSubstr("no PRVA")));
 }

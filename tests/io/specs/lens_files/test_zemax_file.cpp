@@ -129,6 +129,12 @@ TEST_F(ZemaxFile, WhatIsNoSpectacleLensIsRefused) {
   EXPECT_THAT(error(zmx(front, back, "MM", "MIRROR 0 0"), "a.zmx"), HasSubstr("a mirror"));
   EXPECT_THAT(error(zmx(front, "  TYPE EVENASPH\r\n  CURV 0.016\r\n  PARM 2 1e-7\r\n"), "a.zmx"),
               AllOf(HasSubstr("surface 2"), HasSubstr("PARM 2"), HasSubstr("without higher terms")));
+  EXPECT_THAT(error(zmx(front, "  TYPE EVENASPH\r\n  CURV 0.016\r\n  PARM 8 1e-17\r\n"), "a.zmx"),
+              HasSubstr("PARM 8"));  // the last of its terms
+  EXPECT_THAT(error(zmx(front, "  TYPE TOROIDAL\r\n  CURV 0.016\r\n  PARM 1 50\r\n  PARM 2 1e-7\r\n"), "a.zmx"),
+              AllOf(HasSubstr("PARM 2"), HasSubstr("two circles")));
+  EXPECT_THAT(error(zmx(front, "  TYPE EVENASPH\r\n  CURV 0.016\r\n  XDAT 1 0.5 0 0 1\r\n"), "a.zmx"),
+              HasSubstr("XDAT other than 0"));
   EXPECT_THAT(error(zmx(front, "  TYPE BICONICX\r\n  CURV 0.016\r\n"), "a.zmx"),
               AllOf(HasSubstr("BICONICX"), HasSubstr("TOROIDAL")));
   EXPECT_THAT(error(zmx(front, "  TYPE COORDBRK\r\n"), "a.zmx"), HasSubstr("TYPE COORDBRK"));
