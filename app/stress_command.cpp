@@ -9,6 +9,7 @@
 namespace sturm {
 
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output) {
+  require_answer_name(output, AnswerKind::Json);
   const std::uint64_t seed = options.seed.value_or(1);
   if (stress.replayed) {
     const stress::FreeFormLenses free_forms;

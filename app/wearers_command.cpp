@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
+#include "app/named_documents.h"
 #include "app/option_values.h"
 #include "app/several_documents.h"
 #include "experiments/figures/wearer_table.h"
@@ -15,6 +16,7 @@
 namespace sturm {
 
 int wearers_command(const WearersOptions& options) {
+  require_answer_name(options.output, AnswerKind::Csv);
   WearerQuestion question;
   for (const std::string& text : options.distances_m)
     question.distances_m.push_back(distance_option(text, "--distance"));
@@ -27,6 +29,7 @@ int wearers_command(const WearersOptions& options) {
     throw InputError(options.table, "", "a JSON document", "a table of prescriptions (CSV)");
   std::vector<TriedDesign> designs;
   for (const std::string& file : options.lenses) {
+    require_document(file, {"lenses"}, "a file");
     const Json document = load_json(file);
     if (format_of(document, file) != "spectacles")
       Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");

@@ -89,7 +89,7 @@ class LineAndDocument(FolderTest):
         for case in range(6):
             rx = Notation(draw).text
             with self.subTest(rx=rx):
-                self.same("lens", ["--rx", rx], "--index", draw.choice([1.5, 1.67]), "--thickness", 2.5)
+                self.same("lens", ["--rx", rx, "--json"], "--index", draw.choice([1.5, 1.67]), "--thickness", 2.5)
                 self.same("psf", ["--rx", rx], "--pupil", 3, "--set", '/models=["rays"]', "--set", "/distances_m=[1]")
                 if case % 3 == 0:
                     self.same("render", ["cornell", "--rx", rx], "--pupil", 5, "--lens", "glasses", "--size", "12x8", "--samples", 2, "--seed", 3, output="seen.png")
@@ -130,6 +130,13 @@ class LineAndDocument(FolderTest):
         self.assertEqual(len(strict_json(text)["results"]), 9)
         self.assertLess(len(text.splitlines()), 200)
         self.assertLessEqual(max(map(len, text.splitlines())), 120)
+
+
+class Numbers(unittest.TestCase):
+    def test_distances_as_people_write_them(self):
+        self.assertEqual(answer("--rx", RX, "--distance", " 0.4, 1 ,Infinity"), answer("--rx", RX, "--distance", "0.4,1,inf"))
+        self.assertEqual(answer("--rx", RX, "--distance", "∞"), answer("--rx", RX, "--distance", "inf"))
+        self.assertEqual(answer("--rx", RX, "--gaze", "20, -10"), answer("--rx", RX, "--gaze", "20,-10"))
 
 
 class Orientation(unittest.TestCase):
