@@ -175,6 +175,10 @@ class ShippedThings(FolderTest):
         self.assertAlmostEqual(report["back_vertex"]["axis_deg"], 160, delta=1e-6)
         self.assertEqual(strict_json(self.succeed("lens", "--rx", "-1.00 DS", "--json").stdout)["refractive_index"], 1.5)
 
+    def test_where_a_lens_sits(self):
+        lens = strict_json(self.succeed("lens", "--rx", "-4.00", "--vertex", 15, "--diameter", 60, "--thickness", 1.8, "--json").stdout)
+        self.assertEqual([lens["vertex_distance_mm"], lens["diameter_mm"], lens["thickness"]["center_mm"]], [15, 60, 1.8])
+
     def test_a_lens_as_a_table(self):
         """Each gaze with the numbers of the report; straight ahead the lens has its own power."""
         line = ["lens", "--rx", "-3.25 -1.75 x 160", "--azimuth-deg", "-20:20:20", "--elevation-deg", "0"]
