@@ -60,8 +60,8 @@ Plot mtf_plot(std::span<const MtfCurve> curves) {
   script +=
       "set xlabel 'spatial frequency [cycles/degree]'\nset ylabel 'modulation transfer'\nset yrange [0:1]\n"
       "set xrange [0:*]\nset key outside right top Left reverse samplen 3 spacing 1.2 maxcols 1\n";
-  constexpr int usual_height = 420, line_height = 20;
-  const int legend_height = line_height * (1 + static_cast<int>(curves.size()));
+  constexpr int usual_height = 420, margins = 80, line_height = 19;
+  const int legend_height = margins + line_height * static_cast<int>(curves.size());
   return {script + blocks + "plot " + plots + "\n",
           {.id = "mtf",
            .label = "Modulation transfer against spatial frequency",
