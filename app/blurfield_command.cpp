@@ -22,6 +22,8 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
   const std::filesystem::path exr(files.output);
   if (!has_suffix(exr, ".exr"))
     throw InputError("", "--output", "\"" + files.output + "\"", "a name that ends in .exr");
+  if (!files.layers.empty() && !has_suffix(files.layers, ".svg"))
+    throw InputError("", "--layers", "\"" + files.layers + "\"", "a name that ends in .svg");
   const BlurFieldSpec spec = read_blur_field_spec(document, options.file);
   require_writable(exr);
   if (!files.layers.empty()) require_writable(files.layers);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "io/files/shipped_files.h"
+#include "io/json/named_file.h"
 
 namespace sturm {
 
@@ -17,14 +18,10 @@ std::vector<std::string> words_of(const std::string& type) {
   return words_between_commas(type.substr(open + 1, close - open - 1));
 }
 
-/// Folders of configs/ whose documents can be named.
-constexpr const char* shipped_kinds[] = {"benchmarks", "blurfields", "experiments", "eyes",
-                                         "lenses",     "scenes",     "views"};
-
 /// Names of all documents that the option may be given by name.
 std::vector<std::string> shipped_for(CLI::Option& option) {
   std::vector<std::string> names;
-  for (const char* kind : shipped_kinds) {
+  for (const std::string& kind : shipped_kinds()) {
     try {
       option.get_validator(shipped_validator(kind));
     } catch (const CLI::OptionNotFound&) {

@@ -41,6 +41,37 @@ std::string hint(const std::string& word, const std::vector<std::string>& candid
   return only ? " (did you mean \"" + *only + "\"?)" : "";
 }
 
+/// The option or positional argument of this name; none where the command has no such one.
+const OptionHelp* find_option(const CommandHelp* command, const std::string& name) {
+  if (!command) return nullptr;
+  const auto found = std::find_if(command->options.begin(), command->options.end(), [&](const OptionHelp& option) {
+    return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
+  });
+  return found == command->options.end() ? nullptr : &*found;
+}
+
+/// " [mm]", as the option's text has it; "" where it has no unit.
+std::string unit_of(const OptionHelp* option) {
+  if (!option) return "";
+  const std::size_t open = option->text.rfind('['), close = option->text.rfind(']');
+  return open == std::string::npos || close < open ? "" : " " + option->text.substr(open, close + 1 - open);
+}
+
+/// What a number may not have, where this text has it.
+std::string flaw_of_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || !*end) return "";
+  return *end == ',' ? ", with a decimal point" : ", without a unit";
+}
+
+/// What stands behind an option, or in the place of an argument.
+std::string description_of(const OptionHelp* option) {
+  if (!option) return "";
+  const std::vector<std::string>& words = option->words.empty() ? option->shipped : option->words;
+  return ": " + option->text + (words.empty() ? "" : "; " + one_of(words));
+}
+
 /// A number as it is, any other text between quotes.
 std::string shown(const std::string& value) {
   char* end = nullptr;
@@ -53,7 +84,10 @@ std::string shown(const std::string& value) {
 std::string unknown_command(const CommandHelp& program, const std::vector<std::string>& arguments) {
   const std::string name = command_in(arguments);
   if (name.empty() || find_command(program, name)) return "";
-  return "\"" + name + "\" is no command of sturm" + hint(name, command_names(program)) +
+  const std::vector<std::string> options = option_names(program);
+  const bool is_option = std::find(options.begin(), options.end(), "--" + name) != options.end();
+  return "\"" + name + "\" is no command of sturm" +
+         (is_option ? " (did you mean \"--" + name + "\"?)" : hint(name, command_names(program))) +
          "; sturm --help lists them all";
 }
 
@@ -77,22 +111,30 @@ std::string unusable_value(const CommandHelp& program, const std::vector<std::st
   const std::string line = complaint.substr(0, complaint.find('\n'));
   static const std::regex range(R"((\S+): Value (.+) not in range (\S+) to (\S+))"),
       choice(R"((\S+): (.*) not in \{(.*)\})"), number(R"(Could not convert: (\S+) = (.*))"),
-      missing(R"((.+) is required)");
+      missing(R"((.+) is required)"), twice(R"((\S+): At Most 1 required but received (\d+))"),
+      nothing(R"((\S+): 1 required (\S+) missing)");
+  const CommandHelp* command = find_command(program, command_in(arguments));
   std::smatch part;
   std::string said = line;
   if (std::regex_match(line, part, range)) {
     said = part.str(1) + ": got " + shown(part.str(2)) + ", expected a number from " +
-           plain_number(std::stod(part[3])) + " to " + plain_number(std::stod(part[4]));
+           plain_number(std::stod(part[3])) + " to " + plain_number(std::stod(part[4])) +
+           unit_of(find_option(command, part[1])) + flaw_of_number(part[2]);
   } else if (std::regex_match(line, part, choice)) {
     const std::vector<std::string> words = words_between_commas(part[3]);
     said = part.str(1) + ": got \"" + part.str(2) + "\"" + did_you_mean(part.str(2), words) + ", expected " +
            one_of(words);
   } else if (std::regex_match(line, part, number)) {
-    said = part.str(1) + ": got \"" + part.str(2) + "\", expected a number";
+    said = part.str(1) + ": got \"" + part.str(2) + "\", expected a number" + unit_of(find_option(command, part[1])) +
+           flaw_of_number(part[2]);
   } else if (std::regex_match(line, part, missing)) {
-    said = part.str(1) + " is missing";
+    said = part.str(1) + " is missing" + description_of(find_option(command, part[1]));
+  } else if (std::regex_match(line, part, twice)) {
+    said = part.str(1) + ": got " + part.str(2) + " of them, expected one";
+  } else if (std::regex_match(line, part, nothing)) {
+    said = part.str(1) + ": got nothing behind it, expected " + part.str(2) +
+           description_of(find_option(command, part[1]));
   }
-  const CommandHelp* command = find_command(program, command_in(arguments));
   return said + "; sturm" + (command ? " " + command->name : "") + " --help explains";
 }
 

@@ -2,6 +2,7 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -43,12 +44,24 @@ int answer_parse_error(CLI::App& app, const std::vector<std::string>& arguments,
   return wrong_input;
 }
 
+/// `sturm help COMMAND` is `sturm COMMAND --help`.
+std::vector<std::string> given_arguments(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (!arguments.empty() && arguments.front() == "help") {
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+  }
+  return arguments;
+}
+
 int run_action(int argc, char** argv) {
   CommandLine line;
+  const std::vector<std::string> arguments = given_arguments(argc, argv);
   try {
-    line.app.parse(argc, argv);
+    line.app.parse(
+        std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // the parser takes them from the back
   } catch (const CLI::ParseError& error) {
-    return answer_parse_error(line.app, {argv + 1, argv + argc}, error);
+    return answer_parse_error(line.app, arguments, error);
   }
   try {
     std::unique_ptr<tbb::global_control> limit;

@@ -22,14 +22,19 @@ std::string version_text() {
 
 std::string file_of_name(const std::string& kind, const std::string& name) {
   std::error_code code;
-  if (kind.empty() || std::filesystem::exists(name, code)) return name;
-  const auto shipped = shipped_document(kind, name);
+  if (std::filesystem::exists(name, code)) return name;
+  auto shipped = kind.empty() ? std::nullopt : shipped_document(kind, name);
+  if (!shipped && name.starts_with("configs/")) shipped = shipped_counterpart(name);
   return shipped ? shipped->string() : name;
 }
 
 void take_shipped_names(CLI::Option& option, const std::string& kind) {
-  if (kind.empty()) return;
+  if (kind.empty()) return take_shipped_paths(option);
   option.transform([kind](const std::string& name) { return file_of_name(kind, name); }, "", shipped_validator(kind));
+}
+
+void take_shipped_paths(CLI::Option& option) {
+  option.transform([](const std::string& name) { return file_of_name("", name); }, "", "");
 }
 
 void know_shipped_names(CLI::Option& option, const std::string& kind) {
@@ -81,6 +86,8 @@ void add_prescription(CLI::App& command, CommonOptions& options, const char* who
 void add_wearer(CLI::App& command, CommonOptions& options) {
   add_prescription(command, options, "the eye");
   WearerOptions& w = options.worn;
+  know_shipped_names(*command.add_option("--eye", w.eye, "the eye: a file (sturm.eye/1), or the name of a shipped one"),
+                     "eyes");
   command.add_option("--pupil", w.pupil_mm, "diameter of the pupil [mm]")->check(CLI::Range(0.0, 100.0));
   auto* age = command.add_option("--age", w.age_years, "the eye accommodates as well as it can at this age [years]");
   age->check(CLI::Range(0.0, 150.0));
@@ -94,6 +101,15 @@ void add_wearer(CLI::App& command, CommonOptions& options) {
 void add_spectacles(CLI::App& command, CommonOptions& options) {
   auto* lens = command.add_option("--lens", options.worn.lens, "spectacles: a file, or the name of a shipped lens");
   know_shipped_names(*lens, "lenses");
+}
+
+void add_answer_kinds(CLI::App& command, AnswerOptions& answer, const char* what) {
+  auto* table =
+      command.add_flag("--table", answer.table, std::string("a table (default without ") + what + ", and for several)");
+  auto* csv = command.add_flag("--csv", answer.csv, "a table for programs")->excludes(table);
+  command.add_flag("--json", answer.json, std::string("all numbers as JSON (default with ") + what + ")")
+      ->excludes(table)
+      ->excludes(csv);
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
@@ -151,7 +167,8 @@ CommandLine::CommandLine() {
 
 void CommandLine::add_validate() {
   auto* validate = app.add_subcommand("validate", "check a configuration without running it");
-  validate->add_option("file", files, "documents of Sturm of any kind (- is standard input)")->required();
+  auto* documents = validate->add_option("file", files, "documents of Sturm of any kind (- is standard input)");
+  take_shipped_paths(*documents->required());
   validate->callback([this] { action = [this] { return validate_command(files); }; });
 }
 

@@ -74,10 +74,13 @@ struct CommandLine {
 };
 
 // What several commands share.
-/// The shipped document of a folder of configs/ that a plain name means; anything else as it stands.
+/// The shipped document of a folder of configs/ that a plain name means, or the shipped file that a path
+/// configs/FOLDER/NAME means where there is no file; anything else as it stands.
 std::string file_of_name(const std::string& kind, const std::string& name);
 /// A plain name given to the option means a shipped document of this folder, and completions offer these.
 void take_shipped_names(CLI::Option& option, const std::string& kind);
+/// A path configs/FOLDER/NAME given to the option means a shipped file where there is none.
+void take_shipped_paths(CLI::Option& option);
 /// Completions offer these names; the command itself knows what they mean.
 void know_shipped_names(CLI::Option& option, const std::string& kind);
 /// `schema` is the kind of document, whose shipped ones may be named. Returns the option of the file, which must be
@@ -86,9 +89,11 @@ CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char*
 /// The same for commands that answer several documents, each by itself; none need be given.
 CLI::Option* add_documents(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
 void add_prescription(CLI::App& command, CommonOptions& options, const char* whose);
-/// Prescription, vertex distance, pupil and accommodation of the eye.
+/// The eye, its prescription, vertex distance, pupil and accommodation.
 void add_wearer(CLI::App& command, CommonOptions& options);
 void add_spectacles(CLI::App& command, CommonOptions& options);
+/// --table, --csv and --json of commands that answer a document (`what`: "a query") or a line.
+void add_answer_kinds(CLI::App& command, AnswerOptions& answer, const char* what);
 void add_run_options(CLI::App& command, CommonOptions& options);
 CLI::Option* add_common_options(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 
 #include "app/command_help.h"
@@ -7,8 +8,6 @@
 #include "app/starters.h"
 #include "io/files/atomic_file.h"
 #include "io/files/build_info.h"
-#include "io/files/error.h"
-#include "io/json/suggest.h"
 
 namespace sturm {
 
@@ -25,21 +24,13 @@ int write_man_pages(const CommandHelp& program, const std::filesystem::path& fol
   return 0;
 }
 
+/// The page of a command, or that of the program where `name` is "".
 int print_man_page(const CommandHelp& program, const std::string& name) {
-  const std::string version(build_info().version);
-  if (name.empty()) {
-    std::cout << man_page(program, nullptr, version);
-    return 0;
-  }
-  std::vector<std::string> known;
-  for (const CommandHelp& command : program.commands) {
-    if (command.name == name) {
-      std::cout << man_page(program, &command, version);
-      return 0;
-    }
-    known.push_back(command.name);
-  }
-  throw InputError("", "command", "\"" + name + "\"" + did_you_mean(name, known), one_of(known));
+  const auto command = std::find_if(program.commands.begin(), program.commands.end(),
+                                    [&](const CommandHelp& one) { return one.name == name; });
+  std::cout << man_page(program, command == program.commands.end() ? nullptr : &*command,
+                        std::string(build_info().version));
+  return 0;
 }
 
 }  // namespace
@@ -70,7 +61,7 @@ void CommandLine::add_completion() {
 
 void CommandLine::add_man() {
   auto* m = app.add_subcommand("man", "print a manual page, of a command or of the program, for man -l -");
-  m->add_option("command", shell, "e.g. ellipse");
+  m->add_option("command", shell, "e.g. ellipse")->check(CLI::IsMember(command_names(command_help(app))));
   m->add_option("--folder", folder, "write all pages into this folder instead");
   m->callback([this] {
     action = [this] {

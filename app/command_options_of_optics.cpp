@@ -18,11 +18,10 @@ void CommandLine::add_ellipse() {
                 "how it is computed: conoid (default), rays:power_matrix, …; may be repeated")
       ->delimiter(',')
       ->allow_extra_args(false);
-  auto* table = e->add_flag("--table", ellipse.table, "a table (default without a query, and for several)");
-  auto* csv = e->add_flag("--csv", ellipse.csv, "a table for programs")->excludes(table);
-  e->add_flag("--json", ellipse.json, "all numbers as JSON (default with a query)")->excludes(table)->excludes(csv);
+  add_answer_kinds(*e, ellipse.answer, "a query");
   e->add_option("-o,--output", ellipse.output,
-                "file instead of standard output; of several queries' JSON a folder, or a name with {name}");
+                "file instead of standard output (.csv, .json, or .txt for a table); of several queries' JSON a "
+                "folder, or a name with {name}");
   e->footer(
       "Examples:\n"
       "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --vertex 12 --pupil 5 --age 52 --distance 0.4,1,6,inf\n"
@@ -70,8 +69,10 @@ void CommandLine::add_lens() {
       ->check(CLI::Range(0.0, 100.0))
       ->excludes(age);
   l->add_option("--range", lens.range, "end of the scale of all maps [D]")->check(CLI::PositiveNumber);
+  add_answer_kinds(*l, lens.answer, "a file");
   l->add_option("-o,--output", output,
-                "file instead of standard output; of several lenses a folder, or a name with {name}");
+                "file instead of standard output (.csv, .json, or .txt for a table); of several lenses' JSON a "
+                "folder, or a name with {name}");
   l->footer(
       "Examples:\n"
       "  sturm lens --rx \"-3.25 -1.75 x 160\" --index 1.6 --map map.svg\n"
@@ -98,6 +99,9 @@ void CommandLine::add_psf() {
   auto* p = app.add_subcommand("psf", "point spreads of an eye over distance, by rays and by waves: JSON in, JSON out");
   add_documents(*p, common, "point spreads (sturm.psf/1)", "psf");
   add_wearer(*p, common);
+  p->add_option("--distance", psf.distances_m, "of point sources [m], with commas between; inf = far away")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   p->add_option("--threads", common.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
   p->add_option("-o,--output", psf.output,
                 "file instead of standard output; of several documents a folder, or a name with {name}");
@@ -108,7 +112,9 @@ void CommandLine::add_psf() {
 void CommandLine::add_wavefront() {
   WavefrontOptions& w = wavefront;
   auto* c = app.add_subcommand("wavefront", "Zernike coefficients and an eye's file from slopes, spots or heights");
-  c->add_option("file", w.file, "CSV of slopes, pairs of spots or heights, or the JSON of an eye to restate");
+  auto* file =
+      c->add_option("file", w.file, "CSV of slopes, pairs of spots or heights, or the JSON of an eye to restate");
+  take_shipped_paths(*file);
   c->add_option("-o,--output", w.output, "file for the eye (sturm.eye/1)");
   c->add_option("--report", w.report, "file for the fit's report instead of standard output");
   c->add_option("--residuals", w.residuals, "CSV file: what the fit leaves at each spot");

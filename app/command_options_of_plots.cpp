@@ -45,7 +45,7 @@ void CommandLine::add_plot() {
 void CommandLine::add_wearers() {
   auto* c =
       app.add_subcommand("wearers", "what each wearer of a table of prescriptions sees through lens designs: CSV");
-  c->add_option("table", wearers.table, "prescriptions (CSV)")->required();
+  take_shipped_paths(*c->add_option("table", wearers.table, "prescriptions (CSV)")->required());
   c->add_option("lenses", wearers.lenses, "single-vision or progressive lenses, which are made for each wearer")
       ->required();
   take_shipped_names(*c->get_option("lenses"), "lenses");

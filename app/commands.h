@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/text_answers.h"
 #include "lensmodel/eye.h"
 
 namespace sturm {
@@ -10,6 +11,7 @@ namespace sturm {
 /// What options say of the wearer in place of the document, besides the prescription; "" and none are what was not
 /// given.
 struct WearerOptions {
+  std::string eye;                  ///< a file, or the name of a shipped eye; what follows changes it
   std::optional<double> vertex_mm;  ///< distance of the lens that the prescription is written for
   std::optional<double> pupil_mm;
   std::optional<double> age_years, amplitude_D;  ///< accommodation as good as it can be; at most one of three
@@ -66,7 +68,7 @@ struct PlanOptions {
 /// What `sturm ellipse` is asked for beside the query.
 struct EllipseOptions {
   std::vector<std::string> distances_m, gazes_deg, methods;  ///< in place of the query's; empty = as there
-  bool table = false, csv = false, json = false;             ///< at most one; else JSON for a file, a table for a line
+  AnswerOptions answer;                                      ///< else JSON for a file, a table for a line
   std::string output;                                        ///< file; "" = standard output
 };
 
@@ -79,6 +81,7 @@ struct LensOptions {
   std::vector<std::string> distances_m{"0.4"};                               ///< of targets: > 0 or "inf"
   WearerOptions eye;            ///< pupil and accommodation of the eye behind the lens
   std::optional<double> range;  ///< end of the scale of all maps [D]
+  AnswerOptions answer;         ///< else JSON for a file, a table for a line and for several files
 };
 
 /// What `sturm plot` is asked for.
@@ -170,10 +173,11 @@ struct StressOptions {
   std::optional<std::uint64_t> replayed;  ///< one case in full instead of the suite
 };
 
-/// What `sturm psf` writes.
+/// What `sturm psf` is asked for, and writes.
 struct PsfOptions {
-  std::string output;  ///< JSON, "" = standard output
-  std::string images;  ///< EXR; a PNG appears beside it; "" = none
+  std::vector<std::string> distances_m;  ///< of point sources, in place of the document's; empty = as there
+  std::string output;                    ///< JSON, "" = standard output
+  std::string images;                    ///< EXR; a PNG appears beside it; "" = none
 };
 
 /// What `sturm wavefront` is asked for; "" and none are what was not given.

@@ -77,48 +77,65 @@ std::string bash_script(const CommandHelp& program) {
          "complete -o default -F _sturm sturm\n";
 }
 
-/// A name or a file.
+/// What completes a word with a name or a file; in the list of an option no colon may stand.
 std::string zsh_names(const std::vector<std::string>& shipped) {
-  return "{_alternative \"names:shipped document:(" + joined(shipped, " ") + ")\" \"files:file:_files\"}";
+  return shipped.empty() ? "_files" : "{_sturm_names " + joined(shipped, " ") + "}";
+}
+
+std::string zsh_values(const OptionHelp& option) {
+  return option.words.empty() ? zsh_names(option.shipped) : "(" + joined(option.words, " ") + ")";
 }
 
 std::string zsh_option(const OptionHelp& option, const std::string& name) {
   std::string text;
   for (const char c : option.text) text += c == '[' || c == ']' ? ' ' : c;
-  std::string spec = "*" + name + "[" + text + "]";
-  if (!option.words.empty())
-    spec += ":value:(" + joined(option.words, " ") + ")";
-  else if (!option.shipped.empty())
-    spec += ":value:" + zsh_names(option.shipped);
-  else if (!option.value.empty())
-    spec += ":value:_files";
-  return shell_quoted(spec);
+  const std::string value = option.value.empty() ? "" : ":value:" + zsh_values(option);
+  return shell_quoted("*" + name + "[" + text + "]" + value);
+}
+
+/// Arguments by their places; the last of them may be repeated.
+std::string zsh_positional(const CommandHelp& command) {
+  std::vector<const OptionHelp*> arguments;
+  for (const OptionHelp& option : command.options)
+    if (option.positional) arguments.push_back(&option);
+  std::string text;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string place = i + 1 == arguments.size() ? "*" : std::to_string(i + 1);
+    text += " \\\n        " + shell_quoted(place + ":" + arguments[i]->names[0] + ":" + zsh_values(*arguments[i]));
+  }
+  return text;
 }
 
 std::string zsh_script(const CommandHelp& program) {
   std::string text =
       "#compdef sturm\n"
       "# Completion of sturm for zsh.\n"
+      "_sturm_names() {\n"
+      "  _alternative \"names:shipped document:($*)\" 'files:file:_files'\n"
+      "}\n"
       "_sturm() {\n"
       "  local -a commands=(\n";
   for (const CommandHelp& command : program.commands)
     text += "    " + shell_quoted(command.name + ":" + command.text) + "\n";
   text +=
       "  )\n"
-      "  if (( CURRENT == 2 )); then\n"
-      "    _describe command commands\n"
+      "  local -i at=2\n"
+      "  while (( at < CURRENT )) && [[ $words[at] == -* ]]; do (( at++ )); done\n"
+      "  if (( CURRENT == at )); then\n"
+      "    if [[ $words[at] == -* ]]; then compadd -- " +
+      joined(option_names(program), " ") +
+      "; else _describe command commands; fi\n"
       "    return\n"
       "  fi\n"
-      "  case $words[2] in\n";
+      "  shift $(( at - 1 )) words\n"
+      "  (( CURRENT -= at - 1 ))\n"
+      "  case $words[1] in\n";
   for (const CommandHelp& command : program.commands) {
     text += "    " + command.name + ")\n      _arguments";
     for (const OptionHelp& option : command.options)
       if (!option.positional)
         for (const std::string& name : option.names) text += " \\\n        " + zsh_option(option, name);
-    const auto words = positional(command, &OptionHelp::words), shipped = positional(command, &OptionHelp::shipped);
-    const std::string files = shipped.empty() ? "_files" : zsh_names(shipped);
-    text += " \\\n        " + shell_quoted(words.empty() ? "*:file:" + files : "*:name:(" + joined(words, " ") + ")") +
-            " ;;\n";
+    text += zsh_positional(command) + " ;;\n";
   }
   return text +
          "  esac\n"

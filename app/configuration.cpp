@@ -7,14 +7,13 @@
 
 #include "app/document_kinds.h"
 #include "app/eye_options.h"
-#include "app/name_of_text.h"
+#include "app/named_documents.h"
+#include "app/text_answers.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
-#include "io/files/shipped_files.h"
 #include "io/json/json_pointer_set.h"
 #include "io/json/named_file.h"
 #include "io/json/readable_json.h"
-#include "io/json/suggest.h"
 #include "io/specs/lens_files/lens_file.h"
 
 namespace sturm {
@@ -26,24 +25,10 @@ Json lens_file_document(const std::string& file) {
   return {{"format", "sturm.spectacles/1"}, {"lens_file", {{"file", std::filesystem::path(file).filename().string()}}}};
 }
 
-/// A name that is neither a file nor that of a shipped document.
-void refuse_unknown_name(const std::string& name, const std::string& schema) {
-  std::error_code code;
-  if (std::filesystem::exists(name, code)) return;
-  if (name.find_first_not_of("0123456789.,") == std::string::npos || name == "inf")
-    throw InputError(name, "", "a number", "a file; several distances have commas between: --distance 0.4,1,inf");
-  if (name.find_first_of("/.") != std::string::npos) return;
-  const std::vector<std::string> known = shipped_names(shipped_kind(schema));
-  if (!known.empty())
-    throw InputError(name, "", "No such file" + did_you_mean(name, known), "a file, or " + one_of(known));
-  for (const char* kind : {"views", "lenses", "eyes", "scenes", "experiments"})
-    if (shipped_document(kind, name))
-      throw InputError(name, "", std::string("a name of the shipped ") + kind, "a file of sturm." + schema + "/1");
-}
-
 Json loaded(const CommonOptions& options, const Json& otherwise) {
   if (options.file.empty() || options.file == command_line_source) return otherwise;
-  if (options.file != "-" && !options.schema.empty()) refuse_unknown_name(options.file, options.schema);
+  if (!options.schema.empty())
+    require_document(options.file, {shipped_kind(options.schema)}, "a file of sturm." + options.schema + "/1");
   return is_lens_file(options.file) ? lens_file_document(options.file) : load_json(options.file);
 }
 
@@ -60,7 +45,7 @@ Json load_configuration(const CommonOptions& options, const Json& otherwise) {
 
 CommonOptions with_source(const CommonOptions& options) {
   if (!options.file.empty()) return options;
-  if (options.prescription.empty())
+  if (options.prescription.empty() && options.worn.eye.empty())
     throw InputError("", "", "no question", "the name of a file, or --rx \"-2.00 -1.50 x 30\"");
   CommonOptions result = options;
   result.file = command_line_source;
@@ -68,7 +53,7 @@ CommonOptions with_source(const CommonOptions& options) {
 }
 
 int print_configuration(const Json& document, const std::string& file, const std::string& output) {
-  require_name_of_text(output);
+  require_answer_name(output, AnswerKind::Json);
   read_as_its_format(document, file);
   write_result(document, output);
   return 0;
@@ -79,7 +64,6 @@ void write_result(const Json& result, const std::string& output) {
 }
 
 void write_text(const std::string& text, const std::string& output) {
-  require_name_of_text(output);
   if (output.empty() || output == "-")
     std::cout << text;
   else

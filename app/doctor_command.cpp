@@ -14,6 +14,7 @@
 #include "io/files/shipped_files.h"
 #include "io/images/image_formats.h"
 #include "io/json/manifest.h"
+#include "io/json/named_file.h"
 
 namespace sturm {
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 /// The report, line by line: a mark, what was looked at, and what was found.
 class Examination {
  public:
-  void found(const char* what, const std::string& text) { rows_.push_back({"ok", what, text}); }
+  void found(const std::string& what, const std::string& text) { rows_.push_back({"ok", what, text}); }
   void odd(const char* what, const std::string& text) { rows_.push_back({"note", what, text}); }
   void broken(const char* what, const std::string& text) {
     rows_.push_back({"FAIL", what, text});
@@ -62,7 +63,7 @@ void examine_data(Examination& examination) {
     return;
   }
   for (const fs::path& folder : folders) examination.found("shipped data", folder.string());
-  for (const char* kind : {"views", "scenes", "lenses", "eyes"}) {
+  for (const std::string& kind : shipped_kinds()) {
     std::string names;
     for (const std::string& name : shipped_names(kind)) names += (names.empty() ? "" : ", ") + name;
     examination.found(kind, names);

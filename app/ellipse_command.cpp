@@ -61,7 +61,8 @@ int ellipse_command(const CommonOptions& given, const EllipseOptions& options) {
   }
   const bool several = given.files.size() > 1;
   const bool usually_table = given.files.empty() || (several && options.output.empty());
-  const bool as_table = options.table || (usually_table && !options.json && !options.csv);
+  const AnswerKind kind =
+      answer_kind(options.answer, options.output, usually_table ? AnswerKind::Table : AnswerKind::Json);
   std::vector<std::string> files = given.files;
   if (files.empty()) files = {with_source(given).file};
   const std::vector<std::string> names = document_names(files);
@@ -73,14 +74,14 @@ int ellipse_command(const CommonOptions& given, const EllipseOptions& options) {
     answers.push_back({names[i], query, blur_ellipses(query)});
   }
   std::vector<std::string> outputs;
-  if (!as_table && !options.csv) outputs = outputs_of(files, options.output, ".json", "--output");
-  if (options.csv)
+  if (kind == AnswerKind::Json) outputs = outputs_of(files, options.output, ".json", "--output");
+  if (kind == AnswerKind::Csv)
     write_text(ellipse_csv(answers), options.output);
-  else if (as_table)
+  else if (kind == AnswerKind::Table)
     write_text(ellipse_table(answers), options.output);
   else
     for (std::size_t i = 0; i < files.size(); ++i) write_result(answers[i].answer, outputs[i]);
-  if (options.csv || as_table)
+  if (kind != AnswerKind::Json)
     for (const AnsweredQuery& one : answers)
       for (const std::string& note : one.query.notes) std::cerr << "note: " << note << "\n";
   return 0;

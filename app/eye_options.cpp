@@ -54,11 +54,10 @@ bool apply_to_lens(Json& document, const WearerOptions& w) {
 }
 
 /// A document starts paths at its own folder, the command line at the working directory.
-std::string lens_path(const CommonOptions& options) {
+std::string path_for(const CommonOptions& options, const std::string& path) {
   std::error_code code;
-  if (options.file == command_line_source || options.file == "-" || !std::filesystem::exists(options.worn.lens, code))
-    return options.worn.lens;
-  return std::filesystem::absolute(options.worn.lens).string();
+  if (options.file == command_line_source || options.file == "-" || !std::filesystem::exists(path, code)) return path;
+  return std::filesystem::absolute(path).string();
 }
 
 }  // namespace
@@ -78,9 +77,10 @@ void apply_eye_options_to(Json& eye, const CommonOptions& options, const Source&
 }
 
 void apply_eye_options(Json& document, const CommonOptions& options) {
+  if (!options.worn.eye.empty() && document.is_object()) document["eye"] = path_for(options, options.worn.eye);
   if (!options.prescription.empty()) apply_prescription(document, options.prescription, options.file);
   if (!document.is_object()) return;  // the reader says what is wrong
-  if (!options.worn.lens.empty()) document["spectacles"] = lens_path(options);
+  if (!options.worn.lens.empty()) document["spectacles"] = path_for(options, options.worn.lens);
   if (!says_something(options.worn) || apply_to_lens(document, options.worn)) return;
   const Source where{options.file, "/eye"};
   const auto eye = document.find("eye");

@@ -62,9 +62,7 @@ SpectaclesSpec read_lens(const Json& document, const std::string& file) {
 
 /// The lens with what the options change; a single-vision lens where no file was given.
 Json lens_document(const CommonOptions& options, const LensOptions& lens) {
-  Json document = load_configuration(
-      options,
-      {{"format", "sturm.spectacles/1"}, {"single_vision", {{"center_thickness_mm", 2}, {"refractive_index", 1.5}}}});
+  Json document = load_configuration(options, usual_lens());
   for (const auto& [key, value] :
        {std::pair("refractive_index", lens.refractive_index),
         std::pair("center_thickness_mm", lens.center_thickness_mm), std::pair("diameter_mm", lens.diameter_mm)}) {
@@ -163,6 +161,8 @@ int lens_command(const CommonOptions& given, const LensOptions& lens, const std:
     const CommonOptions options = with_source(with_one_document(given, "--print-config"));
     return print_configuration(lens_document(options, lens), options.file, output);
   }
+  const bool usually_table = given.files.empty() || (given.files.size() > 1 && output.empty());
+  const AnswerKind kind = answer_kind(lens.answer, output, usually_table ? AnswerKind::Table : AnswerKind::Json);
   check_pictures(lens);
   std::vector<std::string> files = given.files;
   if (files.empty()) files = {with_source(given).file};
@@ -173,14 +173,15 @@ int lens_command(const CommonOptions& given, const LensOptions& lens, const std:
     options.file = files[i];
     asked.push_back(asked_lens(lens_document(options, lens), files[i], names[i], lens));
   }
-  const bool several = files.size() > 1, as_table = several && output.empty();
   std::vector<std::string> outputs;
-  if (!as_table) outputs = outputs_of(files, output, ".json", "--output");
+  if (kind == AnswerKind::Json) outputs = outputs_of(files, output, ".json", "--output");
   const auto pictures = drawn_pictures(asked, lens);
   std::vector<NamedLensReport> reports;
   for (std::size_t i = 0; i < files.size(); ++i) reports.push_back({names[i], lens_report(asked[i].query)});
   for (const auto& [name, picture] : pictures) write_file_atomically(name, picture);
-  if (as_table)
+  if (kind == AnswerKind::Csv)
+    write_text(lens_csv(reports), output);
+  else if (kind == AnswerKind::Table)
     write_text(lens_table(reports), output);
   else
     for (std::size_t i = 0; i < files.size(); ++i) write_result(reports[i].report, outputs[i]);

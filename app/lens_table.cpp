@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/text_columns.h"
+#include "io/files/csv.h"
 #include "io/files/formatted_text.h"
 
 namespace sturm {
@@ -66,6 +67,33 @@ std::string lens_table(const std::vector<NamedLensReport>& lenses) {
                     std::to_string(lost(gazes)) + " of " + std::to_string(gazes.size())});
   }
   return text_columns(rows);
+}
+
+std::string lens_csv(const std::vector<NamedLensReport>& lenses) {
+  constexpr std::pair<const char*, const char*> columns[] = {
+      {"power", "sphere_D"},      {"power", "cylinder_D"},     {"power", "axis_deg"},
+      {"error", "M_D"},           {"error", "J0_D"},           {"error", "J45_D"},
+      {"error", "astigmatism_D"}, {"prism", "prism_cm_per_m"}, {"prism", "base_deg"}};
+  CsvWriter csv;
+  for (const char* column : {"lens", "gaze_azimuth_deg", "gaze_elevation_deg", "status"}) csv.text(column);
+  for (const auto& [part, key] : columns)
+    csv.text(std::string_view(part) == "power" || key == std::string_view("prism_cm_per_m")
+                 ? key
+                 : std::string(part) + "_" + key);
+  csv.end_row();
+  for (const NamedLensReport& lens : lenses)
+    for (const Json& gaze : lens.report["gazes"]) {
+      csv.text(lens.name);
+      for (const Json& angle : gaze["gaze_deg"]) csv.number(angle.get<double>());
+      csv.text(gaze["status"].get<std::string>());
+      for (const auto& [part, key] : columns) {
+        const Json& numbers = gaze[part];
+        csv.number(numbers.is_object() && numbers[key].is_number() ? std::optional(numbers[key].get<double>())
+                                                                   : std::nullopt);
+      }
+      csv.end_row();
+    }
+  return csv.table();
 }
 
 }  // namespace sturm

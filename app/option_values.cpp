@@ -5,13 +5,20 @@
 #include <limits>
 
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "lensmodel/accommodation.h"
 
 namespace sturm {
 
 namespace {
 
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
 std::optional<double> number(std::string_view text) {
+  text = without_blanks(text);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
@@ -21,10 +28,11 @@ std::optional<double> number(std::string_view text) {
 }  // namespace
 
 double distance_option(const std::string& text, const char* option) {
-  if (text == "inf") return std::numeric_limits<double>::infinity();
+  const std::string word = lower_case(without_blanks(text));
+  if (word == "inf" || word == "infinity" || word == "∞") return std::numeric_limits<double>::infinity();
   const std::optional<double> value = number(text);
   if (!value || !(*value >= 1e-3 && *value <= 1e6))
-    throw InputError("", option, "\"" + text + "\"", "a distance from 0.001 to 1e6 m, or inf");
+    throw InputError("", option, "\"" + text + "\"", "a distance from 0.001 to 1e6 in metres, like 0.4, or inf");
   return *value;
 }
 

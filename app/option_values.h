@@ -5,7 +5,8 @@
 
 namespace sturm {
 
-/// A distance on the command line [m]: 0.001 … 1e6, or "inf". Throws InputError that names the option.
+/// A distance on the command line [m]: 0.001 … 1e6, or "inf" (also "infinity", "∞"). Throws InputError that names the
+/// option.
 double distance_option(const std::string& text, const char* option);
 
 /// The amplitude of accommodation [D] of an age, or as stated; 0 where neither is given.

@@ -5,6 +5,8 @@
 
 #include "app/configuration.h"
 #include "app/eye_options.h"
+#include "app/named_documents.h"
+#include "app/prescription_option.h"
 #include "app/several_documents.h"
 #include "experiments/figures/lens_maps.h"
 #include "io/files/error.h"
@@ -18,6 +20,7 @@ namespace {
 constexpr double usual_pupil_mm = 4.0;
 
 Json load(const std::string& file, const std::string& prescription) {
+  require_document(file, {"eyes", "lenses"}, "a file");
   CommonOptions common;
   common.file = file;
   common.prescription = prescription;
@@ -109,9 +112,18 @@ std::vector<PlottedEye> plotted_eyes(const PlotOptions& options) {
   return eyes;
 }
 
+Json usual_lens() {
+  return {{"format", "sturm.spectacles/1"}, {"single_vision", {{"center_thickness_mm", 2}, {"refractive_index", 1.5}}}};
+}
+
 std::vector<NamedLens> plotted_lenses(const PlotOptions& options) {
-  if (options.files.empty()) throw InputError("", "FILE", "nothing", "at least one lens");
   std::vector<NamedLens> lenses;
+  if (options.files.empty()) {
+    if (options.prescription.empty()) throw InputError("", "FILE", "nothing", "a lens, or a prescription by --rx");
+    Json lens = usual_lens();
+    apply_prescription(lens, options.prescription, "--rx");
+    lenses.push_back(read_plotted_lens(lens, "--rx", options.prescription));
+  }
   const std::vector<std::string> names = document_names(options.files);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& file = options.files[i];

@@ -24,7 +24,10 @@ std::vector<PlottedEye> plotted_eyes(const PlotOptions& options);
 /// The eye that a lens corrects, behind it, with this pupil (none: 4 mm) and accommodation.
 PlottedEye eye_behind(const NamedLens& lens, const std::string& file, const WearerOptions& worn);
 
-/// The lenses that the options name. Throws InputError where a file is no lens.
+/// The lens that is made for a prescription where no file says more.
+Json usual_lens();
+
+/// The lenses that the options name; without files the usual one for --rx. Throws InputError where a file is no lens.
 std::vector<NamedLens> plotted_lenses(const PlotOptions& options);
 
 /// Eyes as figures of several have them.

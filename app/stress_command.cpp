@@ -3,14 +3,14 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/name_of_text.h"
+#include "app/text_answers.h"
 #include "experiments/run/progress.h"
 #include "experiments/stress/report.h"
 
 namespace sturm {
 
 int stress_command(const CommonOptions& options, const StressOptions& stress, const std::string& output) {
-  require_name_of_text(output);
+  require_answer_name(output, AnswerKind::Json);
   const std::uint64_t seed = options.seed.value_or(1);
   if (stress.replayed) {
     const stress::FreeFormLenses free_forms;

@@ -3,7 +3,7 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/name_of_text.h"
+#include "app/text_answers.h"
 #include "io/files/atomic_file.h"
 #include "io/files/csv.h"
 #include "io/files/error.h"
@@ -231,16 +231,17 @@ int wavefront_command(const WavefrontOptions& o) {
   require_positive(o.noise, "--noise", 1e3);
   if (o.wavelength_nm && !(*o.wavelength_nm >= 300.0 && *o.wavelength_nm <= 2000.0))
     throw InputError("", "--wavelength-nm", plain_number(*o.wavelength_nm), "a wavelength from 300 to 2000 nm");
+  require_answer_name(o.output, AnswerKind::Json);
+  require_answer_name(o.report, AnswerKind::Json, "--report");
+  require_answer_name(o.residuals, AnswerKind::Csv, "--residuals");
   Outcome outcome = outcome_of(o);
   finish(o, outcome.eye);
   if (!o.residuals.empty() && outcome.residuals.empty())
     throw InputError("", "--residuals", "\"" + o.residuals + "\"", "a table of a sensor or of heights to fit");
   const Json eye = eye_document(outcome.eye);
   validate(eye, "eye", o.output);
-  for (const std::string& file : {o.output, o.report, o.residuals}) {
-    require_name_of_text(file);
+  for (const std::string& file : {o.output, o.report, o.residuals})
     if (!file.empty()) require_writable(file);
-  }
   if (!o.output.empty()) write_file_atomically(o.output, json_text(eye, 1) + "\n");
   if (!o.residuals.empty()) write_file_atomically(o.residuals, outcome.residuals);
   write_result(outcome.report, o.report);

@@ -3,9 +3,10 @@
 
 #include "app/commands.h"
 #include "app/configuration.h"
-#include "app/name_of_text.h"
+#include "app/named_documents.h"
 #include "app/option_values.h"
 #include "app/several_documents.h"
+#include "app/text_answers.h"
 #include "experiments/figures/wearer_table.h"
 #include "io/files/atomic_file.h"
 #include "io/files/error.h"
@@ -16,6 +17,7 @@
 namespace sturm {
 
 int wearers_command(const WearersOptions& options) {
+  require_answer_name(options.output, AnswerKind::Csv);
   WearerQuestion question;
   for (const std::string& text : options.distances_m)
     question.distances_m.push_back(distance_option(text, "--distance"));
@@ -28,6 +30,7 @@ int wearers_command(const WearersOptions& options) {
     throw InputError(options.table, "", "a JSON document", "a table of prescriptions (CSV)");
   std::vector<TriedDesign> designs;
   for (const std::string& file : options.lenses) {
+    require_document(file, {"lenses"}, "a file");
     const Json document = load_json(file);
     if (format_of(document, file) != "spectacles")
       Source{file, "/format"}.fail(document.at("format"), "\"sturm.spectacles/1\"");
@@ -35,7 +38,6 @@ int wearers_command(const WearersOptions& options) {
     designs.push_back({names[designs.size()], file, document});
   }
   const auto wearers = read_prescription_table(options.table, metres_per_millimetre * options.vertex_mm);
-  require_name_of_text(options.output);
   if (!options.output.empty()) require_writable(options.output);
   const std::string csv = wearer_csv(wearer_table(wearers, designs, question), options.clear_D);
   if (options.output.empty())

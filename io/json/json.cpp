@@ -15,6 +15,7 @@
 #include "io/files/readable_text.h"
 #include "io/files/sandbox.h"
 #include "io/files/text_encoding.h"
+#include "io/json/foreign_file.h"
 #include "io/json/json_text.h"
 
 namespace sturm {
@@ -189,7 +190,10 @@ Json load_json(const std::string& path) {
   if (std::filesystem::is_directory(path, code)) throw InputError(path, "", "a folder", "a JSON file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path, "", std::strerror(errno), "a readable JSON file");
-  return parse_json(read_all(stream, path), path);
+  const std::string text = read_all(stream, path);
+  if (const std::string kind = other_kind_of_file(text); !kind.empty())
+    throw InputError(path, "", kind, "a JSON document");
+  return parse_json(text, path);
 }
 
 std::string compact(const Json& value, std::size_t limit) {

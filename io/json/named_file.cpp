@@ -15,14 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> shipped_kinds{{{"scene", "scenes"},
-                                                                                      {"spectacles", "lenses"},
-                                                                                      {"eye", "eyes"},
-                                                                                      {"render", "views"},
-                                                                                      {"experiment", "experiments"},
-                                                                                      {"gates", "gates"},
-                                                                                      {"bench", "benchmarks"},
-                                                                                      {"blurfield", "blurfields"}}};
+/// Formats of documents that are shipped, and their folders.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> shipped{{{"render", "views"},
+                                                                                {"scene", "scenes"},
+                                                                                {"spectacles", "lenses"},
+                                                                                {"eye", "eyes"},
+                                                                                {"experiment", "experiments"},
+                                                                                {"gates", "gates"},
+                                                                                {"bench", "benchmarks"},
+                                                                                {"blurfield", "blurfields"}}};
 
 bool is_file(const fs::path& path) {
   std::error_code code;
@@ -30,16 +31,28 @@ bool is_file(const fs::path& path) {
 }
 
 [[noreturn]] void fail_missing(const Json& value, const Source& where, const std::string& what, const fs::path& path,
-                               const std::string& shipped = "") {
-  where.fail(value, what + "; there is no file " + path.string() + shipped);
+                               const std::string& names = "") {
+  where.fail(value, what + "; there is no file " + path.string() + names);
+}
+
+/// The nearest name, or all of them where none is near.
+std::string meant_or_known(const std::string& name, const std::vector<std::string>& known) {
+  const std::string near = did_you_mean(name, known);
+  return near.empty() ? " (" + one_of(known) + ")" : near;
 }
 
 }  // namespace
 
 std::string shipped_kind(std::string_view schema_name) {
-  for (const auto& [schema, folder] : shipped_kinds)
+  for (const auto& [schema, folder] : shipped)
     if (schema == schema_name) return std::string(folder);
   return "";
+}
+
+std::vector<std::string> shipped_kinds() {
+  std::vector<std::string> kinds;
+  for (const auto& [schema, folder] : shipped) kinds.emplace_back(folder);
+  return kinds;
 }
 
 fs::path existing_file(const Json& value, const Source& where, const char* what) {
@@ -59,7 +72,7 @@ fs::path existing_document(const Json& value, const Source& where, const char* s
   if (const auto shipped = shipped_counterpart(name)) return *shipped;
   const std::vector<std::string> known = kind.empty() ? std::vector<std::string>() : shipped_names(kind);
   fail_missing(value, where, what, path,
-               known.empty() ? "" : ", nor is it the name of a shipped one" + did_you_mean(name, known));
+               known.empty() ? "" : ", nor is it the name of a shipped one" + meant_or_known(name, known));
 }
 
 fs::path named_document_file(const Json& value, const Source& where, const char* schema_name) {

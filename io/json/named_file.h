@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "io/json/json.h"
 
@@ -24,5 +26,8 @@ std::filesystem::path named_document_file(const Json& value, const Source& where
 
 /// The folder of configs/ that has documents of this format; "" where none is shipped.
 std::string shipped_kind(std::string_view schema_name);
+
+/// Folders of configs/ whose documents can be named.
+std::vector<std::string> shipped_kinds();
 
 }  // namespace sturm

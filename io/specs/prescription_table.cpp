@@ -52,11 +52,10 @@ class Rows {
     sphere_ = table_.find(sphere_column), cylinder_ = table_.find(cylinder_column), axis_ = table_.find(axis_column);
     notation_ = table_.find(notation_column), vertex_ = table_.find(vertex_column);
     age_ = table_.find(age_column), addition_ = table_.find(addition_column);
-    if (!id_) fail_at_heading("a column id");
+    if (!id_) fail_at_heading("a column id (or patient, subject, name, number)");
     if (notation_ && (sphere_ || cylinder_ || axis_))
       fail_at_heading("a column rx, or columns sph_D, cyl_D and axis_deg");
     if (notation_) return;
-    if (!eye_) fail_at_heading("a column eye");
     if (!sphere_) fail_at_heading("a column sph_D, or a column rx");
     if (!cylinder_) fail_at_heading("a column cyl_D");
     if (!axis_) fail_at_heading("a column axis_deg");
@@ -79,7 +78,7 @@ class Rows {
       rx.axis_deg = degrees(axis);
     else if (rx.cylinder_D != 0.0)
       fail(axis.empty() ? "" : axis, "a value in column axis_deg, which a cylinder needs");
-    return {{text(*id_, id_column) + "-" + text(*eye_, eye_column), valid(rx, vertex_distance_m), age(), addition()}};
+    return {{named(eye_ ? text(*eye_, eye_column) : ""), valid(rx, vertex_distance_m), age(), addition()}};
   }
 
  private:
@@ -172,7 +171,7 @@ class Rows {
   /// A row with a text: of the eye in its column, or of each eye that the text names.
   std::vector<TabledPrescription> noted(double vertex_distance_m) const {
     const Source line{table_.file(), "line " + std::to_string(row_.line)};
-    const std::string &notation = text(*notation_, notation_column), &id = text(*id_, id_column);
+    const std::string& notation = text(*notation_, notation_column);
     std::vector<NotedPrescription> eyes;
     if (eye_)
       eyes = {read_notation(notation, line, eye_side(text(*eye_, eye_column)))};
@@ -186,11 +185,16 @@ class Rows {
       const std::string eye = eye_ ? text(*eye_, eye_column) : !rx.eye ? "" : *rx.eye == EyeSide::right ? "OD" : "OS";
       const double distance_m =
           rx.vertex_distance_mm ? metres_per_millimetre * *rx.vertex_distance_mm : vertex_distance_m;
-      result.push_back({eye.empty() ? id : id + "-" + eye,
-                        valid({rx.sphere_D, rx.cylinder_D, rx.axis_deg.value_or(180.0)}, distance_m), age(),
+      result.push_back({named(eye), valid({rx.sphere_D, rx.cylinder_D, rx.axis_deg.value_or(180.0)}, distance_m), age(),
                         rx.addition_D ? rx.addition_D : addition()});
     }
     return result;
+  }
+
+  /// "P172-OS"; without an eye the id alone.
+  std::string named(const std::string& eye) const {
+    const std::string& id = text(*id_, id_column);
+    return eye.empty() ? id : id + "-" + eye;
   }
 
   static std::vector<NotedPrescription> eyes_of(const std::string& notation) {

@@ -298,7 +298,8 @@ SpectaclesSpec read_lens_alone(const Json& value, const Source& where) {
   const auto [lens, place] = lens_document(value, where);
   for (const char* maker : {"single_vision", "progressive"})
     if (const auto made = lens.find(maker); made != lens.end() && !made->contains("prescription"))
-      missing("prescription", place / maker, "\"prescription\": there is no eye here to take it from");
+      missing("prescription", place / maker,
+              "\"prescription\", as --rx states it, too: there is no eye here to take it from");
   return read_spectacles(value, where, Eye{});
 }
 

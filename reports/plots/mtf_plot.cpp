@@ -59,9 +59,14 @@ Plot mtf_plot(std::span<const MtfCurve> curves) {
   std::string script = plot_axes;
   script +=
       "set xlabel 'spatial frequency [cycles/degree]'\nset ylabel 'modulation transfer'\nset yrange [0:1]\n"
-      "set xrange [0:*]\nset key outside right top Left reverse samplen 3 spacing 1.2\n";
+      "set xrange [0:*]\nset key outside right top Left reverse samplen 3 spacing 1.2 maxcols 1\n";
+  constexpr int usual_height = 420, margins = 80, line_height = 19;
+  const int legend_height = margins + line_height * static_cast<int>(curves.size());
   return {script + blocks + "plot " + plots + "\n",
-          {.id = "mtf", .label = "Modulation transfer against spatial frequency", .width = 820, .height = 420},
+          {.id = "mtf",
+           .label = "Modulation transfer against spatial frequency",
+           .width = 820,
+           .height = std::max(usual_height, legend_height)},
           csv_of(curves)};
 }
 

@@ -1,4 +1,5 @@
 """`sturm compare --suite` on pairs of the stored reference images."""
+import re
 import shutil
 import unittest
 import xml.etree.ElementTree
@@ -47,7 +48,7 @@ class Suite(FolderTest):
     def test_a_pair_has_bounds_of_its_own(self):
         self.pair("strict", "noise", bounds={"rmse_linear": 0})
         self.pair("loose", "noise")
-        process = self.judge("--max-rmse", 1)
+        process = self.judge("--bound", "rmse_linear=1")
         self.assertEqual(process.returncode, FAILED)
         self.assertIn("FAIL  strict/rmse_linear", process.stdout)
         self.assertIn("pass  loose/rmse_linear", process.stdout)
@@ -55,9 +56,11 @@ class Suite(FolderTest):
     def test_beyond_noise(self):
         self.pair("same", "reference", test_seed="reference")
         self.assertEqual(self.judge("--beyond-noise", "--max-rmse", 0).returncode, 0)
-        self.pair("blurred", "blur", test_seed="blur", reference_seed="reference")
+        self.pair("blurred", "blur", test_seed="blur", reference_seed="noise")
         process = self.judge("--beyond-noise", "--max-rmse", 10)
-        self.assertIn("blurred/beyond_noise", process.stdout)
+        single = strict_json(self.succeed("compare", IMAGES / "blur.exr", IMAGES / "reference.exr", "--noise", IMAGES / "blur.exr", IMAGES / "noise.exr", "--json", "-").stdout)
+        largest = max(z for z in single["noise"]["z"].values() if z is not None)
+        self.assertIn(f"blurred/beyond_noise {largest!r}", re.sub(" +", " ", process.stdout))
 
     def test_what_is_wrong_with_a_suite_is_said_and_nothing_is_written(self):
         self.write("suite/readme.txt", "no pairs")

@@ -1,13 +1,40 @@
 """`sturm doctor`, `sturm init`, completions and manual pages, which come from the definitions that --help shows."""
 import os
+import pty
 import re
+import select
 import shutil
 import subprocess
+import time
 import unittest
 
 from sturm_process import RUNTIME_FAILURE, SOURCE, STURM, WRONG_INPUT, FolderTest, sturm
 
 COMMANDS = re.findall(r"(?m)^  ([a-z-]+) {2,}", sturm("--help").stdout.split("Subcommands:")[1])
+
+
+class Terminal:
+    """A program on a terminal of its own."""
+
+    def __init__(self, command, folder):
+        self.pid, self.file = pty.fork()
+        if self.pid == 0:
+            os.chdir(folder)
+            os.execvpe(command[0], command, {**os.environ, "TERM": "dumb"})
+
+    def type(self, text, wanted):
+        """Types; returns once the terminal shows `wanted`. Throws AssertionError after 30 s."""
+        os.write(self.file, text.encode())
+        shown, end = "", time.monotonic() + 30
+        while wanted not in shown:
+            if time.monotonic() > end:
+                raise AssertionError(f"{text!r}: no {wanted!r} in {shown!r}")
+            if select.select([self.file], [], [], 0.2)[0]:
+                shown += os.read(self.file, 65536).decode(errors="replace")
+
+    def close(self):
+        os.close(self.file)
+        os.waitpid(self.pid, 0)
 
 
 class Completion(FolderTest):
@@ -62,6 +89,25 @@ class Completion(FolderTest):
         program = f"fpath=({self.folder} $fpath); autoload -Uz compinit; compinit -u -d {self.folder}/dump; print $_comps[sturm]; source {self.folder}/_sturm"
         process = subprocess.run(["zsh", "-f", "-c", program], capture_output=True, text=True, check=False)
         self.assertEqual((process.stdout, process.stderr), ("_sturm\n", ""))
+
+    @unittest.skipUnless(shutil.which("zsh"), "no zsh")
+    def test_zsh_completes(self):
+        """What zsh makes of a line and a tabulator, on a terminal: the line with what is added, and below it what may follow."""
+        (self.folder / "functions").mkdir()
+        self.write("functions/_sturm", sturm("completion", "zsh").stdout)
+        (self.folder / "here").mkdir()
+        terminal = Terminal(["zsh", "-f", "-i"], self.folder / "here")
+        self.addCleanup(terminal.close)
+        terminal.type("PS1='> '; setopt no_beep; unsetopt zle_bracketed_paste; LISTMAX=1000; autoload -Uz compinit; "
+                      f"fpath=({self.folder}/functions $fpath); compinit -u -D; echo READY''NOW\n", "READYNOW")
+        for typed, seen in (("sturm ell", "sturm ellipse"), ("sturm ellipse --dis", "--distance"), ("sturm render de", "sturm render desk"),
+                            ("sturm ellipse --lens gla", "--lens glasses"), ("sturm psf --eye pol", "--eye polans_5"), ("sturm plot blu", "plot blur"),
+                            ("sturm plot blur pol", "blur polans_5"), ("sturm see p.png --psf w", "--psf waves"), ("sturm init v", "init view"),
+                            ("sturm --sandbox ellipse --pri", "--print-config"), ("sturm --sandbox elli", "--sandbox ellipse"), ("sturm man doc", "man doctor"),
+                            ("sturm lens progressive_o", "lens progressive_occupational")):
+            with self.subTest(typed=typed):
+                terminal.type(typed + "\t", seen)
+                terminal.type("\x15", "")  # the line is emptied
 
     @unittest.skipUnless(shutil.which("fish"), "no fish")
     def test_fish(self):

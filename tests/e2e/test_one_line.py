@@ -89,7 +89,7 @@ class LineAndDocument(FolderTest):
         for case in range(6):
             rx = Notation(draw).text
             with self.subTest(rx=rx):
-                self.same("lens", ["--rx", rx], "--index", draw.choice([1.5, 1.67]), "--thickness", 2.5)
+                self.same("lens", ["--rx", rx, "--json"], "--index", draw.choice([1.5, 1.67]), "--thickness", 2.5)
                 self.same("psf", ["--rx", rx], "--pupil", 3, "--set", '/models=["rays"]', "--set", "/distances_m=[1]")
                 if case % 3 == 0:
                     self.same("render", ["cornell", "--rx", rx], "--pupil", 5, "--lens", "glasses", "--size", "12x8", "--samples", 2, "--seed", 3, output="seen.png")
@@ -132,6 +132,22 @@ class LineAndDocument(FolderTest):
         self.assertLessEqual(max(map(len, text.splitlines())), 120)
 
 
+class Numbers(unittest.TestCase):
+    def test_distances_as_people_write_them(self):
+        self.assertEqual(answer("--rx", RX, "--distance", " 0.4, 1 ,Infinity"), answer("--rx", RX, "--distance", "0.4,1,inf"))
+        self.assertEqual(answer("--rx", RX, "--distance", "∞"), answer("--rx", RX, "--distance", "inf"))
+        self.assertEqual(answer("--rx", RX, "--gaze", "20, -10"), answer("--rx", RX, "--gaze", "20,-10"))
+
+
+    def test_an_age_leaves_an_amplitude(self):
+        """Hofstetter's mean, 18.5 D - 0.3 D for each year: 3.5 D at 50. At 0.25 m a hyperope of 2 D at the cornea needs 6 D."""
+        line = ["--rx", "+2.00 DS", "--vertex", 0, "--pupil", 4, "--distance", 0.25]
+        for options, accommodation_D in ((["--age", 50], 3.5), (["--amplitude", 5], 5), (["--age", 10], 6), (["--focus", 1], 1), (["--focus", "inf"], 0), ([], 0)):
+            row, = rows(*line, *options)
+            self.assertAlmostEqual(float(row["accommodation_D"]), accommodation_D, delta=1e-12)
+            self.assertAlmostEqual(float(row["semi_major_D"]), 6 - accommodation_D, delta=1e-12)
+
+
 class Orientation(unittest.TestCase):
     """PL -2.00 x 30 stated at the cornea: -2 D across TABO 30, which is the wearer's 150 degrees, so along the wearer's 60."""
 
@@ -150,6 +166,14 @@ class Orientation(unittest.TestCase):
         self.assertEqual((far["semi_major_m"], far["distance_m"]), ("", "inf"))
         # At half a metre 2 - 2 = 0 along 60 degrees and 2 - 0 across: 2 mm at the target.
         self.assertAlmostEqual(float(near["semi_major_m"]), 0.002, delta=1e-15)
+
+    def test_focal_lines_as_an_examiner_writes_them(self):
+        """The 2 D along the wearer's 60 degrees make a line across, 150 (TABO 30), at half a metre; the other one lies far away."""
+        lines = strict_json(answer(*self.LINE, "--distance", "inf", "--json"))["results"][0]["focal_lines"]
+        for line, (vergence_D, wearer_deg, tabo_deg) in zip(lines, ((2, 150, 30), (0, 60, 120))):
+            self.assertAlmostEqual(line["vergence_D"], vergence_D, delta=1e-12)
+            self.assertAlmostEqual(line["orientation_deg"] % 180, wearer_deg, delta=1e-9)
+            self.assertAlmostEqual(line["orientation_tabo_deg"], tabo_deg, delta=1e-9)
 
     def test_in_words(self):
         near, far = rows(*self.LINE, "--distance", "0.5,inf")

@@ -186,7 +186,7 @@ class NamedOutputs(Outputs):
             with self.subTest(arguments):
                 process = sturm(*arguments, cwd=self.folder)
                 self.assertEqual((process.returncode, process.stdout), (WRONG_INPUT, ""), process.stderr)
-                self.assertIn("such as x.json", process.stderr)
+                self.assertIn("a name that ends in", process.stderr)
                 self.assertEqual(list(self.folder.glob("x.*")), [])
 
     def test_long_names(self):

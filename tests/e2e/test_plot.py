@@ -128,6 +128,8 @@ class Lenses(Plot):
                                  "targets": [{"gaze_deg": [30, -20], "distance_m": "inf"}], "methods": ["conoid"]})
         self.assertAlmostEqual(float(row["semi_major_arcmin"]), ARCMIN * result["semi_axes_rad"][0], delta=1e-9)
         self.assertAlmostEqual(float(row["orientation_deg"]), result["orientation_deg"], delta=1e-9)
+        self.assertAlmostEqual(float(row["orientation_tabo_deg"]), result["orientation_tabo_deg"], delta=1e-9)
+        self.assertGreater(abs(result["orientation_tabo_deg"] - result["orientation_deg"] % 180), 5)  # so that the two are told apart
 
     def test_red_is_too_much_power_in_all_maps(self):
         # The near zone of a progressive lens has too much power for what is far, in both kinds of maps.

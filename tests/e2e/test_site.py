@@ -61,17 +61,31 @@ class Site(unittest.TestCase):
         pages = {path: Page(path) for path in self.folder.rglob("*.html") if path.name != "404.html"}
         self.assertEqual(list(dead_targets(pages)), [])
 
+    def browser(self):
+        profile = tempfile.TemporaryDirectory(prefix="sturm_site_profile_", ignore_cleanup_errors=True)
+        self.addCleanup(profile.cleanup)
+        browser = Browser(profile.name)
+        self.addCleanup(browser.close)
+        return browser
+
+    def test_tables_are_as_wide_as_the_page_and_have_their_pictures(self):
+        """The theme once kept each cell on one line: sentences were cut off, and the gallery's pictures had no width."""
+        browser = self.browser()
+        for page in ("index", "first_steps", "commands/lens"):
+            browser.open(self.folder / f"{page}.html")
+            cut = browser.run("return [...document.querySelectorAll('.wy-table-responsive')].filter((box) => box.scrollWidth > box.clientWidth + 1).length;")
+            narrow = browser.run("return [...document.images].filter((image) => image.clientWidth < 200).map((image) => image.src);")
+            self.assertEqual((page, cut, narrow), (page, 0, []))
+
     def test_search_works_from_files(self):
-        with tempfile.TemporaryDirectory(prefix="sturm_site_profile_", ignore_cleanup_errors=True) as profile:
-            browser = Browser(profile)
-            self.addCleanup(browser.close)
-            browser.open(self.folder / "search.html")
-            browser.type("#mkdocs-search-query", "circle of least confusion")
-            found = browser.run("return [...document.querySelectorAll('#mkdocs-search-results a')].map((link) => link.href);")
-            self.assertTrue(any("theory.html" in address for address in found), found)
-            browser.click("#mkdocs-search-results a")
-            self.assertNotEqual(browser.text("h1"), "Search Results")
-            self.assertEqual(browser.console(), [])
+        browser = self.browser()
+        browser.open(self.folder / "search.html")
+        browser.type("#mkdocs-search-query", "circle of least confusion")
+        found = browser.run("return [...document.querySelectorAll('#mkdocs-search-results a')].map((link) => link.href);")
+        self.assertTrue(any("theory.html" in address for address in found), found)
+        browser.click("#mkdocs-search-results a")
+        self.assertNotEqual(browser.text("h1"), "Search Results")
+        self.assertEqual(browser.console(), [])
 
 
 if __name__ == "__main__":

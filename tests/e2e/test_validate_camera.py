@@ -32,8 +32,9 @@ class Scene(Camera):
         for lamp in check["lamps"]:
             x, y, z = lamp["position_m"]
             radius = 0.003 * abs(-1 / z - 1) / pixel  # similar triangles
-            for axis in lamp["semi_axes_px"]:
+            for axis, arcmin in zip(lamp["semi_axes_px"], lamp["semi_axes_arcmin"]):
                 self.assertAlmostEqual(axis, radius, delta=1e-9)
+                self.assertAlmostEqual(arcmin, 3437.7467707849 * pixel * radius, delta=1e-9)  # 60 * 180 / pi
             column, row = lamp["centroid_px"]
             self.assertAlmostEqual(column, check["resolution"][0] / 2 + x / -z / pixel, delta=1e-9)
             self.assertAlmostEqual(row, check["resolution"][1] / 2 - y / -z / pixel, delta=1e-9)
@@ -76,6 +77,10 @@ class Pictures(Camera):
         self.write_scene("--rx", "-1.00 -2.00 x 30", "--pupil", 5)
         self.render()
         self.assertEqual(self.judge().returncode, PASSED, self.judge().stdout)
+        # Of the farthest lamp, at 20 m, another sphere of the same sum with the cylinder changes the short axis alone.
+        self.render(eye__prescription="-1.30 -1.70 x 30")
+        process = self.judge()
+        self.assertIn("FAIL  lamp7/semi_axes", process.stdout)
         # A mirrored axis leaves the size of every spot as it is.
         self.render(eye__prescription="-1.00 -2.00 x 150")
         process = self.judge("--markdown", self.folder / "s.md")

@@ -97,6 +97,18 @@ class Wearers(FolderTest):
         accommodated, = self.table(prescriptions, lens, "--distance", "0.5", "--age", 30)[:1]
         self.assertLess(float(accommodated["median_D"]), 0.02)  # what is left is astigmatism of oblique rays, which no accommodation takes away
 
+    def test_the_largest_blur_is_that_of_its_gaze(self):
+        """`sturm ellipse` finds that blur in that direction, and less in the mirrored one."""
+        row, = self.rows("id,eye,sph_D,cyl_D,axis_deg\nB,OS,-4,-4,45\n", self.lens(), "--reach-deg", 22, "--step-deg", 15)
+        azimuth, elevation = float(row["largest_azimuth_deg"]), float(row["largest_elevation_deg"])
+        self.assertNotIn(0, (azimuth, elevation))
+        lines = self.succeed("ellipse", "--rx", "-4.00 -4.00 x 45", "--lens", self.lens(), "--distance", "inf", "--csv", "--gaze", f"{azimuth},{elevation}",
+                             "--gaze", f"{-azimuth},{elevation}").stdout.splitlines()
+        there, mirrored = (float(line["semi_major_D"]) for line in csv.DictReader(lines))
+        # The ellipse counts angles before the lens, which makes them smaller by a few per cent.
+        self.assertAlmostEqual(float(row["largest_D"]), there, delta=0.06 * there)
+        self.assertLess(mirrored, 0.75 * there)
+
     def test_a_lens_that_cannot_be_made_for_one_of_them(self):
         # A front of +15 D and the addition is steeper than a surface that reaches a rim of 60 mm.
         prescriptions = self.write("rx.csv", "id,eye,sph_D,cyl_D,axis_deg\nA,OD,0,0,\nB,OD,15,0,\n")

@@ -121,6 +121,16 @@ class Optics(unittest.TestCase):
         self.assertAlmostEqual(float(sturm.ellipses(eye, 0.5)["semi_major_rad"]), 2.5e-3 * (4 / 1.048 - 2), delta=1e-15)
         self.assertEqual(eye.pupil_diameter_mm, 5)
 
+    def test_members_stand_in_place_of_a_document_s(self):
+        eye = sturm.Eye("oblique_astigmat", pupil_diameter_mm=6.5)
+        self.assertEqual((eye.pupil_diameter_mm, eye.prescription["axis_deg"]), (6.5, 30))
+
+    def test_glasses_are_made_for_their_wearer(self):
+        eye = sturm.Eye(prescription="-4.00 -1.50 x 20", pupil_diameter_mm=4)
+        far = sturm.ellipses(eye, np.inf, spectacles=sturm.Spectacles("glasses", eye))
+        self.assertLess(float(far["semi_major_rad"]), 1e-12)
+        self.assertGreater(float(sturm.ellipses(eye, np.inf)["semi_major_rad"]), 5e-3)
+
     def test_shapes_broadcast(self):
         eye = sturm.Eye("oblique_astigmat")
         self.assertEqual(sturm.ellipses(eye, 1.0).shape, ())

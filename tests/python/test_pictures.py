@@ -37,6 +37,7 @@ class Pictures(FolderTest):
         document = view()
         predicted = sturm.predict(document)
         self.assertEqual(predicted.document["method"]["type"], "predict")
+        self.assertEqual(predicted.document["method"]["max_bounces"], document["method"]["max_bounces"])
         np.testing.assert_array_equal(predicted.radiance, self.from_command_line(predicted.document))
         # It predicts the path traced picture, whose noise of 16 samples is larger than any difference.
         np.testing.assert_allclose(predicted.radiance.mean(), sturm.render(document).radiance.mean(), rtol=0.05)
@@ -52,6 +53,19 @@ class Pictures(FolderTest):
         np.testing.assert_array_equal(seen, sturm.read_picture(self.folder / "seen.exr"))
         self.assertEqual(told[-1], 1.0)
         self.assertGreater(np.abs(seen - sharp.radiance).max(), 0.1)
+
+    def test_what_a_picture_hides(self):
+        """A black wall with a black card before it: only a layer can bring light, from behind the card's blurred edge."""
+        black, depth_m = np.zeros((24, 36, 3), np.float32), np.full((24, 36), 3.0)
+        depth_m[:, :18] = 0.25
+        eye = sturm.Eye(prescription="0", pupil_diameter_mm=6)
+        red = np.broadcast_to(np.float32([1, 0, 0]), black.shape)
+        for psf in ("rays", "waves"):
+            alone = sturm.see(black, depth_m, eye, vfov_deg=4, psf=psf)
+            layered = sturm.see(black, depth_m, eye, vfov_deg=4, psf=psf, layers=[(red, np.full((24, 36), 3.0))])
+            self.assertEqual(np.abs(alone).max(), 0)
+            self.assertGreater(layered[:, :18, 0].max(), 0.05)
+            self.assertLess(np.abs(layered[..., 1:]).max(), 1e-6)
 
     def test_pictures_come_without_a_copy(self):
         picture = sturm.render(view(samples_per_pixel=1))
@@ -80,6 +94,13 @@ class Metrics(FolderTest):
         flip = comparison.maps["flip"]
         self.assertEqual(flip.shape, (128, 160))
         self.assertAlmostEqual(float(flip.mean(dtype=np.float64)), comparison.values["flip"], delta=1e-6)  # rounded to single precision
+
+    def test_options_of_a_comparison(self):
+        printed = strict_json(self.succeed("compare", IMAGES / "blur.exr", IMAGES / "reference.exr", "--exposure", 0.5, "--pixels-per-degree", 30, "--json", "-").stdout)["metrics"]
+        test, reference = sturm.read_picture(IMAGES / "blur.exr"), sturm.read_picture(IMAGES / "reference.exr")
+        self.assertEqual(sturm.compare(test, reference, exposure=0.5, pixels_per_degree=30).values, printed)
+        for only in ({"exposure": 0.5}, {"pixels_per_degree": 30}):
+            self.assertNotEqual(sturm.compare(test, reference, **only).values["flip"], printed["flip"])
 
     def test_equal_pictures_have_no_psnr(self):
         picture = sturm.read_picture(IMAGES / "reference.exr")

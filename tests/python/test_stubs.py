@@ -71,6 +71,23 @@ class Docstrings(unittest.TestCase):
                 missing = [p for p in inspect.signature(function).parameters.values() if p.annotation is p.empty]
                 self.assertEqual((name, missing), (name, []))
 
+    def test_units_of_names_are_in_their_docstrings(self):
+        """What has a unit in its name says it, or names the parameter, where a reader looks for it."""
+        unit = re.compile(r"_(m|mm|um|nm|D|deg|rad|px|arcmin)$")
+        for name in [*sturm.__all__, *(n for n in vars(_core) if inspect.isclass(getattr(_core, n)))]:
+            thing = getattr(sturm, name, None) or getattr(_core, name)
+            members = vars(thing) if inspect.isclass(thing) else {}
+            for member, value in members.items():
+                if not member.startswith("_") and (found := unit.search(member)):
+                    self.assertIn(f"[{found[1]}]", inspect.getdoc(value), f"{name}.{member}")
+            for parameter in inspect.signature(thing).parameters if inspect.isfunction(thing) else ():
+                if found := unit.search(parameter):
+                    self.assertIn(f"[{found[1]}]", inspect.getdoc(thing), f"{name}({parameter})")
+
+    def test_fields_of_ellipses_are_in_their_docstring(self):
+        rows = sturm.ellipses(sturm.Eye(prescription="-1.00", pupil_diameter_mm=3), 1.0)
+        self.assertEqual([field for field in rows.dtype.names if field not in sturm.ellipses.__doc__], [])
+
     def test_lengths_angles_and_powers_have_a_unit_in_their_name(self):
         for name, parameter in [(n, p) for n in sturm.__all__ if inspect.isfunction(getattr(sturm, n)) for p in inspect.signature(getattr(sturm, n)).parameters]:
             if re.search(r"distance|depth|diameter|azimuth|elevation|fov|vergence|power", parameter):

@@ -10,7 +10,9 @@ constexpr double pixel = 4e-4;
 
 /// Everything is as bright; the left half stands at 2 D, the right half is far away.
 SurfacesPicture two_halves() {
-  SurfacesPicture surfaces{{Image(width, height, 3), {}, {}, {}, 0.5}, 0};
+  SurfacesPicture surfaces;
+  surfaces.picture.radiance = Image(width, height, 3);
+  surfaces.picture.jump_D = 0.5;
   std::fill(surfaces.picture.radiance.pixels.begin(), surfaces.picture.radiance.pixels.end(), 0.4f);
   for (int i = 0; i < width * height; ++i) surfaces.picture.vergence_D.push_back(i % width < edge ? 2.0 : 0.0);
   return surfaces;

@@ -56,6 +56,17 @@ TEST_F(PrescriptionTableFile, WhatIsWrongIsNamedWithItsLine) {
               HasSubstr("a file that can be read"));
 }
 
+TEST_F(PrescriptionTableFile, WithoutEyesTheIdAloneIsTheName) {
+  for (const char* text : {"id,sph,cyl,axis\nP1,-2.00,-0.50,30\n", "id,rx\nP1,-2.00 -0.50 x 30\n"}) {
+    const auto eyes = read_prescription_table(file(text), 0.012);
+    ASSERT_EQ(eyes.size(), 1u) << text;
+    EXPECT_EQ(eyes[0].id, "P1") << text;
+    EXPECT_EQ(eyes[0].prescription.cylinder_D, -0.5) << text;
+  }
+  EXPECT_THAT(error("eye,sph,cyl,axis\nOD,-2,,\n"), HasSubstr("a column id (or patient, subject, name, number)"));
+  EXPECT_THAT(error("id,eye,sph,cyl,axis\nP1,,-2,,\n"), HasSubstr("a value in column eye"));
+}
+
 /// The one eye of a table of one row.
 Prescription only(const std::vector<TabledPrescription>& eyes) {
   EXPECT_EQ(eyes.size(), 1u);
