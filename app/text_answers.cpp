@@ -18,8 +18,8 @@ std::optional<AnswerKind> kind_by_ending(const std::string& output) {
 
 /// Files that no answer in text is.
 bool is_other_file(const std::string& output) {
-  constexpr const char* endings[] = {".png", ".jpg",  ".jpeg", ".svg",  ".pdf", ".exr", ".hdr", ".pfm", ".mp4",
-                                     ".tif", ".tiff", ".html", ".xlsx", ".xls", ".ods", ".docx"};
+  constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".svg",  ".pdf",  ".exr", ".hdr", ".pfm",
+                                     ".mp4", ".tif", ".tiff", ".html", ".xlsx", ".xls", ".ods", ".docx"};
   return std::ranges::any_of(endings, [&](const char* ending) { return has_suffix(output, ending); });
 }
 
