@@ -65,7 +65,7 @@ double albedo_of(const SurfaceModel& model, const Vector3f& out, const Vector3f&
 // One bounce on a plane under a sky of radiance 2: twice the model's albedo, whether the sky is a colour (no sampling
 // of lights at all) or a picture (lights and surface sampled and weighted). A wrong weight or density shows in the
 // second and not in the first.
-TEST(Transport, EveryOpaqueModelUnderAConstantSky) {
+TEST(Transport, SlowEveryOpaqueModelUnderAConstantSky) {
   const Vector3f albedo(0.8f, 0.8f, 0.8f);
   for (const SurfaceModel& model : std::vector<SurfaceModel>{
            Diffuse{}, Conductor{black, white, 0.0f}, Conductor{black, white, 0.3f}, Conductor{black, white, 0.8f},
