@@ -16,14 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Formats of documents that are shipped, and their folders.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> shipped_folders{{{"render", "views"},
-                                                                                        {"scene", "scenes"},
-                                                                                        {"spectacles", "lenses"},
-                                                                                        {"eye", "eyes"},
-                                                                                        {"experiment", "experiments"},
-                                                                                        {"gates", "gates"},
-                                                                                        {"bench", "benchmarks"},
-                                                                                        {"blurfield", "blurfields"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> folders_of_formats{
+    {{"render", "views"},
+     {"scene", "scenes"},
+     {"spectacles", "lenses"},
+     {"eye", "eyes"},
+     {"experiment", "experiments"},
+     {"gates", "gates"},
+     {"bench", "benchmarks"},
+     {"blurfield", "blurfields"}}};
 
 bool is_file(const fs::path& path) {
   std::error_code code;
@@ -44,14 +45,14 @@ std::string meant_or_known(const std::string& name, const std::vector<std::strin
 }  // namespace
 
 std::string shipped_kind(std::string_view schema_name) {
-  for (const auto& [schema, folder] : shipped_folders)
+  for (const auto& [schema, folder] : folders_of_formats)
     if (schema == schema_name) return std::string(folder);
   return "";
 }
 
 std::vector<std::string> shipped_kinds() {
   std::vector<std::string> kinds;
-  for (const auto& [schema, folder] : shipped_folders) kinds.emplace_back(folder);
+  for (const auto& [schema, folder] : folders_of_formats) kinds.emplace_back(folder);
   return kinds;
 }
 
