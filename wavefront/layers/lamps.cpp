@@ -16,7 +16,7 @@ namespace {
 constexpr float brighter = 20.0f;
 constexpr int surroundings = 8;  // [px]: lamps that are larger have a core that is blurred like any surface
 
-struct Piece {
+struct SurfacePart {
   float* rgb;
   double vergence_D;
   float coverage;
@@ -43,7 +43,7 @@ class LampSearch {
       for (int x = 0; x < width_; ++x)
         if (brightness_of(picture_.radiance.at(x, y)) > level_) examine_about(x, y);
     for (HiddenPixel& hidden : picture_.hidden) {
-      const Piece piece{hidden.rgb, hidden.vergence_D, hidden.coverage};
+      const SurfacePart piece{hidden.rgb, hidden.vergence_D, hidden.coverage};
       if (brightness_of(hidden.rgb) > level_ || is_rim(hidden.x, hidden.y, piece))
         examine(hidden.x, hidden.y, piece, &hidden.detail);
     }
@@ -64,18 +64,19 @@ class LampSearch {
   bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
   bool same(double a, double b) const { return std::abs(a - b) <= picture_.jump_D; }
 
-  Piece front(int x, int y) const {
+  SurfacePart front(int x, int y) const {
     return {picture_.radiance.at(x, y), picture_.vergence_D[index(x, y)],
             picture_.coverage.empty() ? 1.0f : picture_.coverage[index(x, y)]};
   }
 
   /// What there is of a surface in a pixel.
-  std::optional<Piece> piece_of(int x, int y, double vergence_D) const {
-    if (const Piece piece = front(x, y); same(piece.vergence_D, vergence_D) && piece.coverage > 0.0f) return piece;
+  std::optional<SurfacePart> piece_of(int x, int y, double vergence_D) const {
+    if (const SurfacePart piece = front(x, y); same(piece.vergence_D, vergence_D) && piece.coverage > 0.0f)
+      return piece;
     auto hidden = std::lower_bound(picture_.hidden.begin(), picture_.hidden.end(), std::pair(y, x),
                                    [](const HiddenPixel& h, const auto& at) { return std::pair(h.y, h.x) < at; });
     for (; hidden != picture_.hidden.end() && hidden->x == x && hidden->y == y; ++hidden)
-      if (same(hidden->vergence_D, vergence_D)) return Piece{hidden->rgb, hidden->vergence_D, hidden->coverage};
+      if (same(hidden->vergence_D, vergence_D)) return SurfacePart{hidden->rgb, hidden->vergence_D, hidden->coverage};
     return std::nullopt;
   }
 
@@ -93,7 +94,7 @@ class LampSearch {
   }
 
   /// The mean colour of the darker half of what is no brighter than `limit` about a piece on its surface.
-  std::optional<std::array<float, 3>> dark_about(int x, int y, const Piece& piece, float limit) const {
+  std::optional<std::array<float, 3>> dark_about(int x, int y, const SurfacePart& piece, float limit) const {
     std::vector<const float*> dark;
     around(x, y, surroundings, [&](int u, int v) {
       const auto other = piece_of(u, v, piece.vergence_D);
@@ -112,7 +113,7 @@ class LampSearch {
   }
 
   /// What a lamp beside it leaves in a pixel: the light that is no brighter than the level.
-  bool is_rim(int x, int y, const Piece& piece) const {
+  bool is_rim(int x, int y, const SurfacePart& piece) const {
     bool beside = false;
     const float bright = std::max(level_, brighter * brightness_of(piece.rgb));
     around(x, y, 1, [&](int u, int v) {
@@ -123,7 +124,7 @@ class LampSearch {
 
   /// The places of a pixel that a lamp fills, by the share of its full brightness that it has, and where its neighbours
   /// are bright.
-  std::uint16_t places_of(int x, int y, const Piece& piece, bool hidden, float dark) const {
+  std::uint16_t places_of(int x, int y, const SurfacePart& piece, bool hidden, float dark) const {
     float shares[3][3], most = brightness_of(piece.rgb);
     const auto brightness = [&](int dx, int dy) {
       if (!inside(x + dx, y + dy)) return brightness_of(piece.rgb);
@@ -154,14 +155,14 @@ class LampSearch {
   /// A bright pixel, and the rim about it.
   void examine_about(int x, int y) {
     around(x, y, 1, [&](int u, int v) {
-      const Piece piece = front(u, v);
+      const SurfacePart piece = front(u, v);
       if (seen_[index(u, v)] || !(brightness_of(piece.rgb) > level_ || is_rim(u, v, piece))) return;
       seen_[index(u, v)] = true;
       examine(u, v, piece, nullptr);
     });
   }
 
-  void examine(int x, int y, const Piece& piece, Detail* hidden) {
+  void examine(int x, int y, const SurfacePart& piece, Detail* hidden) {
     const float brightness = brightness_of(piece.rgb);
     const auto dark =
         dark_about(x, y, piece, brightness > level_ ? std::min(brightness / brighter, level_) : brightness);
