@@ -11,7 +11,7 @@
 namespace sturm {
 namespace {
 
-constexpr double pixel = 4e-4;
+constexpr double lamps_pixel = 4e-4;
 constexpr int side = 120;
 
 LayeredPicture grey(double vergence_D) {
@@ -42,8 +42,9 @@ void add_round_lamp(LayeredPicture& picture, double centre_x, double centre_y, d
 }
 
 Image seen(LayeredPicture picture, double pupil_radius_px_per_D, int parts) {
-  const KernelModel model = ray_kernels(
-      Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 2.0 * pupil_radius_px_per_D * pixel), 0.0, pixel, {parts, false});
+  const KernelModel model =
+      ray_kernels(Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 2.0 * pupil_radius_px_per_D * lamps_pixel), 0.0,
+                  lamps_pixel, {parts, false});
   picture.jump_D = 0.2;
   take_lamps(picture);
   const KernelBank bank(model, planes_for(picture.vergence_D, model.reach_px_per_D));
@@ -124,7 +125,7 @@ TEST(Lamps, BehindAnEdgeAreNotGuessedOn) {
   for (int y = 50; y < 54; ++y)
     for (int x = 56; x < 60; ++x) std::fill_n(picture.radiance.at(x, y), 3, 1e4f);
   take_lamps(picture);
-  const KernelModel model = ray_kernels(Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, pixel, {});
+  const KernelModel model = ray_kernels(Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, lamps_pixel, {});
   add_guessed_background(picture, KernelBank(model, {0.2, 2.0}));
   ASSERT_FALSE(picture.hidden.empty());
   for (const HiddenPixel& hidden : picture.hidden) EXPECT_NEAR(hidden.rgb[0], 0.2f, 1e-3);
