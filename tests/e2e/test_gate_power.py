@@ -13,7 +13,7 @@ import unittest
 
 from sturm_process import FAILED, PASSED, SOURCE, STURM, FolderTest, strict_json, sturm
 
-SEEDS = 20
+SEEDS = 8
 OTHER_SEED = 21  # of the baseline
 MUTATIONS = ["semi_axis", "turned_axis", "mirrored_axis", "vertex_distance", "tangential_term", "half_pixel", "lost_light"]
 NOTICED_BY = {  # one of the gates that each was made for
