@@ -61,7 +61,9 @@ void CommandLine::add_completion() {
 
 void CommandLine::add_man() {
   auto* m = app.add_subcommand("man", "print a manual page, of a command or of the program, for man -l -");
-  m->add_option("command", shell, "e.g. ellipse")->check(CLI::IsMember(command_names(command_help(app))));
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  m->add_option("command", shell, "e.g. ellipse")->check(CLI::IsMember(names));
   m->add_option("--folder", folder, "write all pages into this folder instead");
   m->callback([this] {
     action = [this] {

@@ -1,4 +1,5 @@
 #include "app/command_options.h"
+#include "stages/see_stage.h"
 
 namespace sturm {
 
@@ -102,7 +103,9 @@ void CommandLine::add_see_view(CLI::App& s) {
   s.add_option("--focus-D", see.focus_D, "accommodation as a power [D]")
       ->check(CLI::Range(0.0, 1000.0))
       ->excludes(focus_m);
-  auto* parts = s.add_option("--parts", see.parts, "parts of the pupil that are composited on their own (default: 8)");
+  auto* parts = s.add_option(
+      "--parts", see.parts,
+      "parts of the pupil that are composited on their own (default: " + std::to_string(usual_parts) + ")");
   parts->check(CLI::Range(1, 64));
   s.add_option("--error", see.error, "root-mean-square error beside edges that parts are chosen for")
       ->check(CLI::PositiveNumber)

@@ -59,10 +59,7 @@ int ellipse_command(const CommonOptions& given, const EllipseOptions& options) {
     const CommonOptions one = with_source(with_one_document(given, "--print-config"));
     return print_configuration(asked_for(one, options), one.file, options.output);
   }
-  const bool several = given.files.size() > 1;
-  const bool usually_table = given.files.empty() || (several && options.output.empty());
-  const AnswerKind kind =
-      answer_kind(options.answer, options.output, usually_table ? AnswerKind::Table : AnswerKind::Json);
+  const AnswerKind kind = answer_kind(options.answer, options.output, given.files.size());
   std::vector<std::string> files = given.files;
   if (files.empty()) files = {with_source(given).file};
   const std::vector<std::string> names = document_names(files);

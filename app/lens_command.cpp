@@ -161,8 +161,7 @@ int lens_command(const CommonOptions& given, const LensOptions& lens, const std:
     const CommonOptions options = with_source(with_one_document(given, "--print-config"));
     return print_configuration(lens_document(options, lens), options.file, output);
   }
-  const bool usually_table = given.files.empty() || (given.files.size() > 1 && output.empty());
-  const AnswerKind kind = answer_kind(lens.answer, output, usually_table ? AnswerKind::Table : AnswerKind::Json);
+  const AnswerKind kind = answer_kind(lens.answer, output, given.files.size());
   check_pictures(lens);
   std::vector<std::string> files = given.files;
   if (files.empty()) files = {with_source(given).file};

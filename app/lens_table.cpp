@@ -70,23 +70,28 @@ std::string lens_table(const std::vector<NamedLensReport>& lenses) {
 }
 
 std::string lens_csv(const std::vector<NamedLensReport>& lenses) {
-  constexpr std::pair<const char*, const char*> columns[] = {
-      {"power", "sphere_D"},      {"power", "cylinder_D"},     {"power", "axis_deg"},
-      {"error", "M_D"},           {"error", "J0_D"},           {"error", "J45_D"},
-      {"error", "astigmatism_D"}, {"prism", "prism_cm_per_m"}, {"prism", "base_deg"}};
+  struct Column {
+    const char *name, *part, *key;
+  };
+  constexpr Column columns[] = {{"sphere_D", "power", "sphere_D"},
+                                {"cylinder_D", "power", "cylinder_D"},
+                                {"axis_deg", "power", "axis_deg"},
+                                {"error_M_D", "error", "M_D"},
+                                {"error_J0_D", "error", "J0_D"},
+                                {"error_J45_D", "error", "J45_D"},
+                                {"error_astigmatism_D", "error", "astigmatism_D"},
+                                {"prism_cm_per_m", "prism", "prism_cm_per_m"},
+                                {"prism_base_deg", "prism", "base_deg"}};
   CsvWriter csv;
   for (const char* column : {"lens", "gaze_azimuth_deg", "gaze_elevation_deg", "status"}) csv.text(column);
-  for (const auto& [part, key] : columns)
-    csv.text(std::string_view(part) == "power" || key == std::string_view("prism_cm_per_m")
-                 ? key
-                 : std::string(part) + "_" + key);
+  for (const Column& column : columns) csv.text(column.name);
   csv.end_row();
   for (const NamedLensReport& lens : lenses)
     for (const Json& gaze : lens.report["gazes"]) {
       csv.text(lens.name);
       for (const Json& angle : gaze["gaze_deg"]) csv.number(angle.get<double>());
       csv.text(gaze["status"].get<std::string>());
-      for (const auto& [part, key] : columns) {
+      for (const auto& [name, part, key] : columns) {
         const Json& numbers = gaze[part];
         csv.number(numbers.is_object() && numbers[key].is_number() ? std::optional(numbers[key].get<double>())
                                                                    : std::nullopt);

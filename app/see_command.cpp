@@ -30,8 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int default_parts = 8;
-
 /// A frame of a sequence, or the only picture.
 struct Frame {
   std::optional<double> focus_D, pupil_mm;  // in place of the options'
@@ -148,7 +146,7 @@ class SeeRun {
     facts_.started_utc = utc_now();
     facts_.input_files = inputs_.files;
     if (eye_file_ != command_line_source) facts_.input_files.push_back(eye_file_);
-    parts_ = options.parts.value_or(options.error ? parts_for_error(*options.error) : default_parts);
+    parts_ = options.parts.value_or(options.error ? parts_for_error(*options.error) : usual_parts);
     for (const Frame& frame : frames_of(options)) frames_.emplace_back(frame, settings_of(frame));
   }
 
@@ -204,7 +202,7 @@ class SeeRun {
   std::string eye_file_;
   Json eye_;
   RunFacts facts_;
-  int parts_ = default_parts;
+  int parts_ = usual_parts;
   std::vector<std::pair<Frame, SeeSettings>> frames_;
 };
 

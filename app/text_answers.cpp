@@ -41,10 +41,12 @@ const char* name_for(AnswerKind kind) {
 
 }  // namespace
 
-AnswerKind answer_kind(const AnswerOptions& options, const std::string& output, AnswerKind usual) {
+AnswerKind answer_kind(const AnswerOptions& options, const std::string& output, std::size_t documents) {
   const bool asked = options.table || options.csv || options.json;
   if (!asked && is_other_file(output))
     refuse(output, "--output", "a name that ends in .csv, .json or .txt; sturm plot draws pictures");
+  const bool usually_table = documents == 0 || (documents > 1 && output.empty());
+  const AnswerKind usual = usually_table ? AnswerKind::Table : AnswerKind::Json;
   const AnswerKind kind = options.table  ? AnswerKind::Table
                           : options.csv  ? AnswerKind::Csv
                           : options.json ? AnswerKind::Json

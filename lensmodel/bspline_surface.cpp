@@ -79,51 +79,44 @@ std::optional<BSplineSurface::Cell> BSplineSurface::cell_at(double x, double y) 
   return Cell{i, j, CubicBasis(u - i), CubicBasis(v - j)};
 }
 
-std::optional<SagSlope> BSplineSurface::slope(double x, double y) const {
-  const auto cell = cell_at(x, y);
-  if (!cell) return std::nullopt;
-  double z = 0.0, zx = 0.0, zy = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double* row = &data_->coefficients(cell->i + static_cast<int>(k), cell->j);
-    double value = 0.0, first = 0.0;
-    for (std::size_t l = 0; l < 4; ++l) {
-      value += row[l] * cell->y.value[l];
-      first += row[l] * cell->y.first[l];
-    }
-    z += cell->x.value[k] * value;
-    zx += cell->x.first[k] * value;
-    zy += cell->x.value[k] * first;
-  }
-  const Eigen::Vector2d& spacing = data_->grid.spacing;
-  return SagSlope{z, {zx * (1.0 / spacing.x()), zy * (1.0 / spacing.y())}};
-}
-
-std::optional<Sag> BSplineSurface::sag(double x, double y) const {
-  const auto cell = cell_at(x, y);
-  if (!cell) return std::nullopt;
-  const auto& [i, j, bx, by] = *cell;
+template <bool curved>
+Sag BSplineSurface::sag(const Cell& cell) const {
   double z = 0.0, zx = 0.0, zy = 0.0, zxx = 0.0, zxy = 0.0, zyy = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const double* row = &data_->coefficients(i + static_cast<int>(k), j);
+    const double* row = &data_->coefficients(cell.i + static_cast<int>(k), cell.j);
     double value = 0.0, first = 0.0, second = 0.0;
     for (std::size_t l = 0; l < 4; ++l) {
-      value += row[l] * by.value[l];
-      first += row[l] * by.first[l];
-      second += row[l] * by.second[l];
+      value += row[l] * cell.y.value[l];
+      first += row[l] * cell.y.first[l];
+      if constexpr (curved) second += row[l] * cell.y.second[l];
     }
-    z += bx.value[k] * value;
-    zx += bx.first[k] * value;
-    zxx += bx.second[k] * value;
-    zy += bx.value[k] * first;
-    zxy += bx.first[k] * first;
-    zyy += bx.value[k] * second;
+    z += cell.x.value[k] * value;
+    zx += cell.x.first[k] * value;
+    zy += cell.x.value[k] * first;
+    if constexpr (curved) {
+      zxx += cell.x.second[k] * value;
+      zxy += cell.x.first[k] * first;
+      zyy += cell.x.value[k] * second;
+    }
   }
   const double hx = 1.0 / data_->grid.spacing.x(), hy = 1.0 / data_->grid.spacing.y();
   Sag result;
   result.value = z;
   result.gradient << zx * hx, zy * hy;
-  result.hessian << zxx * hx * hx, zxy * hx * hy, zxy * hx * hy, zyy * hy * hy;
+  if constexpr (curved) result.hessian << zxx * hx * hx, zxy * hx * hy, zxy * hx * hy, zyy * hy * hy;
   return result;
+}
+
+std::optional<SagSlope> BSplineSurface::slope(double x, double y) const {
+  const auto cell = cell_at(x, y);
+  if (!cell) return std::nullopt;
+  const Sag flat = sag<false>(*cell);
+  return SagSlope{flat.value, flat.gradient};
+}
+
+std::optional<Sag> BSplineSurface::sag(double x, double y) const {
+  const auto cell = cell_at(x, y);
+  return cell ? std::optional(sag<true>(*cell)) : std::nullopt;
 }
 
 }  // namespace sturm

@@ -59,6 +59,10 @@ class BSplineSurface {
   };
   std::optional<Cell> cell_at(double x, double y) const;
 
+  /// At a place; without its hessian unless `curved`.
+  template <bool curved>
+  Sag sag(const Cell& cell) const;
+
   struct Data {
     KnotGrid grid;
     Coefficients coefficients;

@@ -94,6 +94,7 @@ py::tuple seen(const py::object& radiance, const py::object& depth_m, const EyeO
 
 void bind_seen_pictures(py::module_& module) {
   using namespace pybind11::literals;
+  module.attr("usual_parts") = usual_parts;
   module.def(
       "see_picture", &seen, "picture"_a, "depth_m"_a, "eye"_a, "vfov_deg"_a, "layers"_a, "psf"_a, "chromatic"_a,
       "parts"_a, "progress"_a,

@@ -41,17 +41,32 @@ std::vector<double> all_vergences(const LayeredPicture& picture) {
   return all;
 }
 
+/// Whether a kernel is so much wider than its rays that detail shows. Its share is 6 times the widening
+/// (wavefront/layers/layer_detail.h), and it is no more than the colour that it is added to: from a widening of 2⁻²⁸
+/// px² down, single precision drops the sum.
+bool widens(const KernelBank& bank) {
+  constexpr double least_px2 = 0x1p-28;
+  for (int plane = 0; plane < static_cast<int>(bank.planes_D().size()); ++plane)
+    if (bank.widening_px2(plane) > least_px2) return true;
+  return false;
+}
+
 /// A picture on its way.
 struct SeeRun {
   std::function<void(double fraction)> progress;  ///< may be empty
   Stopwatch watch = {};
   SeenPicture seen = {};
 
-  /// `picture.hidden` has what is known.
-  void blur(LayeredPicture& picture, const KernelModel& model) {
-    const KernelBank bank(model, picture.hidden.empty() ? planes_for(picture.vergence_D, model.reach_px_per_D)
-                                                        : planes_for(all_vergences(picture), model.reach_px_per_D));
+  /// For the planes of a picture with its hidden pixels.
+  KernelBank bank_for(const LayeredPicture& picture, const KernelModel& model) {
+    KernelBank bank(model, picture.hidden.empty() ? planes_for(picture.vergence_D, model.reach_px_per_D)
+                                                  : planes_for(all_vergences(picture), model.reach_px_per_D));
     seen.seconds["kernels"] = watch.lap();
+    return bank;
+  }
+
+  /// `picture.hidden` has what is known.
+  void blur(LayeredPicture& picture, const KernelBank& bank) {
     seen.hidden_guessed = add_guessed_background(picture, bank);
     seen.seconds["hidden_surfaces"] = watch.lap();
     seen.radiance = blur_layers(picture, bank, seen.work, progress);
@@ -81,23 +96,24 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
   // At one distance the parts of the pupil add up to the whole.
   return seen_through(settings, one_distance(sharp, layers), [&](const KernelModel& model, SeeRun& run) {
     LayeredPicture parted;  // edges and lamps are parted in a copy
-    const bool lamps = may_have_lamps(sharp), in_copy = lamps || !layers.empty();
+    const bool in_copy = !layers.empty() || may_have_lamps(sharp);
     if (in_copy) parted = sharp;
     LayeredPicture& picture = in_copy ? parted : sharp;
     picture.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
     picture.hidden = hidden_by(picture, layers);
     run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
     unmix_edges(picture, layers);
-    if (lamps || (!layers.empty() && may_have_lamps(picture))) take_lamps(picture);
-    picture.detail = detail_of(picture);
-    run.blur(picture, model);
+    if (in_copy) take_lamps(picture);
+    const KernelBank bank = run.bank_for(picture, model);
+    picture.detail = widens(bank) ? detail_of(picture) : std::vector<Detail>();
+    run.blur(picture, bank);
   });
 }
 
 SeenPicture see_surfaces(LayeredPicture& picture, const SeeSettings& settings) {
   return seen_through(settings, false, [&](const KernelModel& model, SeeRun& run) {
     run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
-    run.blur(picture, model);
+    run.blur(picture, run.bank_for(picture, model));
   });
 }
 

@@ -13,6 +13,9 @@
 
 namespace sturm {
 
+/// Parts of the pupil where nobody says how many.
+inline constexpr int usual_parts = 8;
+
 /// Who sees a picture, and how exactly.
 struct SeeSettings {
   Eye eye;

@@ -37,14 +37,12 @@ class Surfaces {
   }
 
   SurfacesPicture picture() const {
-    SurfacesPicture result{{Image(width_, height_, 3),
-                            std::vector<double>(first_.size() - 1),
-                            std::vector<float>(first_.size() - 1, 0.0f),
-                            {},
-                            {},
-                            {},
-                            jump_D_},
-                           margin_};
+    SurfacesPicture result;
+    result.picture.radiance = Image(width_, height_, 3);
+    result.picture.vergence_D.resize(first_.size() - 1);
+    result.picture.coverage.assign(first_.size() - 1, 0.0f);
+    result.picture.jump_D = jump_D_;
+    result.margin_px = margin_;
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x) add_pixel(x, y, result.picture);
     return result;

@@ -31,7 +31,9 @@ class StripedSlant {
   }
 
   LayeredPicture picture() const {
-    LayeredPicture picture{Image(width, height, 3), {}, {}, {}, {}, {}, 1.0 / reach_};
+    LayeredPicture picture;
+    picture.radiance = Image(width, height, 3);
+    picture.jump_D = 1.0 / reach_;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         picture.vergence_D.push_back(farthest_D_ + slope_D_ * y);

@@ -18,7 +18,9 @@ float share_of(const KernelBank::Place& place, int plane) {
 
 /// The light of one plane, with nothing around it.
 LayeredPicture layer_of(const LayeredPicture& picture, const KernelBank& bank, int plane) {
-  LayeredPicture layer{picture.radiance, {}, {}, {}, {}, {}, picture.jump_D};
+  LayeredPicture layer;
+  layer.radiance = picture.radiance;
+  layer.jump_D = picture.jump_D;
   layer.vergence_D.assign(picture.vergence_D.size(), bank.planes_D()[static_cast<std::size_t>(plane)]);
   for (std::size_t i = 0; i < picture.vergence_D.size(); ++i) {
     const float coverage = picture.coverage.empty() ? 1.0f : picture.coverage[i];

@@ -87,22 +87,20 @@ StoredImage decoded(const std::string& name, const Read& read) {
   return stored;
 }
 
-/// The format of a picture, and how many pixels it may have. Throws InputError about `name` for other formats, and for
-/// claims that the bytes cannot fulfil.
-std::pair<PictureFormat, std::uint64_t> admitted(const BytesAt& bytes_at, std::uint64_t size, const std::string& name) {
-  const std::optional<PictureFormat> format = picture_format(bytes_at);
-  if (!format) throw InputError(name, "", "a file of another kind", picture_formats);
-  const std::uint64_t most = most_pixels_of(*format, size);
+/// How many pixels a picture may have. Throws InputError about `name` for claims that the bytes cannot fulfil.
+std::uint64_t admitted_pixels(const PictureFormat& format, const BytesAt& bytes_at, std::uint64_t size,
+                              const std::string& name) {
+  const std::uint64_t most = most_pixels_of(format, size);
   try {
-    if (const auto claim = claimed_size(*format, bytes_at);
+    if (const auto claim = claimed_size(format, bytes_at);
         claim && claim->height > 0 && claim->width > most / claim->height)
       throw std::runtime_error("a header that claims " + std::to_string(claim->width) + " x " +
                                std::to_string(claim->height) + " pixels in a file of " + std::to_string(size) +
                                " bytes");
   } catch (const std::runtime_error& error) {
-    throw InputError(name, "", error.what(), std::string("a complete ") + format->reader + " picture");
+    throw InputError(name, "", error.what(), std::string("a complete ") + format.reader + " picture");
   }
-  return {*format, most};
+  return most;
 }
 
 template <class Integer>
@@ -136,9 +134,11 @@ StoredImage read_stored_image(const std::filesystem::path& path) {
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;
   };
-  const auto admission = admitted(bytes_at, std::filesystem::file_size(path), path.string());
+  const std::optional<PictureFormat> format = picture_format(bytes_at);
+  if (!format) throw InputError(path.string(), "", "a file of another kind", picture_formats);
+  const std::uint64_t most = admitted_pixels(*format, bytes_at, std::filesystem::file_size(path), path.string());
   return decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
-    return module().read(admission.first.reader, path.c_str(), admission.second, &pixels, error, error_size);
+    return module().read(format->reader, path.c_str(), most, &pixels, error, error_size);
   });
 }
 
@@ -154,7 +154,7 @@ Image read_embedded_image(std::span<const unsigned char> bytes, const std::strin
   const auto format = picture_format(bytes_at);
   if (!format || (format->reader != "png"sv && format->reader != "jpeg"sv))
     throw InputError(name, "", "neither a PNG nor a JPEG file", "an image that OpenImageIO reads");
-  const std::uint64_t most = admitted(bytes_at, bytes.size(), name).second;
+  const std::uint64_t most = admitted_pixels(*format, bytes_at, bytes.size(), name);
   return decoded(name,
                  [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
                    return module().read_memory(format->reader, bytes.data(), bytes.size(), most, &pixels, error,

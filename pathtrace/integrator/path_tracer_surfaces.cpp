@@ -80,15 +80,16 @@ struct PathEnd {
   bool sharp = true;  ///< lights cannot have been sampled in this direction before
 };
 
-/// Gives the path the direction in which the surface scatters it; false where it ends.
+/// Gives the path the direction in which the surface scatters it; false where it ends. `out` is where it came from, in
+/// the frame.
 template <class Surfaces>
-bool go_on(PathEnd& path, const SurfacePoint& at, const ShadingFrame& frame, const PixelSequence& sequence,
-           std::uint32_t sample, int bounce, const RenderSettings& settings) {
+bool go_on(PathEnd& path, const SurfacePoint& at, const ShadingFrame& frame, const Vector3f& out,
+           const PixelSequence& sequence, std::uint32_t sample, int bounce, const RenderSettings& settings) {
   const std::uint32_t first_dimension = first_dimension_of(bounce);
   const auto u = sequence.pair(sample, first_dimension + dimension::scatter);
   const float lobe = unit_float(sequence.single(sample, first_dimension + lobe_dimension));
-  const BsdfSample scattered = Surfaces::sample(at.material->surface, frame.to_local(-path.direction),
-                                                {unit_float(u.x), unit_float(u.y), lobe}, at.albedo);
+  const BsdfSample scattered =
+      Surfaces::sample(at.material->surface, out, {unit_float(u.x), unit_float(u.y), lobe}, at.albedo);
   if (!(scattered.pdf > 0.0f)) return false;
   path.direction = frame.to_world(scattered.in).normalized();
   if (!frame.agrees(path.direction)) return false;
@@ -140,14 +141,14 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
 
     const SurfaceModel& surface = at.material->surface;
     const ShadingFrame frame(at, -direction);
+    const Vector3f out = frame.to_local(-direction);
     const Vector3f lit_side = Surfaces::lit_side(at, direction);
     if (!lights.empty() && !Surfaces::only_sharp(surface)) {
       const auto u = numbers.sequence().pair(sample, first_dimension_of(bounce) + dimension::light);
       const LightSample light = lights.sample(at.position, lit_side, unit_float(u.x), unit_float(u.y));
       const Vector3f to_light = light.direction / light.distance;
       if (light.pdf > 0.0f && frame.agrees(to_light)) {
-        const BsdfValue value =
-            Surfaces::evaluate(surface, frame.to_local(-direction), frame.to_local(to_light), at.albedo);
+        const BsdfValue value = Surfaces::evaluate(surface, out, frame.to_local(to_light), at.albedo);
         if (value.value.maxCoeff() > 0.0f)
           sum += light_share(light, value, throughput, at.position,
                              frame.origin(at.position, to_light, scene_.offset_unit()), counters);
@@ -155,7 +156,7 @@ Vector3f PathTracer::surface_radiance(const SurfacePoint& first, const Vector3f&
     }
     if (known.reflected_once && bounce == 0) *known.reflected_once = sum;
 
-    if (!go_on<Surfaces>(path, at, frame, numbers.sequence(), sample, bounce, settings_)) return sum;
+    if (!go_on<Surfaces>(path, at, frame, out, numbers.sequence(), sample, bounce, settings_)) return sum;
 
     previous = at.position;
     previous_normal = lit_side;

@@ -8,6 +8,7 @@ __version__: str
 __commit__: str
 lens_status_words: tuple[str, ...]
 metric_titles: dict[str, str]
+usual_parts: int
 
 class Eye:
     def __init__(self, document: Any, file: str = "") -> None: ...

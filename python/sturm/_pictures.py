@@ -56,7 +56,7 @@ def predict(document: Document, prediction: str = "ellipses", *, file: str = "",
 
 
 def see(picture: ArrayLike, depth_m: ArrayLike | float, eye: _core.Eye, *, vfov_deg: float, layers: Iterable[tuple[ArrayLike, ArrayLike]] = (),
-        psf: str = "rays", chromatic: bool = False, parts: int = 8, progress: Progress | None = None) -> np.ndarray:
+        psf: str = "rays", chromatic: bool = False, parts: int = _core.usual_parts, progress: Progress | None = None) -> np.ndarray:
     """What an eye sees of a picture with depth, as `sturm see` does.
 
     picture: height x width x 3, linear light. depth_m: height x width [m], or one distance for the whole picture; 0 is a hole, infinity

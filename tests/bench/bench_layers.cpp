@@ -1,5 +1,5 @@
-// How long it takes to see a picture with depth, after loading: the bank of kernels, the background behind edges, and
-// the blur.
+// How long it takes to see a picture with depth, after loading: the bank of kernels, what lamps and details ask for,
+// the background behind edges, and the blur.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,9 @@
 #include "bench/timing.h"
 #include "io/files/machine.h"
 #include "wavefront/layers/guessed_background.h"
+#include "wavefront/layers/lamps.h"
 #include "wavefront/layers/layer_blur.h"
+#include "wavefront/layers/layer_detail.h"
 #include "wavefront/layers/ray_kernels.h"
 
 namespace {
@@ -38,8 +40,8 @@ LayeredPicture room(int width, int height) {
 }
 
 struct Seconds {
-  double kernels, background, blur;
-  double all() const { return kernels + background + blur; }
+  double kernels, detail, background, blur;
+  double all() const { return kernels + detail + background + blur; }
 };
 
 Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, int parts, BlurCounters& work) {
@@ -51,6 +53,10 @@ Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, in
     model = ray_kernels(eye, 0.0, pixel_slope, {parts, false});
     picture.jump_D = 1.0 / model.reach_px_per_D;
     bank.emplace(model, planes_for(picture.vergence_D, model.reach_px_per_D));
+  });
+  seconds.detail = bench::seconds([&] {
+    if (may_have_lamps(picture)) take_lamps(picture);
+    picture.detail = detail_of(picture);
   });
   seconds.background = bench::seconds([&] { add_guessed_background(picture, *bank); });
   seconds.blur = bench::seconds([&] { blur_layers(picture, *bank, work); });
@@ -79,9 +85,9 @@ int main(int argc, char** argv) {
       all.push_back(last.all());
     }
     std::printf(
-        "%d part(s): median %.3f s; last: kernels %.3f, background %.3f, blur %.3f s; layers: %zu planes, "
+        "%d part(s): median %.3f s; last: kernels %.3f, detail %.3f, background %.3f, blur %.3f s; layers: %zu planes, "
         "%lld through the spectrum, %lld tap by tap, %lld copied, %lld covered; peak memory %.0f MB\n",
-        parts, bench::median(all), last.kernels, last.background, last.blur, work.tiles[0].layers.size(),
+        parts, bench::median(all), last.kernels, last.detail, last.background, last.blur, work.tiles[0].layers.size(),
         work.layers(LayerWork::Transform), work.layers(LayerWork::Spatial), work.layers(LayerWork::Unblurred),
         work.layers(LayerWork::Covered), 1e-6 * static_cast<double>(peak_memory_bytes()));
   }

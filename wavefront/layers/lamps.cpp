@@ -217,18 +217,23 @@ float level_of(const LayeredPicture& picture) {
   return bright_level(picture.radiance, brighter);
 }
 
-}  // namespace
-
-bool may_have_lamps(const LayeredPicture& picture) {
-  const float level = level_of(picture);
+bool has_light_above(const LayeredPicture& picture, float level) {
   const auto bright = [&](float value) { return value > level; };
   return std::any_of(picture.radiance.pixels.begin(), picture.radiance.pixels.end(), bright) ||
          std::any_of(picture.hidden.begin(), picture.hidden.end(),
                      [&](const HiddenPixel& h) { return std::any_of(h.rgb, h.rgb + 3, bright); });
 }
 
+}  // namespace
+
+bool may_have_lamps(const LayeredPicture& picture) {
+  return has_light_above(picture, level_of(picture));
+}
+
 void take_lamps(LayeredPicture& picture) {
-  LampSearch search(picture, level_of(picture));
+  const float level = level_of(picture);
+  if (!has_light_above(picture, level)) return;
+  LampSearch search(picture, level);
   search.search();
   search.take();
 }
