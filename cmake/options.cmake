@@ -28,7 +28,8 @@ if(STURM_UNITY)
   # A local name may be one that another file of the folder keeps to itself.
   target_compile_options(sturm_options INTERFACE -Wno-shadow)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(sturm_options INTERFACE -Wshadow=local)
+    # What is in a nameless namespace of an included file is no mistake there.
+    target_compile_options(sturm_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
   endif()
 endif()
 target_compile_options(sturm_options INTERFACE -ffp-contract=off)
@@ -74,15 +75,20 @@ function(sturm_precompiled_headers target kind)
   target_precompile_headers(${target} REUSE_FROM sturm_precompiled_${kind})
 endfunction()
 
-# sturm_unity_by_folder(TARGET SOURCE...): with STURM_UNITY the sources of a folder are compiled as one. So what a folder keeps to itself in nameless
-# namespaces has different names in its files, and a new file changes no other folder's unit.
+# sturm_unity_by_folder(TARGET SOURCE...): with STURM_UNITY the sources of a folder are compiled as one, ten at a time. So what a folder keeps to
+# itself in nameless namespaces has different names in its files, and a new file changes no other folder's unit.
 function(sturm_unity_by_folder target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${STURM_UNITY} UNITY_BUILD_MODE GROUP)
   foreach(source ${ARGN})
     get_filename_component(folder ${source} DIRECTORY)
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
     string(MAKE_C_IDENTIFIER "${folder}" group)
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    if(NOT DEFINED sources_of_${group})
+      set(sources_of_${group} 0)
+    endif()
+    math(EXPR tens "${sources_of_${group}} / 10")
+    math(EXPR sources_of_${group} "${sources_of_${group}} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${tens})
   endforeach()
 endfunction()
 

@@ -91,15 +91,17 @@ constexpr std::array<std::pair<std::string_view, char>, 17> keyboard_signs{{
 
 }  // namespace
 
-std::string utf8_text(std::string bytes) {
+std::string bytewise_text(std::string bytes) {
   const std::string_view view = bytes;
-  if (view.starts_with("\xEF\xBB\xBF"))
-    bytes.erase(0, 3);
-  else if (view.starts_with("\xFF\xFE"))
-    return from_utf16(view.substr(2), true);
-  else if (view.starts_with("\xFE\xFF"))
-    return from_utf16(view.substr(2), false);
-  if (view.size() > 1 && view[0] != '\0' && view[1] == '\0') return from_utf16(view, true);
+  if (view.starts_with("\xFF\xFE")) return from_utf16(view.substr(2), true);
+  if (view.starts_with("\xFE\xFF")) return from_utf16(view.substr(2), false);
+  if (view.size() > 1 && (view[0] == '\0') != (view[1] == '\0')) return from_utf16(view, view[1] == '\0');
+  if (view.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+  return bytes;
+}
+
+std::string utf8_text(std::string bytes) {
+  bytes = bytewise_text(std::move(bytes));
   if (is_utf8(bytes)) return bytes;
   std::string text;
   for (const char c : bytes) append_utf8(text, static_cast<unsigned char>(c));

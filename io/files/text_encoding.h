@@ -4,9 +4,11 @@
 
 namespace sturm {
 
-/// The bytes of a text file as UTF-8 without a byte order mark: UTF-16 is known by its byte order mark, or by a
-/// second byte 0; bytes that are
-/// not UTF-8 are taken as Latin-1, which is what spreadsheets of western Europe write.
+/// The bytes of a text file without a byte order mark, where UTF-16 has become UTF-8. It is known by its mark, or
+/// without one by a first character of which one byte is 0.
+std::string bytewise_text(std::string bytes);
+
+/// The same as UTF-8: bytes that are not are taken as Latin-1, which is what spreadsheets of western Europe write.
 std::string utf8_text(std::string bytes);
 
 /// Whether every byte is part of a whole character of UTF-8.

@@ -1,13 +1,14 @@
 #include "wavefront/fitting/modal_fit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "lensmodel/gauss_legendre.h"
 #include "lensmodel/zernike.h"
+#include "wavefront/fitting/least_squares.h"
 
 namespace sturm {
 
@@ -82,9 +83,9 @@ std::optional<double> left_out_rms(const ModalProblem& problem, const ModalFit& 
     const Eigen::MatrixXd block = problem.design.middleRows(sample * rows, rows);
     const Eigen::MatrixXd rest =
         Eigen::MatrixXd::Identity(rows, rows) - block * fit.unit_covariance * block.transpose();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rest, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    if (svd.singularValues().minCoeff() < least_pivot) return std::nullopt;
-    sum += svd.solve(fit.residuals.segment(sample * rows, rows)).squaredNorm();
+    const LeastSquares left_out = small_least_squares(rest, fit.residuals.segment(sample * rows, rows));
+    if (left_out.singular_values.minCoeff() < least_pivot) return std::nullopt;
+    sum += left_out.solution.squaredNorm();
     count += rows;
   }
   return std::sqrt(sum / count);
@@ -151,15 +152,14 @@ ModalFit fit_modes(const ModalProblem& problem, const std::vector<bool>& used) {
   const Eigen::MatrixXd design = rows_of(problem, used, values);
   if (design.rows() < design.cols())
     throw UndeterminedFit(std::to_string(design.rows()) + " values for " + std::to_string(design.cols()) + " modes");
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(design, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& singular = svd.singularValues();
+  LeastSquares solved = least_squares(design, values);
+  const Eigen::VectorXd& singular = solved.singular_values;
   if (!(singular.minCoeff() > least_ratio * singular.maxCoeff()))
     throw UndeterminedFit("the points do not tell the " + std::to_string(design.cols()) + " modes apart");
   ModalFit fit;
   fit.modes = problem.modes;
-  fit.coefficients = svd.solve(values);
-  const Eigen::MatrixXd scaled = svd.matrixV() * singular.cwiseInverse().asDiagonal();
-  fit.unit_covariance = scaled * scaled.transpose();
+  fit.coefficients = std::move(solved.solution);
+  fit.unit_covariance = std::move(solved.unit_covariance);
   fit.condition_number = singular.maxCoeff() / singular.minCoeff();
   fit.residuals = problem.values - problem.design * fit.coefficients;
   fit.used = used;

@@ -5,8 +5,8 @@
 
 namespace sturm {
 
-/// The lines of an OBJ or MTL file, however they end (LF, CR LF, CR). A byte order mark is passed over, and UTF-16 that
-/// begins with one becomes UTF-8. A backslash at the end of a line takes the next one in, with a blank between them;
+/// The lines of an OBJ or MTL file, however they end (LF, CR LF, CR). A byte order mark is passed over, and UTF-16
+/// becomes UTF-8. A backslash at the end of a line takes the next one in, with a blank between them;
 /// comments do not go on.
 class ObjLines {
  public:

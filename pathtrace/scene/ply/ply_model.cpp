@@ -185,6 +185,9 @@ class ElementReader {
     face_sizes_.reserve(element.count);
     const bool has_coordinates = std::any_of(element.properties.begin(), element.properties.end(),
                                              [](const auto& p) { return p.count && p.name == "texcoord"; });
+    if (std::any_of(element.properties.begin(), element.properties.end(),
+                    [](const auto& p) { return !p.count && role_of(p.name) >= red && role_of(p.name) <= blue; }))
+      model_.left_out.push_back("colours of faces");
     const Eigen::Vector2f nowhere(0.0f, 0.0f);
     if (has_coordinates) corner_coordinates_.resize(corners_.size(), nowhere);  // of strips before the faces
     std::vector<Eigen::Vector2f> coordinates;

@@ -14,9 +14,18 @@ TEST(TextEncoding, IsToldFromTheBytes) {
   EXPECT_EQ(utf8_text("\xFF\xFEh\0\xE9\0"s), "hé");         // UTF-16, little endian
   EXPECT_EQ(utf8_text("\xFE\xFF\0h\0\xE9"s), "hé");         // big endian
   EXPECT_EQ(utf8_text("h\0\xE9\0"s), "hé");                 // without a mark
+  EXPECT_EQ(utf8_text("\0h\0\xE9"s), "hé");                 // big endian without a mark
   EXPECT_EQ(utf8_text("\xFF\xFE\x3D\xD8\x53\xDC"s), "👓");   // a pair of halves
   EXPECT_EQ(utf8_text("\xFF\xFE\x3D\xD8h\0"s), "\uFFFDh");  // half a pair
   EXPECT_EQ(utf8_text("\xFF\xFEh\0\xE9"s), "h");            // half a character at the end
+}
+
+TEST(TextEncoding, OtherBytesStay) {
+  EXPECT_EQ(bytewise_text("h\xE9"), "h\xE9");
+  EXPECT_EQ(bytewise_text("\xEF\xBB\xBFh\xE9"), "h\xE9");
+  EXPECT_EQ(bytewise_text("\0h\0\xE9"s), "hé");
+  EXPECT_EQ(bytewise_text("\0\0"s), "\0\0"s);
+  EXPECT_EQ(bytewise_text("h"), "h");
 }
 
 TEST(TextEncoding, KnowsUtf8) {

@@ -42,12 +42,13 @@ TEST_F(ZemaxFile, TheTwoSurfacesAboutTheGlassAreTheLens) {
 
 TEST_F(ZemaxFile, IsReadInItsEncodings) {
   const std::string text = zmx(front, back);
-  std::string utf16 = "\xFF\xFE", unmarked, lines;
+  std::string utf16 = "\xFF\xFE", unmarked, big_endian, lines;
   for (const char c : text) {
-    utf16 += c, utf16 += '\0', unmarked += c, unmarked += '\0';
+    utf16 += c, utf16 += '\0', unmarked += c, unmarked += '\0', big_endian += '\0', big_endian += c;
     if (c != '\r') lines += c;
   }
-  for (const std::string& bytes : {text, utf16, unmarked, "\xEF\xBB\xBF" + text, lines, "NOTE 0 f\xFCr\r\n" + text})
+  for (const std::string& bytes :
+       {text, utf16, unmarked, big_endian, "\xEF\xBB\xBF" + text, lines, "NOTE 0 f\xFCr\r\n" + text})
     EXPECT_NEAR(power(lens(bytes, "a.ZMX")).sphere_D, expected_D, 1e-12);
 }
 

@@ -132,6 +132,15 @@ TEST_F(PlyFile, FloatColoursStayAsTheyAreAndAlphaIsNoted) {
   EXPECT_THAT(read_text(text("254")).left_out, ElementsAre("alpha of vertex colours"));
 }
 
+TEST_F(PlyFile, ColoursOfFacesAreNoted) {
+  const PlyModel model =
+      read_text(three +
+                "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+                "property uchar green\nproperty uchar blue\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
+  EXPECT_THAT(model.triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(model.left_out, ElementsAre("colours of faces"));
+}
+
 TEST_F(PlyFile, CommentsNameTextures) {
   const PlyModel model =
       read_text("comment TextureFile my scan.png\ncomment TextureFile b.png\ncomment made by hand\n" + three +
