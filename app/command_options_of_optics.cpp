@@ -96,15 +96,17 @@ void CommandLine::add_blurfield() {
 }
 
 void CommandLine::add_psf() {
-  auto* p = app.add_subcommand("psf", "point spreads of an eye over distance, by rays and by waves: JSON in, JSON out");
+  auto* p = app.add_subcommand("psf", "point spreads of an eye over distance, by rays and by waves");
   add_documents(*p, common, "point spreads (sturm.psf/1)", "psf");
   add_wearer(*p, common);
   p->add_option("--distance", psf.distances_m, "of point sources [m], with commas between; inf = far away")
       ->delimiter(',')
       ->allow_extra_args(false);
   p->add_option("--threads", common.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
+  add_answer_kinds(*p, psf.answer, "a document");
   p->add_option("-o,--output", psf.output,
-                "file instead of standard output; of several documents a folder, or a name with {name}");
+                "file instead of standard output (.csv, .json, or .txt for a table); of several documents' JSON a "
+                "folder, or a name with {name}");
   p->add_option("--images", psf.images, "EXR file with a picture of each point spread; a PNG of all appears beside it");
   p->callback([this] { action = [this] { return psf_command(common, psf); }; });
 }

@@ -176,8 +176,9 @@ struct StressOptions {
 /// What `sturm psf` is asked for, and writes.
 struct PsfOptions {
   std::vector<std::string> distances_m;  ///< of point sources, in place of the document's; empty = as there
-  std::string output;                    ///< JSON, "" = standard output
+  std::string output;                    ///< "" = standard output
   std::string images;                    ///< EXR; a PNG appears beside it; "" = none
+  AnswerOptions answer;                  ///< else JSON for a document, a table for a line and for several documents
 };
 
 /// What `sturm wavefront` is asked for; "" and none are what was not given.
@@ -230,7 +231,7 @@ int stress_command(const CommonOptions& options, const StressOptions& stress, co
 int compare_command(const CompareOptions& options);
 int compare_suite_command(const CompareOptions& options);  ///< sturm compare --suite
 int compare_runs_command(const CompareRunsOptions& options);
-int psf_command(const CommonOptions& options, const PsfOptions& files);
+int psf_command(const CommonOptions& options, const PsfOptions& asked);
 int wavefront_command(const WavefrontOptions& options);
 int plan_samples_command(const PlanOptions& options);
 int gate_command(const GateOptions& options);

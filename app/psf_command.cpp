@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/configuration.h"
 #include "app/option_values.h"
+#include "app/psf_table.h"
 #include "app/several_documents.h"
-#include "app/text_answers.h"
 #include "io/files/error.h"
 #include "io/files/plain_file.h"
 #include "io/json/values.h"
@@ -17,42 +18,72 @@ namespace sturm {
 
 namespace {
 
-int answer_point_spreads(const CommonOptions& options, const PsfOptions& files) {
-  const std::filesystem::path exr(files.images);
-  if (!files.images.empty() && !has_suffix(exr, ".exr"))
-    throw InputError("", "--images", "\"" + files.images + "\"", "a name that ends in .exr");
+/// The document that the options stand for.
+Json asked_for(const CommonOptions& options, const PsfOptions& asked) {
   Json document = load_configuration(
       options,
       {{"format", "sturm.psf/1"}, {"eye", {{"pupil_diameter_mm", 4}}}, {"lights", {{{"wavelength_nm", 555}}}}});
-  if (!files.distances_m.empty() && document.is_object()) {
+  if (!asked.distances_m.empty() && document.is_object()) {
     document.erase("defocus_D");
     document["distances_m"] = Json::array();
-    for (const std::string& text : files.distances_m)
+    for (const std::string& text : asked.distances_m)
       document["distances_m"].push_back(distance_json(distance_option(text, "--distance")));
   }
-  if (options.print_config) return print_configuration(document, options.file, files.output);
-  require_answer_name(files.output, AnswerKind::Json);
-  const PsfSpec spec = read_psf_spec(document, options.file);
-  if (!files.output.empty()) require_writable(files.output);
-  if (!files.images.empty()) require_writable(exr);
+  return document;
+}
+
+/// The sturm.psf_result/1 of one document; its pictures are written.
+Json answer_point_spreads(const CommonOptions& options, const PsfOptions& asked, const std::string& output,
+                          const std::string& images) {
+  const std::filesystem::path exr(images);
+  const PsfSpec spec = read_psf_spec(asked_for(options, asked), options.file);
+  if (!output.empty()) require_writable(output);
+  if (!images.empty()) require_writable(exr);
   const PointSpreads spreads = point_spreads(spec, options.file);
-  if (!files.images.empty()) {
+  if (!images.empty()) {
     write_exr_parts(exr, psf_parts(spec, spreads));
     write_png(std::filesystem::path(exr).replace_extension(".png"), psf_sheet(spec, spreads), 1.0);
   }
-  write_result(psf_result(spec, spreads), files.output);
-  return 0;
+  return psf_result(spec, spreads);
+}
+
+/// The pictures' files of all documents, "" where there are none.
+std::vector<std::string> images_of(const CommonOptions& given, const std::string& images) {
+  if (!images.empty() && !has_suffix(images, ".exr"))
+    throw InputError("", "--images", "\"" + images + "\"", "a name that ends in .exr");
+  if (!images.empty() && !given.files.empty()) return outputs_of(given.files, images, ".exr", "--images");
+  return std::vector<std::string>(std::max<std::size_t>(1, given.files.size()), images);
 }
 
 }  // namespace
 
-int psf_command(const CommonOptions& given, const PsfOptions& files) {
-  std::vector<std::string> images(std::max<std::size_t>(1, given.files.size()), files.images);
-  if (!files.images.empty() && !given.files.empty()) images = outputs_of(given.files, files.images, ".exr", "--images");
+int psf_command(const CommonOptions& given, const PsfOptions& asked) {
+  const std::vector<std::string> images = images_of(given, asked.images);
+  if (given.print_config) {
+    const CommonOptions one = with_source(with_one_document(given, "--print-config"));
+    return print_configuration(asked_for(one, asked), one.file, asked.output);
+  }
+  const AnswerKind kind = answer_kind(asked.answer, asked.output, given.files.size());
   auto image = images.begin();
-  return for_each_document(given, files.output, ".json", [&](const CommonOptions& options, const std::string& output) {
-    return answer_point_spreads(with_source(options), {files.distances_m, output, *image++});
-  });
+  if (kind == AnswerKind::Json)
+    return for_each_document(
+        given, asked.output, ".json", [&](const CommonOptions& options, const std::string& output) {
+          write_result(answer_point_spreads(with_source(options), asked, output, *image++), output);
+          return 0;
+        });
+  std::vector<std::string> files = given.files;
+  if (files.empty()) files = {with_source(given).file};
+  const std::vector<std::string> names = document_names(files);
+  std::vector<NamedSpreads> answers;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    CommonOptions options = given;
+    options.file = files[i];
+    answers.push_back({names[i], answer_point_spreads(options, asked, asked.output, images[i])});
+  }
+  write_text(kind == AnswerKind::Csv ? psf_csv(answers) : psf_table(answers), asked.output);
+  for (const NamedSpreads& one : answers)
+    for (const Json& note : one.result["notes"]) std::cerr << "note: " << note.get<std::string>() << "\n";
+  return 0;
 }
 
 }  // namespace sturm

@@ -112,7 +112,7 @@ class NamesOfOutputs(FolderTest):
         view, table = ["render", "desk"], ["wearers", SOURCE / "configs/data/papila_prescriptions.csv", "glasses"]
         for line, output, expected in ((["ellipse", "--rx", "-1"], "a.png", "sturm plot"), (["ellipse", "--rx", "-1"], "a.xlsx", ".csv"),
                                        (["ellipse", "--rx", "-1", "--csv"], "a.json", ".csv"), (["ellipse", "--rx", "-1", "--table"], "a.csv", ".txt"),
-                                       (["lens", "--rx", "-1"], "a.svg", "sturm plot"), (["psf", "--rx", "-1"], "a.csv", ".json"),
+                                       (["lens", "--rx", "-1"], "a.svg", "sturm plot"), (["psf", "--rx", "-1"], "a.png", ".json"),
                                        (["ellipse", "--rx", "-1", "--print-config"], "a.csv", ".json"), (view, "a.gif", ".exr or .png"), (table, "a.json", ".csv")):
             with self.subTest(line=line, output=output):
                 process = sturm(*line, "-o", output, cwd=self.folder)
@@ -204,7 +204,7 @@ class ShippedThings(FolderTest):
         shutil.copy(SOURCE / "configs/eyes/polans_5.json", self.folder / "mine.json")
         self.write("elsewhere/query.json", document)
         self.assertEqual(self.succeed("ellipse", "elsewhere/query.json", "--eye", "mine.json", "--pupil", 3, cwd=self.folder).stdout, by_name)
-        spreads = strict_json(self.succeed("psf", "--eye", "polans_5", "--distance", "0.5,inf", "--set", '/models=["rays"]', "--set", "/rays/count=1024").stdout)
+        spreads = strict_json(self.succeed("psf", "--eye", "polans_5", "--distance", "0.5,inf", "--set", '/models=["rays"]', "--set", "/rays/count=1024", "--json").stdout)
         self.assertEqual([result["distance_m"] for result in spreads["results"]], [0.5, "inf"])
         self.succeed("render", "cornell", "--eye", "oblique_astigmat", *self.SMALL, "-o", "a.png", cwd=self.folder)
         self.assertEqual(strict_json((self.folder / "a.manifest.json").read_text())["spec"]["eye"]["prescription"]["axis_deg"], 30)

@@ -90,7 +90,7 @@ class LineAndDocument(FolderTest):
             rx = Notation(draw).text
             with self.subTest(rx=rx):
                 self.same("lens", ["--rx", rx, "--json"], "--index", draw.choice([1.5, 1.67]), "--thickness", 2.5)
-                self.same("psf", ["--rx", rx], "--pupil", 3, "--set", '/models=["rays"]', "--set", "/distances_m=[1]")
+                self.same("psf", ["--rx", rx, "--json"], "--pupil", 3, "--set", '/models=["rays"]', "--set", "/distances_m=[1]")
                 if case % 3 == 0:
                     self.same("render", ["cornell", "--rx", rx], "--pupil", 5, "--lens", "glasses", "--size", "12x8", "--samples", 2, "--seed", 3, output="seen.png")
 

@@ -1,4 +1,6 @@
 """`sturm psf`: point spreads of eyes by rays and waves against other programs' numbers; pictures; what is refused."""
+import csv
+import io
 import json
 import math
 import unittest
@@ -125,6 +127,35 @@ class Psf(FolderTest):
         self.assertTrue(header.startswith(b"\x89PNG"))
         self.assertEqual(int.from_bytes(header[16:20], "big"), 2 * 65 + 2)  # two targets beside each other
         self.assertEqual(int.from_bytes(header[20:24], "big"), 2 * 65 + 2)
+
+    def test_tables_have_the_numbers_of_the_result(self):
+        line = ["psf", "--rx", "-1.00 -0.50 x 30", "--pupil", 3, "--distance", "1,inf"]
+        results = strict_json(self.succeed(*line, "--json").stdout)["results"]
+        header, *table = self.succeed(*line).stdout.splitlines()
+        self.assertEqual(header.split("  ")[0], "distance [m]")
+        rows = list(csv.DictReader(io.StringIO(self.succeed(*line, "--csv").stdout)))
+        self.assertEqual((len(table), len(rows)), (len(results), len(results)))
+        for shown, row, result in zip(table, rows, results):
+            cells = shown.split()
+            self.assertEqual(cells[:4], [str(result["distance_m"]).removesuffix(".0"), f"{result['defocus_D']:+.2f}", result["light"], result["model"]])
+            waves = result["model"] == "waves"
+            self.assertEqual(cells[4:6], [f"{result[key]:.4f}" if waves else "–" for key in ("strehl", "visual_strehl")])
+            self.assertEqual(cells[6:8], [f"{entry['radius_about_chief_ray_arcmin']:.2f}" for entry in result["energy"]])
+            for i, frequency in enumerate((5, 10, 20, 30)):
+                mean = sum(direction[i] for direction in result["mtf"]) / 4
+                self.assertAlmostEqual(float(cells[8 + i]), mean, delta=5.1e-4)  # three decimals
+                self.assertAlmostEqual(float(row[f"mtf_{frequency}cpd"]), mean, delta=1e-12)
+                for direction, angle in zip(result["mtf"], (0, 45, 90, 135)):
+                    self.assertEqual(float(row[f"mtf_{frequency}cpd_{angle}deg"]), direction[i])
+            self.assertEqual(float(row["distance_m"]), float(result["distance_m"]))
+            self.assertEqual([row[key] == "" for key in ("strehl", "strehl_peak", "visual_strehl")], [not waves] * 3)
+            self.assertEqual(float(row["radius_0.8_arcmin"]), result["energy"][1]["radius_about_chief_ray_arcmin"])
+
+    def test_endings_choose_the_table(self):
+        line = ["psf", "--rx", "-1", "--pupil", 3, "--set", '/models=["rays"]', "--set", "/rays/count=1024"]
+        for name, option in (("a.txt", "--table"), ("a.csv", "--csv"), ("a.json", "--json")):
+            self.succeed(*line, "-o", self.folder / name)
+            self.assertEqual((self.folder / name).read_text(), self.succeed(*line, option).stdout)  # both with plain line ends
 
     def test_wrong_input_is_refused(self):
         good = document(eye({"4": 0.1}, 4, 4))

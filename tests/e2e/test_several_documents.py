@@ -133,7 +133,9 @@ class Pictures(Several):
         for file in files:
             self.assertEqual((self.folder / "spreads" / file.name).read_text(), self.succeed("psf", file).stdout)
             self.assertTrue((self.folder / f"{file.stem}_picture.exr").exists())
-        self.refused("{name}", "psf", *files)
+        self.refused("{name}", "psf", *files, "--json")
+        table = self.succeed("psf", *files).stdout.splitlines()
+        self.assertEqual([line.split()[:2] for line in table], [["document", "distance"], ["near", "1"], ["far", "5"]])
 
 
 class ShownNames(Several):
