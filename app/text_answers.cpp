@@ -45,7 +45,7 @@ AnswerKind answer_kind(const AnswerOptions& options, const std::string& output, 
   const bool asked = options.table || options.csv || options.json;
   if (!asked && is_other_file(output))
     refuse(output, "--output", "a name that ends in .csv, .json or .txt; sturm plot draws pictures");
-  const bool usually_table = documents == 0 || (documents > 1 && output.empty());
+  const bool usually_table = documents == 0 || (documents > 1 && output.empty()) || has_suffix(output, ".txt");
   const AnswerKind usual = usually_table ? AnswerKind::Table : AnswerKind::Json;
   const AnswerKind kind = options.table  ? AnswerKind::Table
                           : options.csv  ? AnswerKind::Csv

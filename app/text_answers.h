@@ -16,8 +16,9 @@ struct AnswerOptions {
   bool table = false, csv = false, json = false;
 };
 
-/// What the options ask for, else what the ending of the output's name says, else JSON; but a table for a line without
-/// documents, and for several of them on standard output. Throws InputError where the ending is that of another kind.
+/// What the options ask for, else what the ending of the output's name says (.txt is a table), else JSON; but a table
+/// for a line without documents, and for several of them on standard output. Throws InputError where the ending is that
+/// of another kind.
 AnswerKind answer_kind(const AnswerOptions& options, const std::string& output, std::size_t documents);
 
 /// Throws InputError where the name of --output (or of `option`) has the ending of anything but this kind of answer.

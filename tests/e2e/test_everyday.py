@@ -101,9 +101,11 @@ class NamesOfOutputs(FolderTest):
         for line in (["ellipse", "--rx", "-3.00 -1.00 x 20"], ["lens", "--rx", "-3.00 -1.00 x 20"], ["lens", "progressive_regular", "reading"]):
             self.assertEqual(self.succeed(*line, "-o", "a.csv", cwd=self.folder).stdout, "")
             self.assertEqual((self.folder / "a.csv").read_text(), self.succeed(*line, "--csv").stdout)
-            self.succeed(*line, "-o", "a.txt", "--table", cwd=self.folder)
+            self.succeed(*line, "-o", "a.txt", cwd=self.folder)
             self.assertEqual((self.folder / "a.txt").read_text(), self.succeed(*line).stdout)
             self.assertLess(len((self.folder / "a.txt").read_text().splitlines()), 24)
+        self.succeed("lens", "progressive_regular", "-o", "a.txt", cwd=self.folder)
+        self.assertEqual((self.folder / "a.txt").read_text(), self.succeed("lens", "progressive_regular", "--table").stdout)
         for command in ("ellipse", "lens"):
             self.succeed(command, "--rx", "-3.00 -1.00 x 20", "-o", "a.json", cwd=self.folder)
             self.assertEqual(strict_json((self.folder / "a.json").read_text()), strict_json(self.succeed(command, "--rx", "-3.00 -1.00 x 20", "--json").stdout))
