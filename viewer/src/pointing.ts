@@ -50,7 +50,7 @@ export function pointOn(canvas: HTMLCanvasElement, change: Change, panels: () =>
     }
   });
   canvas.addEventListener('keydown', (event) => {
-    const act = keys[event.key];
+    const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];  // also with Caps Lock
     if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     change(act);
