@@ -60,14 +60,11 @@ int ellipse_command(const CommonOptions& given, const EllipseOptions& options) {
     return print_configuration(asked_for(one, options), one.file, options.output);
   }
   const AnswerKind kind = answer_kind(options.answer, options.output, given.files.size());
-  std::vector<std::string> files = given.files;
-  if (files.empty()) files = {with_source(given).file};
+  const std::vector<std::string> files = files_of(given);
   const std::vector<std::string> names = document_names(files);
   std::vector<AnsweredQuery> answers;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    CommonOptions common = given;
-    common.file = files[i];
-    const EllipseQuery query = read_ellipse_query(asked_for(common, options), common.file);
+    const EllipseQuery query = read_ellipse_query(asked_for(with_file(given, files[i]), options), files[i]);
     answers.push_back({names[i], query, blur_ellipses(query)});
   }
   std::vector<std::string> outputs;

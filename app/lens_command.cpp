@@ -163,15 +163,11 @@ int lens_command(const CommonOptions& given, const LensOptions& lens, const std:
   }
   const AnswerKind kind = answer_kind(lens.answer, output, given.files.size());
   check_pictures(lens);
-  std::vector<std::string> files = given.files;
-  if (files.empty()) files = {with_source(given).file};
+  const std::vector<std::string> files = files_of(given);
   const std::vector<std::string> names = given.files.empty() ? std::vector{given.prescription} : document_names(files);
   std::vector<AskedLens> asked;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    CommonOptions options = given;
-    options.file = files[i];
-    asked.push_back(asked_lens(lens_document(options, lens), files[i], names[i], lens));
-  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+    asked.push_back(asked_lens(lens_document(with_file(given, files[i]), lens), files[i], names[i], lens));
   std::vector<std::string> outputs;
   if (kind == AnswerKind::Json) outputs = outputs_of(files, output, ".json", "--output");
   const auto pictures = drawn_pictures(asked, lens);

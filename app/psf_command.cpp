@@ -33,14 +33,10 @@ Json asked_for(const CommonOptions& options, const PsfOptions& asked) {
 }
 
 /// The sturm.psf_result/1 of one document; its pictures are written.
-Json answer_point_spreads(const CommonOptions& options, const PsfOptions& asked, const std::string& output,
-                          const std::string& images) {
-  const std::filesystem::path exr(images);
-  const PsfSpec spec = read_psf_spec(asked_for(options, asked), options.file);
-  if (!output.empty()) require_writable(output);
-  if (!images.empty()) require_writable(exr);
-  const PointSpreads spreads = point_spreads(spec, options.file);
+Json answer_point_spreads(const PsfSpec& spec, const std::string& file, const std::string& images) {
+  const PointSpreads spreads = point_spreads(spec, file);
   if (!images.empty()) {
+    const std::filesystem::path exr(images);
     write_exr_parts(exr, psf_parts(spec, spreads));
     write_png(std::filesystem::path(exr).replace_extension(".png"), psf_sheet(spec, spreads), 1.0);
   }
@@ -64,22 +60,21 @@ int psf_command(const CommonOptions& given, const PsfOptions& asked) {
     return print_configuration(asked_for(one, asked), one.file, asked.output);
   }
   const AnswerKind kind = answer_kind(asked.answer, asked.output, given.files.size());
-  auto image = images.begin();
-  if (kind == AnswerKind::Json)
-    return for_each_document(
-        given, asked.output, ".json", [&](const CommonOptions& options, const std::string& output) {
-          write_result(answer_point_spreads(with_source(options), asked, output, *image++), output);
-          return 0;
-        });
-  std::vector<std::string> files = given.files;
-  if (files.empty()) files = {with_source(given).file};
+  const std::vector<std::string> files = files_of(given);
+  std::vector<PsfSpec> specs;
+  for (const std::string& file : files) specs.push_back(read_psf_spec(asked_for(with_file(given, file), asked), file));
+  const std::vector<std::string> outputs =
+      kind == AnswerKind::Json ? outputs_of(files, asked.output, ".json", "--output") : std::vector{asked.output};
+  for (const auto* written : {&outputs, &images})
+    for (const std::string& file : *written)
+      if (!file.empty()) require_writable(file);
   const std::vector<std::string> names = document_names(files);
   std::vector<NamedSpreads> answers;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    CommonOptions options = given;
-    options.file = files[i];
-    answers.push_back({names[i], answer_point_spreads(options, asked, asked.output, images[i])});
+    answers.push_back({names[i], answer_point_spreads(specs[i], files[i], images[i])});
+    if (kind == AnswerKind::Json) write_result(answers.back().result, outputs[i]);
   }
+  if (kind == AnswerKind::Json) return 0;
   write_text(kind == AnswerKind::Csv ? psf_csv(answers) : psf_table(answers), asked.output);
   for (const NamedSpreads& one : answers)
     for (const Json& note : one.result["notes"]) std::cerr << "note: " << note.get<std::string>() << "\n";

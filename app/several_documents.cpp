@@ -58,8 +58,16 @@ std::vector<std::string> document_names(const std::vector<std::string>& files) {
 CommonOptions with_one_document(const CommonOptions& options, const std::string& what) {
   if (options.files.size() > 1)
     throw InputError("", what, std::to_string(options.files.size()) + " documents", "one document");
-  CommonOptions result = options;
-  if (!options.files.empty()) result.file = options.files.front();
+  return options.files.empty() ? options : with_file(options, options.files.front());
+}
+
+std::vector<std::string> files_of(const CommonOptions& given) {
+  return given.files.empty() ? std::vector{with_source(given).file} : given.files;
+}
+
+CommonOptions with_file(const CommonOptions& given, const std::string& file) {
+  CommonOptions result = given;
+  result.file = file;
   return result;
 }
 

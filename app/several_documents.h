@@ -18,6 +18,12 @@ std::vector<std::string> document_names(const std::vector<std::string>& files);
 /// document, where there are several.
 CommonOptions with_one_document(const CommonOptions& options, const std::string& what);
 
+/// The files that were given, or `command_line_source` alone. Throws InputError where there is nothing to answer.
+std::vector<std::string> files_of(const CommonOptions& given);
+
+/// The options with one of their files.
+CommonOptions with_file(const CommonOptions& given, const std::string& file);
+
 /// The file of each document's output: NAME`ending` in `output`, the value of `option`, where that is a folder, which
 /// is made if it is not there; or `output` with the document's name in place of {name}. One document may have an output
 /// of any name; "" stays "". Throws InputError where several would have one file.

@@ -134,6 +134,8 @@ class Pictures(Several):
             self.assertEqual((self.folder / "spreads" / file.name).read_text(), self.succeed("psf", file).stdout)
             self.assertTrue((self.folder / f"{file.stem}_picture.exr").exists())
         self.refused("{name}", "psf", *files, "--json")
+        wrong = self.write("wrong.json", {**spec, "distances_m": [-1]})
+        self.refused("wrong.json", "psf", files[0], wrong, "--images", f"{self.folder}/{{name}}_refused.exr")
         table = self.succeed("psf", *files).stdout.splitlines()
         self.assertEqual([line.split()[:2] for line in table], [["document", "distance"], ["near", "1"], ["far", "5"]])
 
