@@ -7,6 +7,7 @@
 #include "app/text_columns.h"
 #include "io/files/csv.h"
 #include "io/files/formatted_text.h"
+#include "io/json/values.h"
 #include "lensmodel/units.h"
 
 namespace sturm {
@@ -76,9 +77,7 @@ std::string gaze_text(const Target& target) {
 }
 
 void put_result(CsvWriter& csv, const Target& target, const Json& r) {
-  const auto put = [&](const Json& value) {
-    csv.number(value.is_number() ? std::optional(value.get<double>()) : std::nullopt);
-  };
+  const auto put = [&](const Json& value) { csv.number(number_or_none(value)); };
   csv.text(exact_number(target.distance_m));
   csv.number(target.azimuth / radians_per_degree, 15);
   csv.number(target.elevation / radians_per_degree, 15);

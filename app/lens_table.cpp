@@ -7,6 +7,7 @@
 #include "app/text_columns.h"
 #include "io/files/csv.h"
 #include "io/files/formatted_text.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
@@ -93,8 +94,7 @@ std::string lens_csv(const std::vector<NamedLensReport>& lenses) {
       csv.text(gaze["status"].get<std::string>());
       for (const auto& [name, part, key] : columns) {
         const Json& numbers = gaze[part];
-        csv.number(numbers.is_object() && numbers[key].is_number() ? std::optional(numbers[key].get<double>())
-                                                                   : std::nullopt);
+        csv.number(numbers.is_object() ? number_or_none(numbers[key]) : std::nullopt);
       }
       csv.end_row();
     }

@@ -8,6 +8,7 @@
 #include "app/text_columns.h"
 #include "io/files/csv.h"
 #include "io/files/formatted_text.h"
+#include "io/json/values.h"
 
 namespace sturm {
 
@@ -15,14 +16,10 @@ namespace {
 
 using Number = std::optional<double>;
 
-Number number_of(const Json& value) {
-  return value.is_number() ? Number(value.get<double>()) : std::nullopt;
-}
-
 /// Distances are numbers or "inf"; none where the defocus was given itself.
 Number distance_of(const Json& spread) {
   const Json& distance = spread["distance_m"];
-  return distance.is_string() ? Number(std::numeric_limits<double>::infinity()) : number_of(distance);
+  return distance.is_string() ? Number(std::numeric_limits<double>::infinity()) : number_or_none(distance);
 }
 
 std::string shown(const Number& value, const char* format) {
@@ -53,7 +50,7 @@ Columns columns_of(const std::vector<NamedSpreads>& documents) {
 
 Number radius_of(const Json& spread, double share) {
   for (const Json& energy : spread["energy"])
-    if (energy["share"] == share) return number_of(energy["radius_about_chief_ray_arcmin"]);
+    if (energy["share"] == share) return number_or_none(energy["radius_about_chief_ray_arcmin"]);
   return std::nullopt;
 }
 
@@ -66,7 +63,7 @@ std::optional<std::size_t> place_of(double value, const Json& list) {
 Number transfer_in(const Json& result, const Json& spread, double frequency, double direction) {
   const auto row = place_of(direction, result["mtf"]["directions_deg"]);
   const auto column = place_of(frequency, result["mtf"]["frequencies_cpd"]);
-  return row && column ? number_of(spread["mtf"][*row][*column]) : std::nullopt;
+  return row && column ? number_or_none(spread["mtf"][*row][*column]) : std::nullopt;
 }
 
 /// The mean over the directions.
@@ -94,10 +91,10 @@ std::string psf_table(const std::vector<NamedSpreads>& documents) {
     for (const Json& spread : document.result["results"]) {
       std::vector<std::string> row;
       if (several) row.push_back(document.name);
-      row.insert(row.end(),
-                 {shown_distance(distance_of(spread)), shown(number_of(spread["defocus_D"]), "%+.2f"),
-                  spread["light"].get<std::string>(), spread["model"].get<std::string>(),
-                  shown(number_of(spread["strehl"]), "%.4f"), shown(number_of(spread["visual_strehl"]), "%.4f")});
+      row.insert(row.end(), {shown_distance(distance_of(spread)), shown(number_or_none(spread["defocus_D"]), "%+.2f"),
+                             spread["light"].get<std::string>(), spread["model"].get<std::string>(),
+                             shown(number_or_none(spread["strehl"]), "%.4f"),
+                             shown(number_or_none(spread["visual_strehl"]), "%.4f")});
       for (const double share : columns.shares) row.push_back(shown(radius_of(spread, share), "%.2f"));
       for (const double frequency : columns.frequencies_cpd)
         row.push_back(shown(transfer_of(document.result, spread, frequency), "%.3f"));
@@ -123,10 +120,10 @@ std::string psf_csv(const std::vector<NamedSpreads>& documents) {
     for (const Json& spread : document.result["results"]) {
       csv.text(document.name);
       csv.text(spread["light"].get<std::string>());
-      csv.number(number_of(spread["target"]));
+      csv.number(number_or_none(spread["target"]));
       csv.text(spread["model"].get<std::string>());
       csv.number(distance_of(spread));
-      for (const char* column : numbers) csv.number(number_of(spread[column]));
+      for (const char* column : numbers) csv.number(number_or_none(spread[column]));
       for (const double share : columns.shares) csv.number(radius_of(spread, share));
       for (const double frequency : columns.frequencies_cpd) {
         csv.number(transfer_of(document.result, spread, frequency));

@@ -18,6 +18,11 @@ inline Json number_or_null(const std::optional<double>& value) {
   return value ? number_or_null(*value) : Json(nullptr);
 }
 
+/// The same read back.
+inline std::optional<double> number_or_none(const Json& value) {
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
 /// Distances may be infinite: "inf".
 inline Json distance_json(double distance_m) {
   return std::isinf(distance_m) ? Json("inf") : Json(distance_m);

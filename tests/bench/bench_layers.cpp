@@ -55,7 +55,7 @@ Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, in
     bank.emplace(model, planes_for(picture.vergence_D, model.reach_px_per_D));
   });
   seconds.detail = bench::seconds([&] {
-    if (may_have_lamps(picture)) take_lamps(picture);
+    take_lamps(picture);
     picture.detail = detail_of(picture);
   });
   seconds.background = bench::seconds([&] { add_guessed_background(picture, *bank); });

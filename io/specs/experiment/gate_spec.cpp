@@ -15,10 +15,6 @@ GateKind kind_in_file(const Json& word) {
   throw std::logic_error("the schema of gates allows a comparison that is not known");
 }
 
-std::optional<double> number_or_none(const Json& value) {
-  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
-}
-
 }  // namespace
 
 Json calibration_json(const std::optional<GateCalibration>& calibration) {

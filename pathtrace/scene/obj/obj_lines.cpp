@@ -1,30 +1,27 @@
 #include "pathtrace/scene/obj/obj_lines.h"
 
 #include <algorithm>
-#include <fstream>
+#include <optional>
+#include <utility>
 
 #include "io/files/error.h"
 #include "io/files/text_encoding.h"
+#include "io/files/text_file.h"
 #include "pathtrace/scene/obj/obj_words.h"
 
 namespace sturm {
 namespace {
 
 std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    throw InputError(file.string(), "", "", "a file that can be read");
-  std::string bytes(std::filesystem::file_size(file), '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return bytes;
+  std::optional<std::string> bytes = file_contents(file);
+  if (!bytes) throw InputError(file.string(), "", "", "a file that can be read");
+  return *std::move(bytes);
 }
 
 }  // namespace
 
-ObjLines::ObjLines(const std::filesystem::path& file) : file_(file), bytes_(bytewise_text(bytes_of(file))) {
-  rest_ = bytes_;
-}
+ObjLines::ObjLines(const std::filesystem::path& file)
+    : file_(file), bytes_(bytewise_text(bytes_of(file))), rest_(bytes_) {}
 
 std::string_view ObjLines::take_line() {
   std::size_t end = 0;
