@@ -45,7 +45,7 @@ class OnlyOne {
 };
 
 struct Work {
-  std::shared_ptr<OnlyOne> right;  ///< is given back after the job has ended
+  std::shared_ptr<OnlyOne> right;  ///< is given back before the last line, or after a job that was ended
   RenderJob job;
   Stopwatch watch;
 };
@@ -85,7 +85,10 @@ struct PageServer::Parts {
     response.set_chunked_content_provider("application/x-ndjson", [work](std::size_t, httplib::DataSink& sink) {
       if (!work->job.over_within(between_lines))
         return write_line(sink, {{"progress", work->job.progress()}, {"seconds", work->watch.seconds()}});
-      if (write_line(sink, work->job.result())) sink.done();
+      const Json result = work->job.result();
+      work->right.reset();  // whoever has the last line may ask for the next picture
+      if (!write_line(sink, result)) return false;
+      sink.done();
       return true;
     });
   }

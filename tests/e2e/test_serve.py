@@ -1,5 +1,6 @@
 """`sturm serve`: a page on the loopback address, and pictures that it asks for, with progress and comparison."""
 import base64
+import contextlib
 import http.client
 import json
 import re
@@ -34,11 +35,10 @@ class Serve(FolderTest):
 
     def ask(self, method, path, body=None, **headers):
         """(status, text) of an answer; a keyword Content_Type is the header Content-Type."""
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=100)
-        self.addCleanup(connection.close)
-        connection.request(method, path, body, {name.replace("_", "-"): value for name, value in headers.items()})
-        response = connection.getresponse()
-        return response.status, response.read().decode()
+        with contextlib.closing(http.client.HTTPConnection("127.0.0.1", self.port, timeout=100)) as connection:
+            connection.request(method, path, body, {name.replace("_", "-"): value for name, value in headers.items()})
+            response = connection.getresponse()
+            return response.status, response.read().decode()
 
     def render(self, request, **headers):
         return self.ask("POST", "/render", json.dumps(request), **{"Content_Type": "application/json", **headers})
@@ -106,6 +106,10 @@ class Serve(FolderTest):
         while json.loads(self.ask("GET", "/status")[1])["busy"] and time.monotonic() < end:
             time.sleep(0.1)
         self.assertFalse(json.loads(self.ask("GET", "/status")[1])["busy"])
+
+    def test_the_next_picture_may_be_asked_for_at_once(self):
+        self.view["camera"]["resolution"], self.view["method"]["samples_per_pixel"] = [12, 8], 1
+        self.assertEqual([self.render({"view": self.view})[0] for _ in range(100)], [200] * 100)
 
     def test_a_port_that_is_taken(self):
         process = sturm("serve", self.folder / "view.json", "--template", self.folder / "page.html", "--port", self.port)
