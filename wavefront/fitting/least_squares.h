@@ -14,7 +14,7 @@ struct LeastSquares {
 /// `matrix` has at least as many rows as columns. Where a singular value is 0, the covariance is not finite.
 LeastSquares least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
 
-/// The same of a few unknowns, by Jacobi's rotations, without a covariance.
+/// The same where there are as many rows as columns, without a covariance.
 LeastSquares small_least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
 
 }  // namespace sturm
