@@ -41,8 +41,8 @@ RenderSpec view_spec(std::uint64_t seed) {
   return read_render_spec(document, STURM_SOURCE_DIR "/tests/reference/scene_lens/view.json");
 }
 
-/// Mean of 4 pictures of 64 samples each. Between such means the middle bulb's semi-axes scatter by 0.6 %, the far one's
-/// by 1 % and its orientation by 1.5°.
+/// Mean of 4 pictures of 64 samples each. Between such means the middle bulb's semi-axes scatter by 0.6 %, the far
+/// one's by 1 % and its orientation by 1.5°.
 const Image& our_picture() {
   static const Image picture = [] {
     Image sum(256, 256, 3);
