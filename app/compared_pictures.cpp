@@ -4,7 +4,6 @@
 
 #include "io/files/error.h"
 #include "io/files/readable_text.h"
-#include "io/images/tone_map.h"
 
 namespace sturm {
 
@@ -57,17 +56,19 @@ class Reading {
       image = without_alpha(image);
       file.notes.emplace_back("alpha is left out");
     }
-    if (file.values == PixelValues::Display) decode(image, file);
+    decode(image, file);
     for (const std::string& note : file.notes) add_note(path, note);
     return file;
   }
 
   void decode(Image& image, PictureFile& file) const {
-    image = srgb_to_linear(image);
+    make_linear(file);
+    if (file.values == PixelValues::Linear) return;
     const auto exposure = static_cast<float>(options_.exposure);
     for (float& value : image.pixels) value /= exposure;
-    file.notes.push_back("display-referred (" + std::to_string(file.bits) +
-                         " bits, sRGB): display space has its values, linear light has them decoded" +
+    file.notes.push_back("display-referred (" + std::to_string(file.bits) + " bits, " +
+                         (file.colours.gamma ? "a power): linear light has its values decoded"
+                                             : "sRGB): display space has its values, linear light has them decoded") +
                          (options_.exposure == 1.0 ? "" : " and divided by the exposure"));
   }
 

@@ -7,7 +7,6 @@
 #include "app/option_values.h"
 #include "io/files/error.h"
 #include "io/images/picture_file.h"
-#include "io/images/tone_map.h"
 #include "lensmodel/units.h"
 #include "stages/picture_view.h"
 
@@ -57,11 +56,11 @@ ColorFile read_color_file(const std::string& path, const SeeOptions& options, st
   const bool layered = has_layers(path);
   PictureFile picture = read_picture_file(
       path, layered && !options.picture_layer.empty() ? std::optional(options.picture_layer) : std::nullopt);
-  for (const std::string& note : picture.notes) notes.push_back(path + ": " + note);
   require_finite_pixels(picture.image(), path);
   ColorFile file;
-  split_channels(picture.values == PixelValues::Display ? srgb_to_linear(picture.image()) : picture.image(), layered,
-                 file);
+  make_linear(picture);
+  split_channels(picture.image(), layered, file);
+  for (const std::string& note : picture.notes) notes.push_back(path + ": " + note);
   darken_negative(file.radiance, path, notes);
   file.pixel_slope = view_of(picture.picture).pixel_slope;
   if (const auto depth = picture.picture.layers.find("depth"); depth != picture.picture.layers.end())

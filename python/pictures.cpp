@@ -7,7 +7,6 @@
 #include "io/files/plain_file.h"
 #include "io/images/exr.h"
 #include "io/images/picture_file.h"
-#include "io/images/tone_map.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/json_objects.h"
@@ -35,8 +34,8 @@ py::tuple rendered(const py::object& document, const std::string& file, const py
 
 py::array read(const std::filesystem::path& file, const std::optional<std::string>& layer) {
   PictureFile picture = read_picture_file(file, layer);
-  Image& image = picture.picture.layers.at("");
-  return array_of(picture.values == PixelValues::Display ? srgb_to_linear(image) : std::move(image));
+  make_linear(picture);
+  return array_of(std::move(picture.picture.layers.at("")));
 }
 
 void write(const std::filesystem::path& file, const py::object& picture, double exposure) {

@@ -70,8 +70,9 @@ std::optional<Image> read_page_picture(const Json& value, const CameraSpec& came
                                std::to_string(camera.height) + " pixels, or null";
   const auto bytes = value.is_string() ? data_of_uri(value.get_ref<const std::string&>(), where) : std::nullopt;
   if (!bytes) where.fail(value, expected);
-  Image picture = read_embedded_image({reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()},
-                                      "<request>: /picture");
+  Image picture =
+      read_embedded_image({reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()}, "<request>: /picture")
+          .image;
   if (picture.channels == 4) picture = without_alpha(picture);
   if (picture.width != camera.width || picture.height != camera.height || picture.channels != 3)
     throw InputError(where.file, where.pointer,

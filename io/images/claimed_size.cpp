@@ -5,17 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "io/images/big_endian.h"
+
 namespace sturm {
 
 namespace {
 
 using namespace std::string_view_literals;
-
-std::uint64_t big_endian(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::uint64_t number = 0;
-  for (std::size_t i = 0; i < count; ++i) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return number;
-}
 
 std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
   std::uint64_t number = 0;

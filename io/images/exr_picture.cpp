@@ -1,5 +1,6 @@
 #include "io/images/exr_picture.h"
 
+#include <OpenEXR/ImfEnvmapAttribute.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 
@@ -7,6 +8,7 @@
 #include <stdexcept>
 
 #include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "io/files/plain_file.h"
 #include "io/files/readable_text.h"
 #include "io/images/colour_primaries.h"
@@ -68,6 +70,14 @@ void convert_colours(const Imf::Header& header, PictureFile& file) {
   }
 }
 
+/// What a header says of the picture's shape, which nobody follows.
+void note_shape(const Imf::Header& header, PictureFile& file) {
+  if (const float ratio = header.pixelAspectRatio(); ratio != 1.0f)
+    file.notes.push_back(formatted("its pixels are %.4g times as wide as high, which is not followed", ratio));
+  if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE)
+    file.notes.emplace_back("it is a cube map (envmap), which is not followed");
+}
+
 /// A depth layer beside the picture: where its surfaces are.
 const ExrLayer* depth_beside(const std::vector<ExrLayer>& layers, const ExrLayer& picture) {
   const ExrLayer* depth = depth_layer_of(layers);
@@ -103,6 +113,7 @@ PictureFile read_layer(const std::filesystem::path& path, const ExrReader& file,
   const Imf::Header& header = file.header(layer.part);
   if (layer.kind == ExrLayer::Kind::Colours || layer.kind == ExrLayer::Kind::LuminanceAndChroma)
     convert_colours(header, result);
+  note_shape(header, result);
   result.picture.metadata = metadata_of(header);
   return result;
 }

@@ -21,6 +21,7 @@
 #include "io/images/claimed_size.h"
 #include "io/images/imageformats/abi.h"
 #include "io/images/picture_format.h"
+#include "io/images/upright.h"
 
 namespace sturm {
 
@@ -65,6 +66,21 @@ const Module& module() {
   return opened;
 }
 
+/// What else the module has found, and the picture as it is to be seen.
+void describe(const sturm_imageformats_pixels& pixels, StoredImage& stored) {
+  if (pixels.orientation > 1 && pixels.orientation <= 8) {
+    stored.image = upright(std::move(stored.image), pixels.orientation);
+    stored.notes.push_back("turned as its orientation " + std::to_string(pixels.orientation) + " says");
+  }
+  stored.was_cmyk = pixels.was_cmyk != 0;
+  if (stored.was_cmyk) stored.notes.emplace_back("its colours for printing (CMYK) are converted without a profile");
+  if (pixels.has_more) stored.notes.emplace_back("the first of its pictures is taken");
+  if (!pixels.profile) return;
+  const std::unique_ptr<unsigned char, decltype(Module::free)> owner(pixels.profile, module().free);
+  if (const auto note = note_of_profile({pixels.profile, pixels.profile_size}, pixels.bits > 0))
+    stored.colours.notes.push_back(*note);
+}
+
 /// What a function of the module decodes; `name` is for messages.
 template <class Read>
 StoredImage decoded(const std::string& name, const Read& read) {
@@ -84,7 +100,23 @@ StoredImage decoded(const std::string& name, const Read& read) {
   stored.image.height = pixels.height;
   stored.image.channels = pixels.channels;
   stored.bits = pixels.bits;
+  describe(pixels, stored);
   return stored;
+}
+
+/// Adobe's programs store ink the other way round, and OpenImageIO takes all files for theirs.
+void require_ink_of_adobe(const BytesAt& bytes_at, std::uint64_t size, const std::string& name) {
+  if (bytes_at(0, size).find("\xff\xee\0\x0e"
+                             "Adobe"sv) == std::string::npos)
+    throw InputError(name, "", "CMYK without Adobe's marker: 0 may be full ink or none", "red, green and blue");
+}
+
+/// What a PNG says of its colours, beside an embedded profile.
+void follow_chunks(const PictureFormat& format, const BytesAt& bytes_at, StoredImage& stored) {
+  if (format.reader != "png"sv) return;
+  StatedColours stated = colours_of_png(bytes_at);
+  stored.colours.gamma = stated.gamma;
+  stored.colours.notes.insert(stored.colours.notes.end(), stated.notes.begin(), stated.notes.end());
 }
 
 /// How many pixels a picture may have. Throws InputError about `name` for claims that the bytes cannot fulfil.
@@ -137,16 +169,21 @@ StoredImage read_stored_image(const std::filesystem::path& path) {
   const std::optional<PictureFormat> format = picture_format(bytes_at);
   if (!format) throw InputError(path.string(), "", "a file of another kind", picture_formats);
   const std::uint64_t most = admitted_pixels(*format, bytes_at, std::filesystem::file_size(path), path.string());
-  return decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
-    return module().read(format->reader, path.c_str(), most, &pixels, error, error_size);
-  });
+  StoredImage stored =
+      decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
+        return module().read(format->reader, path.c_str(), most, &pixels, error, error_size);
+      });
+  if (stored.was_cmyk && format->reader == "jpeg"sv)
+    require_ink_of_adobe(bytes_at, std::filesystem::file_size(path), path.string());
+  follow_chunks(*format, bytes_at, stored);
+  return stored;
 }
 
 Image read_image(const std::filesystem::path& path) {
   return read_stored_image(path).image;
 }
 
-Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {
+StoredImage read_embedded_image(std::span<const unsigned char> bytes, const std::string& name) {
   const BytesAt bytes_at = [&](std::uint64_t offset, std::size_t count) {
     const auto part = bytes.subspan(std::min<std::size_t>(offset, bytes.size()));
     return std::string(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(std::min(count, part.size())));
@@ -155,12 +192,12 @@ Image read_embedded_image(std::span<const unsigned char> bytes, const std::strin
   if (!format || (format->reader != "png"sv && format->reader != "jpeg"sv))
     throw InputError(name, "", "neither a PNG nor a JPEG file", "an image that OpenImageIO reads");
   const std::uint64_t most = admitted_pixels(*format, bytes_at, bytes.size(), name);
-  return decoded(name,
-                 [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
-                   return module().read_memory(format->reader, bytes.data(), bytes.size(), most, &pixels, error,
-                                               error_size);
-                 })
-      .image;
+  StoredImage stored = decoded(name, [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
+    return module().read_memory(format->reader, bytes.data(), bytes.size(), most, &pixels, error, error_size);
+  });
+  if (stored.was_cmyk && format->reader == "jpeg"sv) require_ink_of_adobe(bytes_at, bytes.size(), name);
+  follow_chunks(*format, bytes_at, stored);
+  return stored;
 }
 
 std::vector<unsigned char> encode_png(const Image& display, int bits) {

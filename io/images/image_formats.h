@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/images/image.h"
+#include "io/images/stated_colours.h"
 
 namespace sturm {
 
@@ -14,21 +15,24 @@ inline constexpr std::size_t most_pixels = std::size_t{1} << 28;
 
 /// What OpenImageIO has read.
 struct StoredImage {
-  Image image;   ///< channels and values as in the file; integers as 0…1, alpha not multiplied in
-  int bits = 0;  ///< of integer values; 0 for floats
+  Image image;                     ///< channels and values as in the file; integers as 0…1, alpha not multiplied in
+  int bits = 0;                    ///< of integer values; 0 for floats
+  bool was_cmyk = false;           ///< made of colours for printing
+  StatedColours colours;           ///< how integers are decoded
+  std::vector<std::string> notes;  ///< what was turned, left out or made on reading
 };
 
 /// Reads an image (see picture_format.h) with OpenImageIO, which is loaded on first use. Values are not decoded (see
-/// srgb_to_linear). Room is made for pixels that are there, not for those that a header claims. Throws InputError for
-/// missing and broken files, those of other kinds and claims that the bytes cannot fulfil, RuntimeFailure where the
-/// format module is not installed.
+/// decoded_light). The picture is turned as its file says that it is to be seen (EXIF). Room is made for pixels that
+/// are there, not for those that a header claims. Throws InputError for missing and broken files, those of other kinds
+/// and claims that the bytes cannot fulfil, RuntimeFailure where the format module is not installed.
 StoredImage read_stored_image(const std::filesystem::path& path);
 
 /// Its pixels alone.
 Image read_image(const std::filesystem::path& path);
 
 /// The same of a file that stands in memory: a PNG or JPEG embedded in another file. `name` is for messages.
-Image read_embedded_image(std::span<const unsigned char> bytes, const std::string& name);
+StoredImage read_embedded_image(std::span<const unsigned char> bytes, const std::string& name);
 
 /// PNG of a display-referred image (0…1, 1 or 3 channels; values are clamped and rounded to nearest) with 8 or 16 bits.
 /// Throws std::invalid_argument for other channel counts and bits, empty images and non-finite values, RuntimeFailure

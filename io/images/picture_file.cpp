@@ -53,6 +53,15 @@ PictureFile linear_picture(Image image, std::vector<std::string> notes) {
   return file;
 }
 
+/// What OpenImageIO has read: integers are for a display.
+PictureFile stored_picture(StoredImage stored) {
+  PictureFile file = linear_picture(std::move(stored.image), std::move(stored.notes));
+  file.bits = stored.bits;
+  file.colours = std::move(stored.colours);
+  file.values = stored.bits > 0 ? PixelValues::Display : PixelValues::Linear;
+  return file;
+}
+
 PictureFile read_radiance_hdr(const std::string& bytes) {
   RadianceHdr hdr = decode_radiance_hdr(bytes, most_pixels);
   if (hdr.primaries && !hdr.primaries->is_rec709()) {
@@ -102,11 +111,20 @@ PictureFile read_picture_file(const std::filesystem::path& path, const std::opti
     return decoded(path, "PFM", [](const std::string& bytes) {
       return linear_picture(decode_portable_float_map(bytes, most_pixels), {});
     });
-  StoredImage stored = read_stored_image(path);
-  PictureFile file = linear_picture(std::move(stored.image), {});
-  file.bits = stored.bits;
-  file.values = stored.bits > 0 ? PixelValues::Display : PixelValues::Linear;
-  return file;
+  return stored_picture(read_stored_image(path));
+}
+
+PictureFile read_embedded_picture(std::span<const unsigned char> bytes, const std::string& name) {
+  return stored_picture(read_embedded_image(bytes, name));
+}
+
+void make_linear(PictureFile& file) {
+  file.notes.insert(file.notes.end(), file.colours.notes.begin(), file.colours.notes.end());
+  if (file.values == PixelValues::Linear) return;
+  if (const auto& gamma = file.colours.gamma)
+    file.notes.push_back(formatted("light is its numbers to the power of %.4g, as the file states", *gamma));
+  Image& image = file.picture.layers.at("");
+  image = decoded_light(image, file.colours);
 }
 
 Image without_alpha(const Image& image) {

@@ -1,17 +1,19 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "io/images/image.h"
+#include "io/images/stated_colours.h"
 
 namespace sturm {
 
 /// What the numbers of a picture mean.
 enum class PixelValues {
   Linear,  ///< light: twice the number is twice the radiance
-  Display  ///< what a display is sent, 0 … 1: sRGB unless somebody says otherwise
+  Display  ///< what a display is sent, 0 … 1: sRGB unless the file or somebody says otherwise
 };
 
 /// The picture in a file, as 3 channels, or 4 where it has alpha (the last one; grey ones have three equal channels).
@@ -21,6 +23,7 @@ struct PictureFile {
   LayeredImage picture;
   PixelValues values = PixelValues::Linear;
   int bits = 0;                    ///< of integer values; 0 for floats
+  StatedColours colours;           ///< how they are decoded, if the values are for a display
   std::string layer;               ///< of an EXR: the one that was taken, "" is the main one
   std::vector<std::string> notes;  ///< what was chosen, converted or left out on reading
 
@@ -36,6 +39,14 @@ struct PictureFile {
 /// has none.
 PictureFile read_picture_file(const std::filesystem::path& path,
                               const std::optional<std::string>& layer = std::nullopt);
+
+/// The same of a PNG or JPEG file that stands in memory; `name` is for messages.
+PictureFile read_embedded_picture(std::span<const unsigned char> bytes, const std::string& name);
+
+/// Turns the picture into linear light: what is for a display is decoded as the file says. What is said and not
+/// followed, and a curve that is not sRGB's, is added to the file's notes. `values` stays, as it tells where white
+/// ends.
+void make_linear(PictureFile& file);
 
 /// Whether a file is an EXR, the one format with layers.
 bool has_layers(const std::filesystem::path& path);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/images/changed_colours.h"
+
 namespace sturm {
 
 float linear_to_srgb(float linear) {
@@ -14,12 +16,7 @@ float srgb_to_linear(float encoded) {
 }
 
 Image srgb_to_linear(const Image& encoded) {
-  Image linear = encoded;
-  const int coloured = encoded.channels % 2 == 0 ? encoded.channels - 1 : encoded.channels;
-  for (std::size_t start = 0; start < linear.pixels.size(); start += static_cast<std::size_t>(linear.channels))
-    for (std::size_t i = start; i < start + static_cast<std::size_t>(coloured); ++i)
-      linear.pixels[i] = srgb_to_linear(linear.pixels[i]);
-  return linear;
+  return changed_colours(encoded, [](float value) { return srgb_to_linear(value); });
 }
 
 Image to_display(const Image& linear, double exposure) {

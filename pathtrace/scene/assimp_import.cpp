@@ -12,7 +12,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,7 +22,7 @@
 #include "io/files/sandbox.h"
 #include "pathtrace/scene/assimp_positions.h"
 #include "pathtrace/scene/collada_check.h"
-#include "pathtrace/scene/collada_specular.h"
+#include "pathtrace/scene/collada_materials.h"
 #include "pathtrace/scene/gltf/gltf_import.h"
 #include "pathtrace/scene/lost_precision.h"
 #include "pathtrace/scene/message_text.h"
@@ -32,6 +31,7 @@
 #include "pathtrace/scene/obj/obj_import.h"
 #include "pathtrace/scene/ply/ply_import.h"
 #include "pathtrace/scene/texture_file.h"
+#include "pathtrace/scene/unstated_reflectance.h"
 #include "pathtrace/scene/vertex_colours.h"
 #include "pathtrace/scene/vertex_normals.h"
 
@@ -62,13 +62,13 @@ class ModelImport {
     scene = checked(importer, importer.ApplyPostProcessing(steps));
     if (AssimpPositions::are_far_from_the_origin(*scene)) scene = positions_.read(importer, *scene, file_, steps);
     if (!scene || !scene->mRootNode) fail("", importer.GetErrorString(), "a model that Assimp can read");
-    if (extension == ".dae") specular_ = collada_materials_with_specular(file_);
+    if (extension == ".dae") collada_ = collada_materials(file_);
     has_materials_ = extension != ".stl";
     // A library may define more than the model uses: textures nobody sees are not loaded.
     std::vector<bool> used(scene->mNumMaterials, false);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) used.at(scene->mMeshes[i]->mMaterialIndex) = true;
     for (unsigned i = 0; i < scene->mNumMaterials; ++i) add_material(*scene, *scene->mMaterials[i], used[i]);
-    if (!has_materials_) whiten_under_colours(*scene);
+    if (!has_materials_) apply_default_material(*scene);
     shown_.assign(scene->mNumMeshes, 0);
     prototype_of_.assign(scene->mNumMeshes, -1);
     count_shown(*scene->mRootNode);
@@ -121,17 +121,38 @@ class ModelImport {
     material.albedo = checked_colour(base, 1.0f, where + ", base colour", "reflectances from 0 to 1");
     material.emission = checked_colour(emission * strength, std::numeric_limits<float>::max(), where + ", emission",
                                        "a finite radiance of at least 0");
-    aiString path;
-    if (used && (source.GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
-                 source.GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS))
-      material.albedo_texture = texture(scene, path.C_Str(), where, spec_.texture_encoding);
+    if (stated(material.name).is_constant) material.albedo.setZero();
     material.nearest_filter = spec_.texture_filter == TextureFilter::Nearest;
-    material.albedo_mapping.wrap_u = material.albedo_mapping.wrap_v = spec_.texture_wrap.value_or(TextureWrap::Clamp);
+    uv_sets_.push_back(0);
+    if (used) add_texture(scene, source, where, material);
     result_.materials.push_back(std::move(material));
   }
 
-  /// A file without materials (STL) has Assimp's grey, which must not darken the colours of its vertices.
-  void whiten_under_colours(const aiScene& scene) {
+  void add_texture(const aiScene& scene, const aiMaterial& source, const std::string& where, Material& material) {
+    for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+      aiString path;
+      unsigned set = 0;
+      if (source.GetTexture(type, 0, &path, nullptr, &set) != aiReturn_SUCCESS) continue;
+      material.albedo_texture = texture(scene, path.C_Str(), where, spec_.texture_encoding);
+      uv_sets_.back() = set;
+      break;
+    }
+    const ColladaMaterial& file = stated(material.name);
+    material.albedo_mapping.wrap_u = spec_.texture_wrap.value_or(collada_ ? file.wrap_u : TextureWrap::Clamp);
+    material.albedo_mapping.wrap_v = spec_.texture_wrap.value_or(collada_ ? file.wrap_v : TextureWrap::Clamp);
+  }
+
+  /// What a COLLADA file states of a material; its defaults for other files and names.
+  const ColladaMaterial& stated(const std::string& material) const {
+    static const ColladaMaterial defaults;
+    if (!collada_) return defaults;
+    const auto at = collada_->find(material);
+    return at == collada_->end() ? defaults : at->second;
+  }
+
+  /// A file without materials (STL) has the grey of all models without, or white under the colours of its vertices.
+  void apply_default_material(const aiScene& scene) {
+    for (Material& material : result_.materials) material.albedo.setConstant(unstated_reflectance);
     for (unsigned i = 0; i < scene.mNumMeshes; ++i)
       if (scene.mMeshes[i]->HasVertexColors(0)) result_.materials[scene.mMeshes[i]->mMaterialIndex].albedo.setOnes();
   }
@@ -139,16 +160,19 @@ class ModelImport {
   /// The picture of a name in the model: a file beside it, or "*0" and so on, embedded in it.
   Image linear_texture(const aiScene& scene, const std::string& name, const std::string& where,
                        TextureEncoding encoding) {
+    std::vector<std::string> notes;
+    Image picture;
     if (const aiTexture* embedded = scene.GetEmbeddedTexture(name.c_str())) {
       if (embedded->mHeight != 0) fail(where, "an embedded texture of plain texels", "an embedded PNG or JPEG file");
-      return read_embedded_texture({reinterpret_cast<const unsigned char*>(embedded->pcData), embedded->mWidth},
-                                   encoding, file_.string() + ", " + where + ", texture " + name);
+      picture =
+          read_embedded_texture({reinterpret_cast<const unsigned char*>(embedded->pcData), embedded->mWidth}, encoding,
+                                StatedIn::Picture, file_.string() + ", " + where + ", texture " + name, notes);
+    } else {
+      const NamedFiles files({file_.parent_path()});
+      const auto found = files.find(name);
+      if (!found) fail(where, files.expected(name).string(), "a texture file that exists");
+      picture = read_texture(found->file, encoding, StatedIn::Picture, notes);
     }
-    const NamedFiles files({file_.parent_path()});
-    const auto found = files.find(name);
-    if (!found) fail(where, files.expected(name).string(), "a texture file that exists");
-    std::vector<std::string> notes;
-    Image picture = read_texture(found->file, encoding, notes);
     for (const std::string& text : notes) note(text);
     return picture;
   }
@@ -166,14 +190,18 @@ class ModelImport {
     if (scene.mNumLights) note(std::to_string(scene.mNumLights) + " lights of the file are left out");
     if (scene.mNumCameras) note(std::to_string(scene.mNumCameras) + " cameras of the file are left out");
     if (scene.mNumAnimations) note("animations are left out: everything stands as at the start");
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i)
-      if (scene.mMeshes[i]->HasBones())
-        note("mesh \"" + std::string(scene.mMeshes[i]->mName.C_Str()) + "\": its skeleton is left out");
-    const auto has_colours = [](const aiMesh* mesh) { return mesh->HasVertexColors(0); };
-    if (std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, has_colours))
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) note_mesh(*scene.mMeshes[i]);
+    if (std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, [](auto* m) { return m->HasVertexColors(0); }))
       note(note_of_vertex_colours(spec_.texture_encoding));
     for (unsigned i = 0; i < scene.mNumMaterials; ++i)
       if (used[i]) note_material(*scene.mMaterials[i], result_.materials[i].surface);
+  }
+
+  void note_mesh(const aiMesh& mesh) {
+    const std::string name = "mesh " + in_quotes(mesh.mName.C_Str()) + ": ";
+    if (mesh.HasBones()) note(name + "its skeleton is left out");
+    if (const unsigned wanted = uv_sets_.at(mesh.mMaterialIndex); wanted != uv_set(mesh) && mesh.HasTextureCoords(0))
+      note(name + "its first texture coordinates are taken, not " + std::to_string(wanted));
   }
 
   static bool has_highlights(const aiMaterial& source) {
@@ -190,7 +218,7 @@ class ModelImport {
     const bool lambert = std::holds_alternative<Diffuse>(surface);
     const std::string name = source.GetName().C_Str();
     // Assimp has a specular colour of its own for files that state none.
-    const bool specular = specular_ ? specular_->contains(name) : has_materials_ && has_highlights(source);
+    const bool specular = collada_ ? stated(name).has_specular : has_materials_ && has_highlights(source);
     if (lambert && source.Get(AI_MATKEY_METALLIC_FACTOR, value) == aiReturn_SUCCESS && value > 0.0f) add("metallic");
     if (lambert && specular && source.Get(AI_MATKEY_COLOR_SPECULAR, colour) == aiReturn_SUCCESS && !colour.IsBlack())
       add("specular");
@@ -203,6 +231,9 @@ class ModelImport {
                                     {aiTextureType_SPECULAR, "specular texture"},
                                     {aiTextureType_DISPLACEMENT, "displacement"}})
       if (source.GetTextureCount(type) > 0) add(map);
+    if (stated(name).has_parameter) note("material " + in_quotes(name) + ": the parameter of its colour is not read");
+    if (stated(name).has_border && !spec_.texture_wrap)
+      note("material " + in_quotes(name) + ": its texture is clamped without a border");
     if (!left_out.empty())
       note("material \"" + name + "\" is taken " + (lambert ? "as Lambert " : "") + "without its " + left_out);
   }
@@ -220,10 +251,8 @@ class ModelImport {
   }
 
   static Eigen::Matrix4d matrix_of(const aiNode& node) {
-    const aiMatrix4x4& m = node.mTransformation;
-    Eigen::Matrix4d matrix;
-    matrix << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
-    return matrix;
+    using RowByRow = Eigen::Matrix<ai_real, 4, 4, Eigen::RowMajor>;
+    return Eigen::Map<const RowByRow>(&node.mTransformation.a1).cast<double>();
   }
 
   /// Of a node in the scene: what its points are multiplied with, and where its origin stands.
@@ -275,17 +304,24 @@ class ModelImport {
       note(lost);
   }
 
+  /// The texture coordinates that the material's texture has; the first where they are not there.
+  unsigned uv_set(const aiMesh& source) const {
+    const unsigned wanted = uv_sets_.at(source.mMaterialIndex);
+    return source.HasTextureCoords(wanted) ? wanted : 0;
+  }
+
   Mesh converted(const aiMesh& source, const Frame& frame) const {
     Mesh mesh;
     mesh.name = source.mName.C_Str();
     mesh.material = static_cast<int>(source.mMaterialIndex);
+    const unsigned set = uv_set(source);
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
       const Eigen::Vector3f position = frame.point(positions_.position(source, i)).cast<float>();
       if (!position.allFinite())
         fail("mesh \"" + mesh.name + "\"", "vertex " + std::to_string(i) + " is not finite", "finite positions");
       mesh.positions.push_back(position);
-      if (!source.HasTextureCoords(0)) continue;
-      const Eigen::Vector2f uv(source.mTextureCoords[0][i].x, source.mTextureCoords[0][i].y);
+      if (!source.HasTextureCoords(set)) continue;
+      const Eigen::Vector2f uv(source.mTextureCoords[set][i].x, source.mTextureCoords[set][i].y);
       if (!uv.allFinite())
         fail("mesh \"" + mesh.name + "\"", "texture coordinate " + std::to_string(i) + " is not finite",
              "finite coordinates");
@@ -338,8 +374,9 @@ class ModelImport {
   std::vector<int> prototype_of_;  // −1: none yet
   std::map<std::pair<std::string, TextureEncoding>, std::shared_ptr<const Image>> textures_;
   AssimpPositions positions_;
-  std::optional<std::set<std::string>> specular_;  // materials that state a specular part, if known
-  bool has_materials_ = true;                      // the format can state one
+  std::optional<std::map<std::string, ColladaMaterial>> collada_;  // what a COLLADA file states of its materials
+  std::vector<unsigned> uv_sets_;  // of each material: the texture coordinates that its texture has
+  bool has_materials_ = true;      // the format can state one
   SceneDescription result_;
 };
 

@@ -17,7 +17,7 @@ namespace sturm {
 ///   but those of glTF.
 /// - Vertex normals are kept where they differ from the triangles' own by more than 0.1 %.
 /// - A mesh that several nodes show becomes a prototype with instances, unless it emits.
-/// - An OBJ's groups and objects become meshes of that name. Its faces before any `usemtl` get Assimp's grey of 0.6.
+/// - A file without materials (STL) is grey with a reflectance of 0.6, or has the colours of its vertices alone.
 /// - Left out, with a note in the description: other properties (specular, metallic, bump, transparency), lights,
 /// cameras, animation.
 ///

@@ -6,7 +6,6 @@
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
 #include "io/images/picture_file.h"
-#include "io/images/tone_map.h"
 
 namespace sturm {
 
@@ -47,14 +46,13 @@ std::shared_ptr<const Image> read_environment_picture(const EnvironmentSpec& env
   const std::filesystem::path& file = environment.file.value();
   const auto note = [&](const std::string& text) { notes.push_back(file.filename().string() + ": " + text); };
   PictureFile read = read_picture_file(file, environment.layer);
-  for (const std::string& text : read.notes) note(text);
+  if (read.values == PixelValues::Linear || environment.encoding == TextureEncoding::Srgb) make_linear(read);
   auto picture = std::make_shared<Image>(without_alpha(read.image()));
+  for (const std::string& text : read.notes) note(text);
   if (picture->pixels.size() / 3 > most_pixels)
     throw InputError(file.string(), "",
                      std::to_string(picture->width) + " x " + std::to_string(picture->height) + " pixels",
                      "at most 2^25 pixels (8192 x 4096)");
-  if (read.values == PixelValues::Display && environment.encoding == TextureEncoding::Srgb)
-    *picture = srgb_to_linear(*picture);
   if (environment.clamp) {
     const auto most = static_cast<float>(*environment.clamp);
     const Clamped count = clamp_values(*picture, most);

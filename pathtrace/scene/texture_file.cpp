@@ -2,22 +2,31 @@
 
 #include "io/images/image_formats.h"
 #include "io/images/picture_file.h"
-#include "io/images/tone_map.h"
 
 namespace sturm {
 
-Image read_texture(const std::filesystem::path& file, TextureEncoding encoding, std::vector<std::string>& notes) {
-  PictureFile read = read_picture_file(file);
-  for (const std::string& note : read.notes) notes.push_back("texture " + file.filename().string() + ": " + note);
-  Image& picture = read.picture.layers.at("");
-  require_light(picture, file.string());
-  const bool decode = read.values == PixelValues::Display && encoding == TextureEncoding::Srgb;
-  return decode ? srgb_to_linear(picture) : std::move(picture);
+namespace {
+
+Image in_linear_light(PictureFile read, TextureEncoding encoding, StatedIn stated, const std::string& name,
+                      std::vector<std::string>& notes) {
+  if (stated == StatedIn::Model) read.colours = {};
+  if (read.values == PixelValues::Linear || encoding == TextureEncoding::Srgb) make_linear(read);
+  for (const std::string& note : read.notes) notes.push_back("texture " + name + ": " + note);
+  return std::move(read.picture.layers.at(""));
 }
 
-Image read_embedded_texture(std::span<const unsigned char> bytes, TextureEncoding encoding, const std::string& name) {
-  Image stored = read_embedded_image(bytes, name);
-  return encoding == TextureEncoding::Srgb ? srgb_to_linear(stored) : stored;
+}  // namespace
+
+Image read_texture(const std::filesystem::path& file, TextureEncoding encoding, StatedIn stated,
+                   std::vector<std::string>& notes) {
+  PictureFile read = read_picture_file(file);
+  require_light(read.image(), file.string());
+  return in_linear_light(std::move(read), encoding, stated, file.filename().string(), notes);
+}
+
+Image read_embedded_texture(std::span<const unsigned char> bytes, TextureEncoding encoding, StatedIn stated,
+                            const std::string& name, std::vector<std::string>& notes) {
+  return in_linear_light(read_embedded_picture(bytes, name), encoding, stated, name, notes);
 }
 
 std::shared_ptr<const Image> colours_of(const Image& texture) {

@@ -81,8 +81,8 @@ def pfm(rows, big_endian=False, scale=1.0):
     return head.encode() + b"".join(struct.pack(f"{'>' if big_endian else '<'}{len(row)}f", *row) for row in reversed(flat))
 
 
-def png(rows, depth=8):
-    """rows of numbers (grey), (v, a), (r, g, b) or (r, g, b, a)."""
+def png(rows, depth=8, chunks=()):
+    """rows of numbers (grey), (v, a), (r, g, b) or (r, g, b, a); chunks: (name, bytes) before the pixels."""
     count = len(rows[0][0]) if isinstance(rows[0][0], tuple) else 1
     kind = {1: 0, 2: 4, 3: 2, 4: 6}[count]
     flat = [[value for pixel in row for value in (pixel if count > 1 else (pixel,))] for row in rows]
@@ -92,7 +92,56 @@ def png(rows, depth=8):
         return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
 
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), depth, kind, 0, 0, 0)) +
-            chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+            b"".join(chunk(*stated) for stated in chunks) + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+
+
+def icc(name, curve, colorants=((0.4361, 0.2225, 0.0139), (0.3851, 0.7169, 0.0971), (0.1431, 0.0606, 0.7141)), space=b"RGB "):
+    """An ICC profile (version 2) with one curve for all channels, a function of numbers from 0 to 1; the colorants are those of red, green and
+    blue under D50, sRGB's if not given."""
+    table = [round(65535 * curve(i / 1023)) for i in range(1024)]
+    tags = {b"desc": b"desc" + bytes(4) + struct.pack(">I", len(name) + 1) + name.encode() + bytes(79)}
+    for kind in ((b"kTRC",) if space == b"GRAY" else (b"rTRC", b"gTRC", b"bTRC")):
+        tags[kind] = b"curv" + bytes(4) + struct.pack(">I1024H", len(table), *table)
+    if space == b"RGB ":
+        for kind, xyz in zip((b"rXYZ", b"gXYZ", b"bXYZ"), colorants):
+            tags[kind] = b"XYZ " + bytes(4) + struct.pack(">3i", *(round(65536 * v) for v in xyz))
+    at, entries, body = 128 + 4 + 12 * len(tags), b"", b""
+    for kind, data in tags.items():
+        data += bytes(-len(data) % 4)
+        entries += kind + struct.pack(">II", at + len(body), len(data))
+        body += data
+    size = at + len(body)
+    header = struct.pack(">II4s4s4s4s", size, 0, b"\2\x20\0\0", b"mntr", space, b"XYZ ").ljust(36, b"\0") + b"acsp"
+    return header.ljust(128, b"\0") + struct.pack(">I", len(tags)) + entries + body
+
+
+def exif(orientation):
+    """A directory with that tag alone."""
+    return b"MM\0\x2a\0\0\0\x08" + struct.pack(">HHHIHHI", 1, 0x112, 3, 1, orientation, 0, 0)
+
+
+ADOBE_AS_STORED = (0xEE, b"Adobe\0\x64\0\0\0\0\0")  # no transform of colours
+
+
+def jpeg(blocks, segments=(ADOBE_AS_STORED,)):
+    """A baseline JPEG of blocks of 8 x 8 pixels of one colour: rows of tuples of 1, 3 or 4 bytes; segments: (marker, bytes). Steps of 8 for the
+    mean of a block, whose coefficient is 8 times that, so that values come back as they were."""
+    count = len(blocks[0][0])
+    segment = lambda marker, body: b"\xff" + bytes([marker]) + struct.pack(">H", 2 + len(body)) + body
+    lengths = lambda of: bytes(of.get(i, 0) for i in range(1, 17))
+    head = b"\xff\xd8" + b"".join(segment(*one) for one in segments) + segment(0xDB, b"\0" + b"\x08" * 64)
+    head += segment(0xC0, struct.pack(">BHHB", 8, 8 * len(blocks), 8 * len(blocks[0]), count) + b"".join(bytes([i + 1, 0x11, 0]) for i in range(count)))
+    head += segment(0xC4, b"\0" + lengths({4: 9}) + bytes(range(9))) + segment(0xC4, b"\x10" + lengths({1: 1}) + b"\0")
+    head += segment(0xDA, bytes([count]) + b"".join(bytes([i + 1, 0]) for i in range(count)) + b"\0\x3f\0")
+    bits, before = "", [0] * count
+    for block in (block for row in blocks for block in row):
+        for i, value in enumerate(block):
+            step, before[i] = value - 128 - before[i], value - 128
+            size = abs(step).bit_length()
+            bits += f"{size:04b}" + (f"{step if step > 0 else step + (1 << size) - 1:0{size}b}" if size else "") + "0"
+    bits += "1" * (-len(bits) % 8)
+    scan = bytes(int(bits[i:i + 8], 2) for i in range(0, len(bits), 8))
+    return head + scan.replace(b"\xff", b"\xff\0") + b"\xff\xd9"
 
 
 def float_tiff(rows):

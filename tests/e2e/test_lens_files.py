@@ -70,6 +70,28 @@ class LensFiles(FolderTest):
         self.assertIn("no DIA; the diameter is taken as 70 mm", notes)
         self.assertEqual(report["diameter_mm"], 70)
 
+    def test_jobs_and_configurations_are_not_mixed(self):
+        job = "JOB=1\nDO=R\nSPH=-2\nCYL=0\nLIND=1.6\nCTHICK=2\nFRNT=4\nDIA=60\n"
+        for name, text, options, word in (("two.oma", job + job.replace("JOB=1", "JOB=2").replace("-2", "-3"), (), "a second job, 2"),
+                                          ("one.oma", job, ("--set", "/lens_file/eye=left"), "other eye")):
+            process = sturm("lens", self.write(name, text), *STRAIGHT, *options)
+            self.assertEqual(process.returncode, WRONG_INPUT, process.stdout)
+            self.assertIn(word, process.stderr)
+        report, notes = self.report(self.write("again.oma", job + job), "--set", "/lens_file/eye=right")
+        self.assertAlmostEqual(report["back_vertex"]["sphere_D"], -2, delta=1e-9)
+        self.assertIn("several records SPH", notes)
+        several = zmx(120, ["  TYPE STANDARD", f"  CURV {1 / 80!r}"], "2,5") + "MNUM 2 1\nTHIC   1   0   2.5   0\nTHIC   1   0   9   0\n"  # a decimal comma
+        report, notes = self.report(self.write("several.zmx", several))
+        self.assertIn("2 configurations", notes)
+        self.assertAlmostEqual(report["back_vertex"]["sphere_D"], back_vertex_power(600 / 120, -600 / 80, 2.5, 1.6), delta=1e-9)
+        inches = zmx(120 / 25.4, ["  TYPE STANDARD", f"  CURV {25.4 / 80!r}"], 2.5 / 25.4).replace("UNIT MM", "UNIT IN").replace("DIAM 30", "DIAM 1.2").replace("DIAM 32", "DIAM 1.25")
+        report, _ = self.report(self.write("inches.zmx", inches))
+        self.assertAlmostEqual(report["back_vertex"]["sphere_D"], back_vertex_power(600 / 120, -600 / 80, 2.5, 1.6), delta=1e-9)
+        self.assertAlmostEqual(report["diameter_mm"], 2 * 1.2 * 25.4, delta=1e-9)
+        process = sturm("lens", self.write("mirror.zmx", zmx(120, ["  TYPE STANDARD", "  CURV 0", "  GLAS MIRROR 0 0"], 2.5)), *STRAIGHT)
+        self.assertEqual(process.returncode, WRONG_INPUT)
+        self.assertIn("mirror", process.stderr)
+
     def test_an_eye_wears_a_file(self):
         self.write("lens.zmx", zmx(120, ["  TYPE STANDARD", f"  CURV {1 / 80!r}"], 2.5))
         query = {"format": "sturm.ellipse/1", "eye": {"prescription": "-2.25 DS", "pupil_diameter_mm": 4}, "spectacles": "lens.zmx",

@@ -33,10 +33,10 @@ class ModelNotes(ModelTest):
 
     def test_formats_without_materials(self):
         self.write("m.ply", PLY.format("", c=""))
-        self.model("m.ply")
+        self.assert_albedo(self.model("m.ply"), 20, 20, (0.6, 0.6, 0.6))
         self.assertEqual(self.notes, [])
         self.write("m.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex -1 -1 -2\nvertex 1 -1 -2\nvertex 1 1 -2\nendloop\nendfacet\nendsolid s\n")
-        self.model("m.stl")
+        self.assert_albedo(self.model("m.stl"), 20, 20, (0.6, 0.6, 0.6))  # as PLY and OBJ files without materials
         self.assertEqual(self.notes, [])
 
     def test_vertex_colours_of_a_scan(self):

@@ -11,7 +11,12 @@ struct sturm_imageformats_pixels {
   void* owner;
   float* (*room)(void* owner, std::size_t count);
   int width = 0, height = 0, channels = 0;
-  int bits = 0;  ///< of integer values, 0 for floats
+  int bits = 0;                      ///< of integer values, 0 for floats
+  int orientation = 1;               ///< as EXIF and TIFF count them, 1 … 8
+  int was_cmyk = 0;                  ///< whether the reader has made the colours from those of printers
+  int has_more = 0;                  ///< whether the file has further pictures
+  unsigned char* profile = nullptr;  ///< ICC, or null; handed out
+  std::size_t profile_size = 0;
 };
 
 /// Values as stored, 0…1 for integer formats; height × width × channels floats, row 0 at the top. `format` is

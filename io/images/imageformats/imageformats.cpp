@@ -99,6 +99,24 @@ void require_whole(OIIO::ImageInput& input) {
     throw std::runtime_error(complaint);
 }
 
+/// What the header says of the pixels beyond their values.
+void describe(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, sturm_imageformats_pixels* pixels) {
+  pixels->orientation = spec.get_int_attribute("Orientation", 1);
+  for (const char* name : {"jpeg:ColorSpace", "tiff:ColorSpace", "psd:ColorSpace"}) {
+    const std::string space = spec.get_string_attribute(name);
+    if (space == "CMYK" || space == "YCbCrK") pixels->was_cmyk = 1;
+  }
+  if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile")) {
+    const auto size = static_cast<std::size_t>(profile->datasize());
+    pixels->profile = allocate<unsigned char>(size);
+    pixels->profile_size = size;
+    std::memcpy(pixels->profile, profile->data(), size);
+  }
+  const std::string format = input.format_name();
+  pixels->has_more = (format == "tiff" || format == "gif" || format == "webp") && input.seek_subimage(1, 0);
+  static_cast<void>(input.geterror());
+}
+
 /// All pixels of an opened file.
 void read_opened(OIIO::ImageInput& input, sturm_imageformats_pixels* pixels) {
   const OIIO::ImageSpec spec = input.spec();
@@ -121,6 +139,7 @@ void read_opened(OIIO::ImageInput& input, sturm_imageformats_pixels* pixels) {
   pixels->width = spec.width;
   pixels->height = spec.height;
   pixels->channels = spec.nchannels;
+  describe(input, spec, pixels);
 }
 
 std::unique_ptr<OIIO::ImageInput> reader_of(const char* format) {

@@ -24,9 +24,15 @@ const std::vector<std::string_view> used_labels{"SPH",   "CYL",   "AX",  "ADD", 
                                                 "PRVIN", "PRVUP", "DIA", "LIND", "CTHICK", "FRNT",
                                                 "BACK",  "TIND",  "DO",  "JOB",  "REQ",    "ANS"};
 
+std::string eye_name(EyeSide eye) {
+  return eye == EyeSide::right ? "right" : "left";
+}
+
 EyeSide eye_of(const VcaRecords& records, const LensFileRequest& request) {
-  if (request.eye) return *request.eye;
   const std::vector<EyeSide> eyes = records.eyes();
+  if (request.eye && records.has("DO") && eyes.size() == 1 && eyes[0] != *request.eye)
+    records.fail("DO", "a job for the other eye alone", "the " + eye_name(*request.eye) + " eye");
+  if (request.eye) return *request.eye;
   if (eyes.size() > 1)
     throw InputError(request.file, "", "a job for both eyes", "\"eye\": \"right\" or \"left\" beside \"file\"");
   return eyes.empty() ? EyeSide::right : eyes[0];
@@ -67,8 +73,7 @@ class VcaBuilder {
   std::optional<double> number(const char* label) const { return records_.number(label, eye_); }
 
   [[noreturn]] void missing(const char* label) const {
-    throw InputError(request_.file, "",
-                     "no " + std::string(label) + " for the " + (eye_ == EyeSide::right ? "right" : "left") + " eye",
+    throw InputError(request_.file, "", "no " + std::string(label) + " for the " + eye_name(eye_) + " eye",
                      "SPH with its CYL and AX, or both surfaces: FRNT or a SURFMT for F, and BACK or a SURFMT for B");
   }
 

@@ -62,7 +62,10 @@ VcaRecords::VcaRecords(std::string_view text, const std::string& file) : file_(f
       } else if (label == "ZZ") {
         add_row(value, line);
       } else {
-        if (records_.contains(label) && std::ranges::find(repeated_, label) == repeated_.end())
+        const auto before = records_.find(label);
+        if (label == "JOB" && before != records_.end() && before->second.value != value)
+          fail_at(line, "a second job, " + readable(value, 40), "one job in a file");
+        if (before != records_.end() && std::ranges::find(repeated_, label) == repeated_.end())
           repeated_.push_back(label);
         records_[label] = {std::string(value), line};
       }

@@ -44,6 +44,7 @@ struct ZemaxSurface {
 
 struct ZemaxFile {
   double unit_m = metres_per_millimetre;
+  int configurations = 1;
   std::vector<ZemaxSurface> surfaces;
 };
 
@@ -141,6 +142,7 @@ class Reader {
     if (key == "MODE" && words_.size() > 1 && words_[1] != "SEQ")
       fail("MODE " + words_[1], "a sequential file, MODE SEQ");
     if (key == "UNIT" && words_.size() > 1) unit();
+    if (key == "MNUM" && words_.size() > 1) zemax_.configurations = integer(1);
     if (key == "SURF") {
       if (zemax_.surfaces.size() >= 4096) fail("more than 4096 surfaces", "a spectacle lens");
       zemax_.surfaces.emplace_back().number = integer(1);
@@ -333,6 +335,9 @@ LensFile zemax_lens(std::string_view text, const LensFileRequest& request) {
     fail(request.file, front, "a glass without a thickness (DISZ) above 0 and up to 50 mm",
          "the lens's thickness at its centre");
   lens.refractive_index = builder.refractive_index(front);
+  if (zemax.configurations > 1)
+    builder.result.notes.push_back(request.file + ": of its " + std::to_string(zemax.configurations) +
+                                   " configurations the one counts that its surfaces have");
   for (std::size_t i = 0; i < index; ++i)
     if (const ZemaxSurface& s = zemax.surfaces[i]; s.type == "COORDBRK" && s.has_parameters())
       builder.result.notes.push_back(request.file + ": the coordinate break of surface " + std::to_string(s.number) +

@@ -128,17 +128,21 @@ Image Textures::linear_picture(std::size_t image, TextureEncoding encoding, cons
   const Source where = document_.root() / "images" / image;
   const Json& picture = document_.json()["images"][image];
   const std::string name = document_.file().string() + ", " + material + ", image " + std::to_string(image);
-  const auto embedded = [&](const void* bytes, std::size_t count) {
-    return read_embedded_texture({static_cast<const unsigned char*>(bytes), count}, encoding, name);
-  };
-  if (!picture.contains("uri")) {
-    const auto bytes = document_.view(number(picture, "bufferView", where));
-    return embedded(bytes.data(), bytes.size());
-  }
-  const std::string uri = text(picture, "uri", where, "");
-  if (const auto data = data_of_uri(uri, where / "uri")) return embedded(data->data(), data->size());
   std::vector<std::string> chosen;
-  Image linear = read_texture(file_of_uri(uri, document_.file(), where / "uri"), encoding, chosen);
+  const auto embedded = [&](const void* bytes, std::size_t count) {
+    return read_embedded_texture({static_cast<const unsigned char*>(bytes), count}, encoding, StatedIn::Model, name,
+                                 chosen);
+  };
+  const auto read = [&] {
+    if (!picture.contains("uri")) {
+      const auto bytes = document_.view(number(picture, "bufferView", where));
+      return embedded(bytes.data(), bytes.size());
+    }
+    const std::string uri = text(picture, "uri", where, "");
+    if (const auto data = data_of_uri(uri, where / "uri")) return embedded(data->data(), data->size());
+    return read_texture(file_of_uri(uri, document_.file(), where / "uri"), encoding, StatedIn::Model, chosen);
+  };
+  Image linear = read();
   for (const std::string& what : chosen) notes_.push_back(document_.file().filename().string() + ": " + what);
   return linear;
 }

@@ -7,11 +7,10 @@
 #include "io/files/error.h"
 #include "pathtrace/scene/message_text.h"
 #include "pathtrace/scene/obj/obj_words.h"
+#include "pathtrace/scene/unstated_reflectance.h"
 
 namespace sturm {
 namespace {
-
-constexpr float grey = 0.6f;  // of faces whose colour nothing states
 
 /// The numbers at the start of a text.
 std::vector<double> numbers_of(std::string_view text) {
@@ -107,7 +106,8 @@ TextureMapping ObjMaterials::mapping(const MtlMaterial& source, const MtlTexture
 void ObjMaterials::take_colours(const MtlMaterial& source, Material& material) {
   const std::optional<MtlTexture> map = texture(source, "map_kd", "map_Kd");
   const auto stated = colour(source, "kd", "Kd");
-  material.albedo = stated ? Eigen::Vector3f(stated->cast<float>()) : Eigen::Vector3f::Constant(map ? 1.0f : grey);
+  material.albedo =
+      stated ? Eigen::Vector3f(stated->cast<float>()) : Eigen::Vector3f::Constant(map ? 1.0f : unstated_reflectance);
   for (int k = 0; k < 3; ++k)
     if (!(material.albedo[k] >= 0.0f && material.albedo[k] <= 1.0f))
       fail(source, source.find("kd")->place + ", Kd", exact_number((*stated)[k]), "reflectances from 0 to 1");
@@ -195,7 +195,7 @@ Material ObjMaterials::material(const MtlMaterial& source) {
 Material ObjMaterials::plain(const std::string& name) const {
   Material material;
   material.name = name;
-  material.albedo.setConstant(grey);
+  material.albedo.setConstant(unstated_reflectance);
   return material;
 }
 

@@ -6,14 +6,14 @@ namespace sturm {
 
 std::shared_ptr<const Image> TextureFiles::colours(const std::filesystem::path& file, TextureEncoding encoding) {
   std::shared_ptr<const Image>& known = colours_[{file, encoding}];
-  if (!known) known = colours_of(read_texture(file, encoding, notes_));
+  if (!known) known = colours_of(read_texture(file, encoding, StatedIn::Picture, notes_));
   return known;
 }
 
 std::shared_ptr<const Image> TextureFiles::channel(const std::filesystem::path& file, char name) {
   std::shared_ptr<const Image>& known = channels_[{file, name}];
   if (known) return known;
-  const Image stored = read_texture(file, TextureEncoding::Linear, notes_);
+  const Image stored = read_texture(file, TextureEncoding::Linear, StatedIn::Picture, notes_);
   const auto value = [&](const float* pixel) {
     if ((name == 0 || name == 'm') && stored.channels == 4) return pixel[3];
     if (name == 'r' || name == 'g' || name == 'b') return pixel[name == 'r' ? 0 : name == 'g' ? 1 : 2];

@@ -11,6 +11,7 @@
 #include "pathtrace/scene/placed_position.h"
 #include "pathtrace/scene/ply/ply_model.h"
 #include "pathtrace/scene/texture_file.h"
+#include "pathtrace/scene/unstated_reflectance.h"
 #include "pathtrace/scene/vertex_colours.h"
 #include "pathtrace/scene/vertex_normals.h"
 
@@ -88,7 +89,6 @@ class PlyImport {
   }
 
   void add_material() {
-    constexpr float grey = 0.6f;
     Material material;
     material.name = "DefaultMaterial";
     material.nearest_filter = spec_.texture_filter == TextureFilter::Nearest;
@@ -97,7 +97,7 @@ class PlyImport {
       material.albedo_texture = texture(model_.textures.front());
     for (std::size_t i = material.albedo_texture ? 1 : 0; i < model_.textures.size(); ++i)
       note("texture " + in_quotes(model_.textures[i]) + " is left out");
-    material.albedo.setConstant(material.albedo_texture || !mesh_.vertex_colours.empty() ? 1.0f : grey);
+    material.albedo.setConstant(material.albedo_texture || !mesh_.vertex_colours.empty() ? 1.0f : unstated_reflectance);
     result_.materials.push_back(std::move(material));
   }
 
@@ -109,7 +109,7 @@ class PlyImport {
                        "a texture file that exists");
     if (found->elsewhere) note(in_quotes(name) + " does not exist; " + found->file.string() + " is taken");
     std::vector<std::string> notes;
-    const Image picture = read_texture(found->file, spec_.texture_encoding, notes);
+    const Image picture = read_texture(found->file, spec_.texture_encoding, StatedIn::Picture, notes);
     for (const std::string& text : notes) note(text);
     return colours_of(picture);
   }
