@@ -32,8 +32,11 @@ double vergence_of_number(double number, DepthUnit unit, const StereoCalibration
     return number;
   }
   if (number == 0.0) return hole;
-  if (unit == DepthUnit::Disparity)
-    return std::isinf(number) ? hole : (number + stereo.doffs_px) / (stereo.focal_px * stereo.baseline_m);
+  if (unit == DepthUnit::Disparity) {
+    if (std::isinf(number)) return hole;
+    if (number + stereo.doffs_px < 0.0) refuse("a disparity that is not below zero with doffs added");
+    return (number + stereo.doffs_px) / (stereo.focal_px * stereo.baseline_m);
+  }
   const double metres = unit == DepthUnit::Millimetres ? 1e-3 * number : number;
   return 1.0 / metres;
 }

@@ -33,7 +33,7 @@ struct DepthMap {
 /// Numbers as stored in one channel → vergences. Zero has no depth (a hole) but as dioptres, where it is infinitely
 /// far; so have infinite disparities. Infinite distances are infinitely far. Holes get the vergence of their farthest
 /// known neighbour, ring by ring, as what one camera does not see mostly belongs to the background. Throws InputError
-/// about `name` for negative numbers, NaN, and maps without any depth.
+/// about `name` for negative numbers, disparities that are negative with doffs added, NaN, and maps without any depth.
 DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::string& name);
 
 /// Reads a depth map: EXR (channel Z, depth.Z, Y or the only one; else three equal ones), PFM, 16-bit PNG, and 8-bit

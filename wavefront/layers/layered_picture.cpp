@@ -20,6 +20,11 @@ SurfaceSlope surface_slope(const std::vector<double>& vergence_D, int width, int
           static_cast<float>(along(up, up ? at(x, y - 1) : 0.0, down, down ? at(x, y + 1) : 0.0))};
 }
 
+bool lies_before(const PictureLayer& layer, const LayeredPicture& picture, std::size_t pixel) {
+  return !layer.coverage.empty() && layer.coverage[pixel] > 0.0f && layer.coverage[pixel] < covers_all &&
+         layer.vergence_D[pixel] > picture.vergence_D[pixel] + picture.jump_D;
+}
+
 std::vector<HiddenPixel> hidden_by(const LayeredPicture& picture, std::span<const PictureLayer> layers) {
   const int width = picture.radiance.width, height = picture.radiance.height;
   std::vector<HiddenPixel> hidden;
@@ -34,7 +39,8 @@ std::vector<HiddenPixel> hidden_by(const LayeredPicture& picture, std::span<cons
         const PictureLayer& layer = layers[number];
         const float coverage = layer.coverage.empty() ? 1.0f : layer.coverage[i];
         const double vergence = layer.vergence_D[i];
-        if (!(coverage > 0.0f) || !(see_through || vergence < picture.vergence_D[i] - picture.jump_D)) continue;
+        const bool behind = vergence < picture.vergence_D[i] - picture.jump_D;
+        if (!(coverage > 0.0f) || !(see_through || behind || lies_before(layer, picture, i))) continue;
         const float* rgb = layer.radiance.at(x, y);
         const SurfaceSlope slope = surface_slope(layer.vergence_D, width, height, x, y, picture.jump_D);
         hidden.push_back(

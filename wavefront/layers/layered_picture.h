@@ -42,6 +42,9 @@ struct LayeredPicture {
   double jump_D = 0.0;
 };
 
+/// Coverage from which on a surface leaves nothing of its pixel to others.
+inline constexpr float covers_all = 0.999f;
+
 /// A surface of its own, beside the picture: of the same size.
 struct PictureLayer {
   Image radiance;  ///< 3 channels; not multiplied by the coverage
@@ -56,7 +59,12 @@ struct SurfaceSlope {
 };
 SurfaceSlope surface_slope(const std::vector<double>& vergence_D, int width, int height, int x, int y, double jump_D);
 
-/// What of the layers the picture hides: where they lie behind it, or where it does not cover its pixel.
+/// Whether a layer has a share of a pixel of a surface nearer than the picture's there, which is what its antialiased
+/// edge has mixed into the pixel. (What covers the whole pixel would be the picture.)
+bool lies_before(const PictureLayer& layer, const LayeredPicture& picture, std::size_t pixel);
+
+/// What the picture does not show of the layers: what lies behind it, all of them where it does not cover its pixel,
+/// and shares of pixels before it.
 std::vector<HiddenPixel> hidden_by(const LayeredPicture& picture, std::span<const PictureLayer> layers);
 
 }  // namespace sturm

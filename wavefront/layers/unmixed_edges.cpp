@@ -13,14 +13,16 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float like_colors = 1e-4f;  // squared difference below which the two sides of an edge tell no coverage
-constexpr float all = 0.999f, little = 0.05f;
+constexpr float little = 0.05f;
+constexpr double rounding_of_depth = 1e-3;  // relative, of half floats
 constexpr float doubt_of_place =
     1.0f / 48.0f;                // variance of a coverage between a half and one, of which no more is known
 constexpr float unknown = 1e6f;  // doubt about a colour of which nothing is known
 
 struct NearSurface {
   Vector3f color;
-  double vergence_D;
+  double vergence_D;  // where it is continued to the pixel
+  SurfaceSlope slope;
   float variance;  // of each channel
 };
 
@@ -30,9 +32,11 @@ class EdgePixels {
       : picture_(picture), layers_(layers), width_(picture.radiance.width), height_(picture.radiance.height) {}
 
   void unmix() {
+    if (picture_.coverage.empty()) picture_.coverage.assign(picture_.vergence_D.size(), 1.0f);
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) take_what_is_told(x, y);
     const Image radiance = picture_.radiance;  // as it was: neighbours are asked about it
     mixed_ = &radiance;
-    if (picture_.coverage.empty()) picture_.coverage.assign(picture_.vergence_D.size(), 1.0f);
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x) unmix(x, y);
     std::stable_sort(picture_.hidden.begin(), picture_.hidden.end(), [](const HiddenPixel& a, const HiddenPixel& b) {
@@ -41,7 +45,8 @@ class EdgePixels {
   }
 
  private:
-  double vergence(int x, int y) const { return picture_.vergence_D[static_cast<std::size_t>(y) * width_ + x]; }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
+  double vergence(int x, int y) const { return picture_.vergence_D[index(x, y)]; }
   Vector3f color(int x, int y) const { return Vector3f(mixed_->at(x, y)); }
 
   template <class Visit>
@@ -62,26 +67,71 @@ class EdgePixels {
     return farthest;
   }
 
-  bool beside_nearer(int x, int y) const {
-    bool found = false;
-    around(x, y, 1, [&](int u, int v) { found |= vergence(u, v) - vergence(x, y) > picture_.jump_D; });
-    return found;
+  double nearest_beside(int x, int y) const {
+    double nearest = vergence(x, y);
+    around(x, y, 1, [&](int u, int v) { nearest = std::max(nearest, vergence(u, v)); });
+    return nearest;
+  }
+
+  bool beside_nearer(int x, int y) const { return nearest_beside(x, y) - vergence(x, y) > picture_.jump_D; }
+
+  /// Whether a layer says how much of a pixel the nearest surface beside it covers.
+  bool nearer_is_told(int x, int y) const {
+    const double nearest = nearest_beside(x, y);
+    return std::any_of(layers_.begin(), layers_.end(), [&](const PictureLayer& layer) {
+      return !layer.coverage.empty() && std::abs(layer.vergence_D[index(x, y)] - nearest) <= picture_.jump_D;
+    });
+  }
+
+  /// The layer of the very surface that the picture shows in a pixel.
+  const PictureLayer* own_layer(int x, int y) const {
+    const double here = vergence(x, y);
+    for (const PictureLayer& layer : layers_) {
+      const double there = layer.vergence_D[index(x, y)];
+      if (std::abs(there - here) <= rounding_of_depth * std::max(there, here) &&
+          (layer.coverage.empty() || layer.coverage[index(x, y)] > 0.0f))
+        return &layer;
+    }
+    return nullptr;
+  }
+
+  /// What layers of the pixel's own surface and of nearer ones say about its colour and coverage.
+  void take_what_is_told(int x, int y) {
+    const std::size_t i = index(x, y);
+    float* const rgb = picture_.radiance.at(x, y);
+    Vector3f rest(rgb);
+    float before = 0.0f;
+    for (const PictureLayer& layer : layers_)
+      if (lies_before(layer, picture_, i)) {
+        rest -= layer.coverage[i] * Vector3f(layer.radiance.at(x, y));
+        before += layer.coverage[i];
+      }
+    const PictureLayer* const own = beside_nearer(x, y) && !nearer_is_told(x, y) ? nullptr : own_layer(x, y);
+    const float covered = own && !own->coverage.empty() ? own->coverage[i] : 1.0f;
+    if (own && (before > 0.0f || covered < covers_all)) {
+      std::copy_n(own->radiance.at(x, y), 3, rgb);
+      picture_.coverage[i] = std::min(picture_.coverage[i], covered);
+    } else if (before > 0.0f && before < 1.0f - little) {
+      Vector3f::Map(rgb) = (rest / (1.0f - before)).cwiseMax(0.0f);
+    }
   }
 
   /// The unmixed pixels of the nearest surface about (x, y), if that is nearer than `than_D`; of a surface that has
   /// none, the mixed ones, which say nothing about its colour.
   std::optional<NearSurface> near_surface(int x, int y, double than_D) const {
-    double nearest = than_D;
-    around(x, y, 1, [&](int u, int v) { nearest = std::max(nearest, vergence(u, v)); });
+    const double nearest = std::max(than_D, nearest_beside(x, y));
     for (const bool mixed : {false, true}) {
-      NearSurface mean{Vector3f::Zero(), 0.0, 0.0f};
+      NearSurface mean{Vector3f::Zero(), 0.0, {}, 0.0f};
       float weights = 0.0f, largest = 0.0f;
       around(x, y, mixed ? 1 : 2, [&](int u, int v) {
         if (std::abs(vergence(u, v) - nearest) > picture_.jump_D || beside_farther(u, v) != mixed) return;
         const float weight = 1.0f / static_cast<float>(std::max(1, (u - x) * (u - x) + (v - y) * (v - y)));
         mean.color += weight * color(u, v);
         mean.variance += weight * color(u, v).squaredNorm() / 3.0f;
-        if (weight > largest) mean.vergence_D = vergence(u, v);
+        if (weight > largest) {
+          mean.slope = surface_slope(picture_.vergence_D, width_, height_, u, v, picture_.jump_D);
+          mean.vergence_D = vergence(u, v) + mean.slope.x * (x - u) + mean.slope.y * (y - v);
+        }
         largest = std::max(largest, weight);
         weights += weight;
       });
@@ -108,11 +158,11 @@ class EdgePixels {
   /// The colour of the layer that lies where `wanted` says, if one covers the pixel.
   template <class Wanted>
   std::optional<Vector3f> layer_color(int x, int y, Wanted wanted) const {
-    const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
+    const std::size_t i = index(x, y);
     const PictureLayer* nearest = nullptr;
     for (const PictureLayer& layer : layers_)
       if (wanted(layer.vergence_D[i]) && (!nearest || layer.vergence_D[i] > nearest->vergence_D[i]) &&
-          (layer.coverage.empty() || layer.coverage[i] >= all))
+          (layer.coverage.empty() || layer.coverage[i] >= covers_all))
         nearest = &layer;
     if (!nearest) return std::nullopt;
     return Vector3f(nearest->radiance.at(x, y));
@@ -121,10 +171,11 @@ class EdgePixels {
   void unmix(int x, int y) {
     const double here = vergence(x, y);
     if (beside_nearer(x, y)) {
+      if (nearer_is_told(x, y)) return;
       const auto behind = layer_color(x, y, [&](double v) { return std::abs(v - here) <= picture_.jump_D; });
       const auto near = near_surface(x, y, here);
       if (behind && near && near->vergence_D > here) part(x, y, *near, *behind, here, false);
-    } else if (beside_farther(x, y)) {
+    } else if (beside_farther(x, y) && !own_layer(x, y)) {
       const auto behind = layer_color(x, y, [&](double v) { return v < here - picture_.jump_D; });
       const auto near = near_surface(x, y, here);
       if (behind && near) part(x, y, *near, *behind, farthest_beside(x, y), true);
@@ -136,21 +187,24 @@ class EdgePixels {
     const Vector3f contrast = near.color - behind;
     const float square = std::max(contrast.squaredNorm(), 1e-12f);
     if (!(square + 3.0f * near.variance > like_colors)) return;
-    const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
+    const std::size_t i = index(x, y);
     const Vector3f mixed = color(x, y);
     const float by_color = std::clamp((mixed - behind).dot(contrast) / square, 0.0f, 1.0f);
     // What a mixture of the two colours leaves unexplained says how far the colour of the near surface can be trusted.
     const float unexplained = (mixed - behind - by_color * contrast).squaredNorm() / 3.0f;
     const float doubt = (near.variance + unexplained) / square;
-    const float alpha =
-        (by_color * doubt_of_place + coverage_by_place(x, y, behind_D) * doubt) / (doubt_of_place + doubt);
+    // Less would make the near surface darker than black.
+    const float least = std::clamp(1.0f - (mixed.array() / behind.array().max(1e-12f)).minCoeff(), 0.0f, 1.0f);
+    const float alpha = std::max(
+        least, (by_color * doubt_of_place + coverage_by_place(x, y, behind_D) * doubt) / (doubt_of_place + doubt));
     const Vector3f own =
         alpha > little ? Vector3f((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f) : near.color;
     if (near_in_front) {
       picture_.coverage[i] = alpha;
       Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) = own;
     } else if (alpha > 0.0f) {
-      picture_.hidden.push_back({x, y, near.vergence_D, alpha, {own.x(), own.y(), own.z()}});
+      picture_.hidden.push_back(
+          {x, y, near.vergence_D, alpha, {own.x(), own.y(), own.z()}, near.slope.x, near.slope.y});
       Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) = behind;
     }
   }

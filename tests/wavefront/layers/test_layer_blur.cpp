@@ -1,40 +1,22 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <numeric>
-
-#include "wavefront/layers/guessed_background.h"
-#include "wavefront/layers/layer_blur.h"
-#include "wavefront/layers/ray_kernels.h"
+#include "wavefront/layers/flat_pictures.h"
 
 namespace sturm {
 namespace {
 
-constexpr double pixel = 4e-4;
+using testing::flat_picture;
+using testing::light;
 
-/// Everything at one vergence.
-LayeredPicture flat_picture(int width, int height, double vergence_D) {
-  LayeredPicture picture;
-  picture.radiance = Image(width, height, 3);
-  picture.vergence_D.assign(static_cast<std::size_t>(width) * height, vergence_D);
-  return picture;
-}
+constexpr double pixel = testing::flat_pixel;
 
 Eye myope(double pupil_mm) {
-  return Eye::with(Prescription{-1.5, -1.0, 30.0, 0.0}, 1e-3 * pupil_mm);
+  return testing::astigmatic_myope(pupil_mm);
 }
 
-Image seen(LayeredPicture picture, const Eye& eye, int parts = 1) {
-  const KernelModel model = ray_kernels(eye, 0.0, pixel, {parts, false});
-  picture.jump_D = 1.0 / model.reach_px_per_D;
-  const KernelBank bank(model, planes_for(picture.vergence_D, model.reach_px_per_D));
-  add_guessed_background(picture, bank);
-  BlurCounters work;
-  return blur_layers(picture, bank, work);
-}
-
-double light(const Image& image) {
-  return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0);
+Image seen(const LayeredPicture& picture, const Eye& eye, int parts = 1) {
+  return testing::seen_through(ray_kernels(eye, 0.0, pixel, {parts, false}), picture);
 }
 
 TEST(LayerBlur, ConstantPictureStays) {

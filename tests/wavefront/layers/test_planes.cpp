@@ -26,12 +26,17 @@ struct Scene {
   std::vector<PictureLayer> layers;
 };
 
-Scene scene_of(const std::string& name, bool hidden_given) {
+enum class Given { Nothing, Hidden, All };
+
+Scene scene_of(const std::string& name, Given given) {
   Scene scene{name, {}};
-  if (!hidden_given) return scene;
-  if (name == "two") scene.layers = {testing::plane_layer("two", 1, 3.0, false)};
-  if (name == "three")
-    scene.layers = {testing::plane_layer("three", 1, 1.0, true), testing::plane_layer("three", 2, 4.0, false)};
+  if (given == Given::All) scene.layers = {testing::plane_layer(name, 0, 0.5, true)};
+  if (given == Given::Nothing) return scene;
+  if (name == "two") scene.layers.push_back(testing::plane_layer("two", 1, 3.0, false));
+  if (name == "three") {
+    scene.layers.push_back(testing::plane_layer("three", 1, 1.0, true));
+    scene.layers.push_back(testing::plane_layer("three", 2, 4.0, false));
+  }
   return scene;
 }
 
@@ -105,11 +110,11 @@ struct Case {
 class LayeredTruth : public ::testing::TestWithParam<Case> {
  protected:
   /// With the least number of parts that is recommended, and with the usual one.
-  void expect_similar(bool hidden_given, const Similarity& least) {
+  void expect_similar(Given given, const Similarity& least) {
     const auto& [scene, eye] = GetParam();
     const Image truth = plane_image(std::string(scene) + "_" + eye + "_truth");
     for (const int parts : {4, 8}) {
-      const Similarity s = similarity(scene, seen(scene_of(scene, hidden_given), eye, {parts}), truth);
+      const Similarity s = similarity(scene, seen(scene_of(scene, given), eye, {parts}), truth);
       EXPECT_GE(s.whole, least.whole) << parts;
       EXPECT_GE(s.near_edges, least.near_edges) << parts;
       EXPECT_GE(s.away, least.away) << parts;
@@ -120,11 +125,15 @@ class LayeredTruth : public ::testing::TestWithParam<Case> {
 };
 
 TEST_P(LayeredTruth, HiddenLayersGiven) {
-  expect_similar(true, {0.999, 0.996, 0.9995});
+  expect_similar(Given::Hidden, {0.999, 0.996, 0.9995});
+}
+
+TEST_P(LayeredTruth, AllLayersGiven) {
+  expect_similar(Given::All, {0.999, 0.996, 0.9995});
 }
 
 TEST_P(LayeredTruth, PictureAlone) {
-  expect_similar(false, {0.996, 0.98, 0.9995});
+  expect_similar(Given::Nothing, {0.996, 0.98, 0.9995});
 }
 
 INSTANTIATE_TEST_SUITE_P(Planes, LayeredTruth,
@@ -145,7 +154,8 @@ TEST(PartsOfThePupil, SlowHaveTheErrorsThatChooseThem) {
     double worst = 0.0;
     for (const Case& c : {Case{"two", "myope"}, Case{"two", "astigmat"}, Case{"two", "coma"}, Case{"three", "coma"}}) {
       const Image truth = plane_image(std::string(c.scene) + "_" + c.eye + "_truth");
-      worst = std::max(worst, rmse_near_edges(c.scene, seen(scene_of(c.scene, true), c.eye, {row.parts}), truth));
+      worst =
+          std::max(worst, rmse_near_edges(c.scene, seen(scene_of(c.scene, Given::Hidden), c.eye, {row.parts}), truth));
     }
     RecordProperty("rms_of_" + std::to_string(row.parts), std::to_string(worst));
     EXPECT_LE(worst, row.error) << row.parts;
@@ -176,12 +186,12 @@ TEST_P(FlatTruth, RelativeErrorIsSmall) {
 INSTANTIATE_TEST_SUITE_P(Planes, FlatTruth, ::testing::Values("myope", "astigmat", "coma"));
 
 TEST(LayeredTruthInColour, ChannelsHaveTheirOwnBlur) {
-  const Image test = seen(scene_of("two", true), "coma", {4, true});
+  const Image test = seen(scene_of("two", Given::Hidden), "coma", {4, true});
   EXPECT_LE(rmse(test, plane_image("two_coma_colour_truth")), 0.003);
 }
 
 TEST(LayeredTruthInColour, RimOfThePupilCountsLess) {
-  const Image test = seen(scene_of("two", true), "coma", {4, false, 0.05e6});
+  const Image test = seen(scene_of("two", Given::Hidden), "coma", {4, false, 0.05e6});
   EXPECT_LE(rmse(test, plane_image("two_coma_stiles_crawford_truth")), 0.003);
 }
 

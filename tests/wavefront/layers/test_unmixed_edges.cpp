@@ -14,8 +14,9 @@ struct Edge {
   LayeredPicture picture;
   std::vector<PictureLayer> layers{1};
 
+  /// `told`: the surface is among the layers, too.
   template <class Near>
-  Edge(int from, int to, int mixed, float share, const Near& near) {
+  Edge(int from, int to, int mixed, float share, const Near& near, bool told = false) {
     picture.radiance = layers[0].radiance = Image(width, height, 3);
     std::fill(layers[0].radiance.pixels.begin(), layers[0].radiance.pixels.end(), 0.5f);
     layers[0].vergence_D.assign(width * height, far_D);
@@ -28,8 +29,20 @@ struct Edge {
         if (within) picture.vergence_D[static_cast<std::size_t>(y) * width + x] = near_D;
         std::fill_n(picture.radiance.at(x, y), 3, covered * near(x, y) + (1.0f - covered) * 0.5f);
       }
+    if (told) add_surface(from, to, mixed, share, near);
     picture.hidden = hidden_by(picture, layers);
     unmix_edges(picture, layers);
+  }
+
+  template <class Near>
+  void add_surface(int from, int to, int mixed, float share, const Near& near) {
+    PictureLayer surface{Image(width, height, 3), std::vector<double>(width * height, near_D), {}};
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        std::fill_n(surface.radiance.at(x, y), 3, near(x, y));
+        surface.coverage.push_back(x == mixed ? share : x >= from && x < to ? 1.0f : 0.0f);
+      }
+    layers.push_back(std::move(surface));
   }
 
   float coverage(int x, int y) const { return picture.coverage[static_cast<std::size_t>(y) * width + x]; }
@@ -63,6 +76,82 @@ TEST(UnmixedEdges, OfANoisySurfaceAreThoseOfItsShape) {
 TEST(UnmixedEdges, OfBarsWithoutAnUnmixedPixelAreThoseOfTheirShape) {
   const Edge bar(50, 52, 50, 0.7f, [](int, int) { return 0.9f; });
   for (int y = 3; y < height - 3; ++y) EXPECT_NEAR(bar.coverage(50, y), 0.75f, 1e-3) << y;
+}
+
+TEST(UnmixedEdges, AreToldByTheLayerOfTheNearSurface) {
+  // Colours that do not tell the coverage: it is that of the layer, and so is the colour.
+  const auto noisy = [](int x, int y) { return (x * 7 + y * 13 + x * y) % 3 == 0 ? 0.75f : 0.4f; };
+  const Edge far(0, 50, 50, 0.3f, noisy, true), near(0, 50, 49, 0.8f, noisy, true);
+  for (int y = 0; y < height; ++y) {
+    EXPECT_EQ(far.piece_before(50, y), 0.3f) << y;
+    EXPECT_EQ(far.picture.radiance.at(50, y)[0], 0.5f) << y;
+    EXPECT_EQ(far.coverage(49, y), 1.0f) << y;
+    EXPECT_EQ(near.coverage(49, y), 0.8f) << y;
+    EXPECT_EQ(near.picture.radiance.at(49, y)[0], noisy(49, y)) << y;
+    EXPECT_EQ(near.piece_before(50, y), 0.0f) << y;
+  }
+}
+
+TEST(UnmixedEdges, OfThreadsThatNoPixelsDepthShowsAreTold) {
+  // It covers no pixel's middle, so the depth map shows the wall alone.
+  const auto black = [](int, int) { return 0.0f; };
+  const Edge thread(0, 0, 50, 0.4f, black, true);
+  EXPECT_EQ(thread.piece_before(50, 10), 0.4f);
+  EXPECT_EQ(thread.picture.radiance.at(50, 10)[0], 0.5f);
+}
+
+TEST(UnmixedEdges, WithoutALayerOfTheWallLeaveItsColour) {
+  // 0.7 · 0.5 + 0.3 · 0.9 is the pixel; without the near surface's share the wall is 0.5 again.
+  const auto plain = [](int, int) { return 0.9f; };
+  Edge edge(0, 50, 50, 0.3f, plain);
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  picture.vergence_D.assign(width * height, far_D);
+  picture.jump_D = 0.2;
+  std::fill(picture.radiance.pixels.begin(), picture.radiance.pixels.end(), 0.5f);
+  std::fill_n(picture.radiance.at(50, 10), 3, 0.62f);
+  edge.layers.clear();
+  edge.add_surface(0, 0, 50, 0.3f, plain);
+  picture.hidden = hidden_by(picture, edge.layers);
+  unmix_edges(picture, edge.layers);
+  EXPECT_NEAR(picture.radiance.at(50, 10)[0], 0.5f, 1e-6);
+}
+
+TEST(UnmixedEdges, OfDarkBarsHoldTheLightOfTheirPixels) {
+  // A black bar of which nobody knows how wide it is. What is taken apart makes the pixel again, so that a picture in
+  // focus stays as it is; by the shape alone the bar would cover half of its pixel and be darker than black.
+  const auto black = [](int, int) { return 0.0f; };
+  const Edge bar(50, 51, 50, 0.9f, black);
+  for (int y = 3; y < height - 3; ++y) {
+    const float own = bar.picture.radiance.at(50, y)[0], covered = bar.coverage(50, y);
+    EXPECT_NEAR(covered * own + (1.0f - covered) * 0.5f, 0.05f, 1e-5) << y;
+  }
+}
+
+TEST(UnmixedEdges, PiecesOfSlantedSurfacesLeanAsTheyDo) {
+  // A surface that comes nearer by 0.01 D with each column and 0.02 D with each row. Its piece in the next column lies
+  // on it, and has its slope.
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  picture.jump_D = 0.2;
+  PictureLayer wall{Image(width, height, 3), std::vector<double>(width * height, far_D), {}};
+  std::fill(wall.radiance.pixels.begin(), wall.radiance.pixels.end(), 0.5f);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      picture.vergence_D.push_back(x < 50 ? near_D + 0.01 * x + 0.02 * y : far_D);
+      std::fill_n(picture.radiance.at(x, y), 3, x < 50 ? 0.9f : x == 50 ? 0.62f : 0.5f);
+    }
+  picture.hidden = hidden_by(picture, {&wall, 1});
+  unmix_edges(picture, {&wall, 1});
+  int found = 0;
+  for (const HiddenPixel& h : picture.hidden)
+    if (h.x == 50 && h.vergence_D > 1.0) {
+      EXPECT_NEAR(h.vergence_D, near_D + 0.5 + 0.02 * h.y, 1e-6);
+      EXPECT_NEAR(h.slope_x, 0.01, 1e-6);
+      EXPECT_NEAR(h.slope_y, 0.02, 1e-6);
+      ++found;
+    }
+  EXPECT_EQ(found, height);
 }
 
 }  // namespace
