@@ -63,6 +63,16 @@ class Sights(unittest.TestCase):
                 self.assertLess(found["places"], 1e-7)
                 self.assertLess(found["powers"], {"toric": 1e-5, "progressive": 0.03}[lens])
 
+    def test_places_between_nodes_follow_the_rim(self):
+        for lens, found in core("sights").items():
+            with self.subTest(lens=lens):
+                print(f"at the rim, {lens}: {found['rim']}", flush=True)
+                rim = found["rim"]
+                self.assertGreater(rim["places"], 500)
+                # The distance from the axis is nearly a parabola over a cell, so the rim is off by 5e-5 in slope: 1/400 of a cell.
+                self.assertLess(rim["wrong"], 0.005 * rim["places"])
+                self.assertLess(rim["directions"], 1e-4)  # as by straight lines between nodes within; without those beyond the rim 7e-4
+
 
 class Answers(FolderTest):
     def close(self, mine, theirs, scale):

@@ -1,4 +1,4 @@
-"""Light of the page's paths against the program's, by the means of blocks: the Cornell box, and every material that the page draws. Both sides are
+"""Light of the page's paths against the program's, by the means of blocks: the Cornell box, every material that the page draws, and gloss under small lamps. Both sides are
 drawn with several seeds, so that the noise of a block is known from its pixels; what differs more than noise does in one of some hundred blocks fails."""
 import json
 import math
@@ -11,8 +11,8 @@ SIZE, BLOCK = 64, 16
 # Chosen before anything was drawn with them. The places in a pixel and in the pupil are the same for one seed in both, so none is used twice.
 PAGE_SEEDS, PROGRAM_SEEDS = (11, 12, 13, 14), (21, 22, 23, 24)
 PAGE_SAMPLES, PROGRAM_SAMPLES = 8, 128
-FALSE_ALARMS = 0.01  # of all comparisons of both scenes together
-COMPARISONS = 2 * 3 * ((SIZE // BLOCK) ** 2 + 1)  # colours, and blocks with the whole picture
+FALSE_ALARMS = 0.01  # of all comparisons of all scenes together
+COMPARISONS = 3 * 3 * ((SIZE // BLOCK) ** 2 + 1)  # colours, and blocks with the whole picture
 
 
 def bound():
@@ -29,6 +29,16 @@ def materials_scene():
     scene["spheres"] = [ball for ball in scene["spheres"] if ball["material"] not in left_out]
     scene["materials"] = {name: m for name, m in scene["materials"].items() if name not in left_out}
     return scene
+
+
+def gloss_scene():
+    """A rough metal floor and a roughly coated wall under a lamp without size and one that is small: most of their light is highlights."""
+    return {"format": "sturm.scene/1", "lights": [{"type": "point", "position_m": [-0.5, 0.8, -1.2], "intensity": [0.5, 0.4, 0.3]}],
+            "materials": {"floor": {"type": "conductor", "metal": "copper", "roughness": 0.5}, "wall": {"type": "plastic", "albedo": [0.1, 0.3, 0.2], "roughness": 0.6},
+                          "lamp": {"emission": [90, 110, 150]}},
+            "meshes": [{"name": "floor", "material": "floor", "positions_m": [[-2, 0, 0], [2, 0, 0], [2, 0, -2.5], [-2, 0, -2.5]], "faces": [[0, 1, 2, 3]]},
+                       {"name": "wall", "material": "wall", "positions_m": [[-2, 0, -2.5], [2, 0, -2.5], [2, 2, -2.5], [-2, 2, -2.5]], "faces": [[0, 1, 2, 3]]}],
+            "spheres": [{"center_m": [0.5, 0.5, -1.6], "radius_m": 0.03, "material": "lamp"}]}
 
 
 def view_of(scene, camera):
@@ -77,6 +87,9 @@ class Light(PageTest):
 
     def test_materials(self):
         self.same_light(view_of(materials_scene(), {"position_m": [0, 0.55, 0.35], "look_at_m": [0, 0.08, -1.1], "vfov_deg": 42}))
+
+    def test_gloss_under_small_lamps(self):
+        self.same_light(view_of(gloss_scene(), {"position_m": [0, 0.6, 0.4], "look_at_m": [0, 0.4, -2], "vfov_deg": 42}))
 
 
 if __name__ == "__main__":

@@ -57,6 +57,17 @@ class Paths(PageTest):
         self.browser.run("window.sturmViewer.app.held = false")
         self.wait("window.sturmViewer.app.panels.every((p) => p.passes > 8)")
 
+    def test_the_filter_waits_for_whole_passes(self):
+        self.page_of(view_of({"vfov_deg": 39.3, "resolution": [32, 64]}, 4))
+        self.browser.run("""const {app} = window.sturmViewer, {filtered} = app.pictures;
+          window.filtered = [];
+          app.pictures.filtered = (panel) => { window.filtered.push([panel.passes, panel.rows]); return filtered.call(app.pictures, panel); };""")
+        self.change("s.modes = ['path']; s.filter = true;")
+        self.wait("window.filtered.length > 2")
+        asked = self.browser.run("return window.filtered")
+        self.assertEqual([rows for _, rows in asked], [0] * len(asked))
+        self.assertEqual(len({passes for passes, _ in asked}), len(asked))  # once for each
+
 
 if __name__ == "__main__":
     main()

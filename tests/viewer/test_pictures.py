@@ -1,7 +1,7 @@
 """Pictures of the page against those of the program, pixel by pixel: the same passes through the same points of the pupil."""
 import json
 
-from page_in_browser import PageTest, emissive_view, main
+from page_in_browser import QUADS_ASIDE, PageTest, emissive_view, main
 from picture_measures import differences, rmse, same_passes
 
 SIZE, PASSES = 128, 64
@@ -11,6 +11,9 @@ EYES = {
     "toric": WORN + "s.glasses.right = {...s.glasses.right, kind: 'single', fitted: false, sphere_D: -1, cylinder_D: -2, axis_deg: 25};",
     "progressive": WORN + "s.glasses.right.kind = 'progressive';",
 }
+# A small lens, whose rim is in the picture of an eye that turns 45° each way, and a wall behind it that is brighter than the black beyond the rim.
+SMALL_LENS = {"format": "sturm.spectacles/1", "single_vision": {"prescription": {"sphere_D": -1.5, "cylinder_D": -4, "axis_deg": 55},
+              "center_thickness_mm": 1.8, "refractive_index": 1.6, "diameter_mm": 36}}
 HEAD = {"camera": "s.camera.gaze = 'camera'; s.camera.tilt_deg = 0; s.camera.turn_deg = 0;", "foveal": "s.camera.gaze = 'foveal'; s.camera.tilt_deg = -4; s.camera.turn_deg = 3;"}
 
 
@@ -52,6 +55,24 @@ class Pictures(PageTest):
                 program, page = self.saved(), self.measured("interleaved()")
                 print(f"{eye}, rasterised: RMSE {rmse(page, program):.1e}", flush=True)
                 self.assertLess(rmse(page, program), self.RASTER_RMSE)
+
+    def test_the_rim_is_the_programs(self):
+        view = emissive_view(SIZE // 2, QUADS_ASIDE, 90)
+        view["camera"]["gaze"], view["spectacles"], view["method"]["passes"] = "foveal", SMALL_LENS, 16
+        self.page_of(view, "rim")
+        self.change("s.passes = 16; s.modes = ['gather'];")
+        program = self.saved()
+        is_black = [max(program[3 * i:3 * i + 3]) == 0 for i in range(len(program) // 3)]
+        self.assertTrue(0.4 < sum(is_black) / len(is_black) < 0.8)
+        for mode, call in (("traced", "picture('gather', 0)"), ("rasterised", "interleaved()")):
+            with self.subTest(mode=mode):
+                page = self.measured(call)
+                other = [i for i, black in enumerate(is_black) if black != (max(page[3 * i:3 * i + 3]) == 0)]
+                inner = [i for i in range(len(is_black)) if i not in other]
+                error = (sum((page[3 * i + c] - program[3 * i + c]) ** 2 for i in inner for c in range(3)) / len(page)) ** 0.5
+                print(f"rim, {mode}: {len(other)} pixels on its other side, RMSE of the others {error:.1e}", flush=True)
+                self.assertLessEqual(len(other), 0.002 * len(is_black))  # whose middle is within 5e-5 in slope of the rim (test_core.py)
+                self.assertLess(error, self.RASTER_RMSE)
 
 
 if __name__ == "__main__":

@@ -4,11 +4,13 @@
 #include <array>
 #include <utility>
 
+#include "viewer/core/beyond_rim.h"
+
 namespace sturm::viewer {
 
 namespace {
 
-constexpr std::size_t floats = 40, reaches = 3;
+constexpr std::size_t floats = floats_per_sight;
 using Weights = std::array<float, 4>;
 
 /// Cubic weights of four nodes 0, 2, 4, 6 at the places 1, 3 and 5.
@@ -43,7 +45,10 @@ class Grid {
         if (!interpolate(at(i, 0), row, j, nodes_.rows)) trace(i, j);
   }
 
-  std::vector<float> take() { return std::move(numbers_); }
+  std::vector<float> take() {
+    if (stopped_) continue_beyond_rim(numbers_, nodes_.columns, nodes_.rows);
+    return std::move(numbers_);
+  }
 
  private:
   float* at(int i, int j) {
@@ -54,8 +59,12 @@ class Grid {
   void trace(int i, int j) {
     const Sight sight =
         traced_sight(head_, eye_, lens_, nodes_.first + Eigen::Vector2d(i, j).cwiseProduct(nodes_.step));
-    if (!sight.reaches) return;
-    float* to = put(at(i, j), sight.origin, 1.0f);
+    if (!sight.reaches) {
+      stopped_ = true;
+      at(i, j)[within_rim] = -1.0f;
+      return;
+    }
+    float* to = put(at(i, j), sight.origin, lens_ ? margin_of(*lens_, sight.origin) : 1.0f);
     to = put(to, sight.direction, 0.0f);
     for (const Sight::Map* map : {&sight.offset_p, &sight.offset_s, &sight.slope_p, &sight.slope_s})
       for (int column = 0; column < 2; ++column) to = put(to, map->col(column), 0.0f);
@@ -70,7 +79,7 @@ class Grid {
     for (int n = 0; n < 4; ++n)
       from[static_cast<std::size_t>(n)] = line + stride * static_cast<std::size_t>(first + 2 * n);
     for (const float* node : from)
-      if (node[reaches] == 0.0f) return false;
+      if (node[within_rim] < 0.0f) return false;
     const Weights& w = between[static_cast<std::size_t>(k - first) / 2];
     float* to = line + stride * static_cast<std::size_t>(k);
     for (std::size_t c = 0; c < floats; ++c)
@@ -83,6 +92,7 @@ class Grid {
   const Spectacles* lens_;
   SlopeNodes nodes_;
   std::vector<float> numbers_;
+  bool stopped_ = false;  // by the spectacles, somewhere
 };
 
 }  // namespace

@@ -16,6 +16,6 @@ void main() {
   const int lamps = 2;
   vec3 direct = vec3(0.0), origin = off_surface(a.xyz, normal);
   begin_vertex(u_max_bounces);
-  for (int k = 0; k < lamps; ++k) direct += light_through_coat(origin, normal, u_matt_material);
+  for (int k = 0; k < lamps; ++k) direct += light_by_lobe(origin, normal, frame_about(normal), vec3(0.0, 0.0, 1.0), u_matt_material, matt);
   result = vec4(path_from(at, -normal, true) + direct / float(lamps), 1.0);
 }

@@ -67,7 +67,7 @@ void main() {
     step = clamp(inverse(jacobian) * here, vec2(-0.5 * u_size.y), vec2(0.5 * u_size.y));
     place -= step;
   }
-  bool seen = sight_at(place).reaches && t > 0.0 && length(step) < 1.0;  // else nowhere, or nowhere that was found
+  bool seen = t > 0.0 && length(step) < 1.0;  // else nowhere, or nowhere that was found
   v_lost = seen ? 0.0 : 1.0;
   vec2 at = vec2(2.0, -2.0) * (place + u_shift) / u_size + vec2(-1.0, 1.0);
   float w = max(-from.z, u_nearest);

@@ -1,9 +1,12 @@
 /// Directions in which surfaces scatter, chosen in proportion to what they reflect (pathtrace/materials/). In a local frame with z
 /// along the normal on the side of `outgoing`.
+const int sharp = 0, matt = 1, facets = 2;  // lobes; lamps are chosen for the last two
+
 struct Scattered {
   vec3 direction;   // local; z < 0: through the surface
   vec3 throughput;  // 0: absorbed
-  bool lambertian;  // lamps are sampled for it
+  int lobe;
+  vec3 of_lamps;    // what multiplies lobe_towards() of a lamp's light
 };
 
 float fresnel(float cosine, float eta, out float far) {
@@ -21,6 +24,11 @@ vec3 fresnel_metal(float cosine, vec3 eta, vec3 kappa) {
   vec3 perpendicular = (squares + c2 - 2.0 * a * cosine) / (squares + c2 + 2.0 * a * cosine);
   vec3 x = c2 * squares + s2 * s2, y = 2.0 * a * cosine * s2;
   return 0.5 * perpendicular * (1.0 + (x - y) / (x + y));
+}
+
+/// A lobe that is sharp without roughness.
+int gloss(float roughness) {
+  return roughness > 0.0 ? facets : sharp;
 }
 
 float smith_lambda(vec3 w, float alpha) {
@@ -62,16 +70,17 @@ Scattered scatter_plastic(vec3 outgoing, vec3 albedo, float roughness, float ind
   float below = (1.0 - coat) * max(albedo.x, max(albedo.y, albedo.z)), share = below > 0.0 ? coat / (coat + below) : 1.0;
   if (random2().x < share) {
     vec3 incoming = reflected_at_facets(outgoing, roughness, random2(), cosine, shadowing);
-    return Scattered(incoming, vec3(fresnel(cosine, index, far) * shadowing / share), false);
+    return Scattered(incoming, vec3(fresnel(cosine, index, far) * shadowing / share), gloss(roughness), vec3(1.0 / share));
   }
-  // The base: what passes the coat both ways. The way in is counted for each direction by `through_coat`.
-  return Scattered(cosine_direction(random2()), albedo / (1.0 - internal_reflectance * albedo) * ((1.0 - coat) / (index * index * (1.0 - share))), true);
+  // The base: what passes the coat both ways. The way in is counted for each direction by `lobe_towards`.
+  vec3 base = albedo / (1.0 - internal_reflectance * albedo) * ((1.0 - coat) / (index * index * (1.0 - share)));
+  return Scattered(cosine_direction(random2()), base, matt, base);
 }
 
 Scattered scatter_glass(vec3 outgoing, float eta) {
   float far, reflectance = fresnel(outgoing.z, eta, far);
-  if (random2().x < reflectance) return Scattered(vec3(-outgoing.xy, outgoing.z), vec3(1.0), false);
-  return Scattered(vec3(-outgoing.xy / eta, -far), vec3(1.0 / (eta * eta)), false);
+  if (random2().x < reflectance) return Scattered(vec3(-outgoing.xy, outgoing.z), vec3(1.0), sharp, vec3(0.0));
+  return Scattered(vec3(-outgoing.xy / eta, -far), vec3(1.0 / (eta * eta)), sharp, vec3(0.0));
 }
 
 /// `inside`: the ray comes from behind the surface.
@@ -81,11 +90,11 @@ Scattered scatter(int material, vec3 outgoing, vec3 albedo, bool inside) {
   if (type == conductor) {
     float cosine, shadowing;
     vec3 incoming = reflected_at_facets(outgoing, numbers.x, random2(), cosine, shadowing);
-    return Scattered(incoming, shadowing * fresnel_metal(cosine, material_texel(material, 3).rgb, material_texel(material, 4).rgb), false);
+    return Scattered(incoming, shadowing * fresnel_metal(cosine, material_texel(material, 3).rgb, material_texel(material, 4).rgb), gloss(numbers.x), vec3(1.0));
   }
   if (type == dielectric) return scatter_glass(outgoing, inside ? 1.0 / numbers.y : numbers.y);
   if (type == plastic) return scatter_plastic(outgoing, albedo, numbers.x, numbers.y, numbers.z);
-  return Scattered(cosine_direction(random2()), albedo, true);
+  return Scattered(cosine_direction(random2()), albedo, matt, albedo);
 }
 
 /// What of the light from a direction passes the coat to the base.
@@ -93,4 +102,24 @@ float through_coat(int material, float cosine) {
   if (int(material_texel(material, 0).w) != plastic) return 1.0;
   float far;
   return 1.0 - fresnel(cosine, material_texel(material, 2).y, far);
+}
+
+/// What a lobe reflects of the radiance from a direction, times its cosine (of the base, for albedo 1), and the density [1/sr] with
+/// which it scatters there: 0 where lamps are not chosen.
+vec3 lobe_towards(int material, int lobe, vec3 outgoing, vec3 incoming, out float density) {
+  density = 0.0;
+  if (lobe == sharp || incoming.z <= 0.0) return vec3(0.0);
+  if (lobe == matt) {
+    density = incoming.z / pi;
+    return vec3(density * through_coat(material, incoming.z));
+  }
+  vec4 numbers = material_texel(material, 2);
+  float alpha = numbers.x * numbers.x, far;
+  vec3 h = normalize(outgoing + incoming);
+  float cosine = min(1.0, dot(outgoing, h)), a2 = alpha * alpha, q = dot(h.xy, h.xy) + a2 * h.z * h.z, scale = a2 / (4.0 * pi * q * q * outgoing.z);
+  float masked = 1.0 + smith_lambda(outgoing, alpha);
+  density = scale / masked;
+  bool metal = int(material_texel(material, 0).w) == conductor;
+  vec3 reflectance = metal ? fresnel_metal(cosine, material_texel(material, 3).rgb, material_texel(material, 4).rgb) : vec3(fresnel(cosine, numbers.y, far));
+  return scale / (masked + smith_lambda(incoming, alpha)) * reflectance;
 }

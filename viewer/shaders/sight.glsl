@@ -9,7 +9,7 @@ uniform bool u_foveal;
 uniform bool u_sphere;       // the picture is of all directions; the head turns to each and the eye looks straight ahead
 uniform float u_rotation_center;  // behind the pupil [m]
 uniform bool u_lens;
-uniform sampler2D u_sights;  // 10 texels a node, head frame: origin and whether it reaches, direction, columns of the four maps
+uniform sampler2D u_sights;  // 10 texels a node, head frame: origin and how far within the rim, direction, columns of the four maps
 uniform vec2 u_sight_nodes;
 uniform vec2 u_sight_first, u_sight_step;  // chief slopes
 uniform sampler2D u_focus;   // accommodation by vergence and direction
@@ -62,6 +62,15 @@ vec4 grid_texel(vec2 at, int k) {
              mix(texelFetch(u_sights, first + down, 0), texelFetch(u_sights, first + right + down, 0), f.x), f.y);
 }
 
+vec2 grid_place(vec2 place) {
+  return (slope_of(place) - u_sight_first) / u_sight_step;
+}
+
+/// Whether spectacles let the line of sight of a place through.
+bool within_rim(vec2 place) {
+  return !u_lens || grid_texel(grid_place(place), 0).w > 0.0;
+}
+
 mat2x3 grid_map(vec2 at, int k, mat3 head) {
   return head * mat2x3(grid_texel(at, k).xyz, grid_texel(at, k + 1).xyz);
 }
@@ -69,10 +78,10 @@ mat2x3 grid_map(vec2 at, int k, mat3 head) {
 Sight sight_at(vec2 place) {
   mat3 head = head_at(place);
   if (!u_lens) return naked_sight(place, head);
-  vec2 at = (slope_of(place) - u_sight_first) / u_sight_step;
+  vec2 at = grid_place(place);
   vec4 origin = grid_texel(at, 0);
   return Sight(u_position + head * origin.xyz, head * grid_texel(at, 1).xyz, grid_map(at, 2, head), grid_map(at, 4, head), grid_map(at, 6, head), grid_map(at, 8, head),
-               origin.w > 0.999);
+               origin.w > 0.0);
 }
 
 /// Accommodation [D] of an eye that looks at this vergence there.

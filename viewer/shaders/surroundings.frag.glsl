@@ -4,9 +4,9 @@ uniform vec2 u_shift;
 out vec4 result;
 
 void main() {
-  Sight sight = sight_at(vec2(gl_FragCoord.x, u_size.y - gl_FragCoord.y) - u_shift);
   vec2 p = u_pupil_radius * u_pupil_point, place = vec2(gl_FragCoord.x, u_size.y - gl_FragCoord.y);
+  Sight sight = sight_at(place - u_shift);
   vec3 origin, direction;
   bent_ray(sight, p, matrix_slope(p, accommodation_at(place, 0.0)), origin, direction);
-  result = vec4(sight.reaches ? environment_along(direction) : vec3(0.0), 1.0);
+  result = vec4(within_rim(place) ? environment_along(direction) : vec3(0.0), 1.0);
 }

@@ -1,4 +1,4 @@
-/// Light along a ray: paths with one lamp sampled at each Lambertian vertex, ended by Russian roulette.
+/// Light along a ray: paths with one lamp sampled at each matt or rough vertex, ended by Russian roulette.
 uniform int u_max_bounces;
 
 mat3 frame_about(vec3 n) {
@@ -22,13 +22,14 @@ vec3 path_from(Surface at, vec3 direction, bool lit) {
       outgoing = -normalize(direction) * frame;
     }
     Scattered next = scatter(at.material, outgoing, at.albedo, inside);
+    vec3 origin = off_surface(at.position, normal), of_lamps = throughput * next.of_lamps;
+    if (next.lobe != sharp && (bounce > 0 || !lit) && max(of_lamps.x, max(of_lamps.y, of_lamps.z)) > 0.0)
+      sum += of_lamps * light_by_lobe(origin, normal, frame, outgoing, at.material, next.lobe);
     throughput *= next.throughput;
+    if (next.lobe == matt) throughput *= through_coat(at.material, next.direction.z);
     if (max(throughput.x, max(throughput.y, throughput.z)) <= 0.0) break;
-    vec3 origin = off_surface(at.position, normal);
-    if (next.lambertian) {
-      if (bounce > 0 || !lit) sum += throughput * light_through_coat(origin, frame[2], at.material);
-      throughput *= through_coat(at.material, next.direction.z);
-    }
+    float density;
+    lobe_towards(at.material, next.lobe, outgoing, next.direction, density);
     if (bounce >= 3) {
       float survival = min(0.95, max(throughput.x, max(throughput.y, throughput.z)));
       if (random2().x >= survival) break;
@@ -39,12 +40,15 @@ vec3 path_from(Surface at, vec3 direction, bool lit) {
     else if (dot(direction, normal) <= 0.0) break;
     Hit hit = first_hit(origin, direction, never, false);
     if (hit.triangle < 0 && hit.sphere < 0) {
-      float share = next.lambertian ? way_share(next.direction.z / pi, environment_density(direction)) : 1.0;
+      float share = density > 0.0 ? way_share(density, environment_density(direction)) : 1.0;
       sum += throughput * share * environment_along(direction);
       break;
     }
     at = surface_at(hit, origin, direction);
-    if (shines_towards(at, direction) && !(next.lambertian && at.light >= 0)) sum += throughput * at.emission;
+    if (shines_towards(at, direction)) {
+      float share = density > 0.0 && at.light >= 0 ? way_share(density, lamp_density(at.light, origin, direction, hit.t)) : 1.0;
+      sum += throughput * share * at.emission;
+    }
   }
   return sum;
 }

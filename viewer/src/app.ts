@@ -231,7 +231,8 @@ export class App {
       if (isTraced(p.mode)) this.pictures.step(p, 4 * allowed);
       else for (let k = 0; k < allowed && p.passes < this.pictures.goal(p.mode); ++k) this.pictures.step(p, 0);
     }
-    this.showPanels();
+    // The filter takes as long as many rows of rays, so it waits for whole passes.
+    if (!this.state.filter || open.every((p) => p.rows === 0 || p.passes === 0)) this.showPanels();
     if (this.firstPicture_ms === 0) {
       this.panels.forEach((p) => this.gpu.finish(p.sum));
       this.firstPicture_ms = performance.now();

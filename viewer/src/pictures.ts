@@ -165,7 +165,7 @@ export class Pictures {
   /** Panels beside each other on the canvas. */
   show(panels: Panel[], canvas: { width: number; height: number }, exposure: number, filter = false): void {
     const width = Math.floor(canvas.width / panels.length);
-    panels.forEach((panel, k) => this.showIn(null, filter && isTraced(panel.mode) ? this.filtered(panel) : panel.sum, { x: k * width, y: 0, width, height: canvas.height }, exposure));
+    panels.forEach((panel, k) => this.showIn(null, filter && isTraced(panel.mode) && panel.passes > 0 ? this.filtered(panel) : panel.sum, { x: k * width, y: 0, width, height: canvas.height }, exposure));
   }
 
   filtered(panel: Panel): Target {

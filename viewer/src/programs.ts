@@ -32,7 +32,7 @@ const sources = {
   eye: [[fill], [...seeing, ...tracing, eye]],
   bake: [[fill], [...tracing, bake]],
   smooth: [[fill], [smooth]],
-  mesh: [[...seeing, meshVertex], [intersect, surfaces, meshFragment]],
+  mesh: [[...seeing, meshVertex], [sight, intersect, surfaces, meshFragment]],
   surroundings: [[fill], [...seeing, intersect, surfaces, environment, surroundings]],
   add: [[fill], [add]],
   illumination: [[fill], [illumination]],
