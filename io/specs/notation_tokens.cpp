@@ -240,7 +240,7 @@ class Scanner {
   void add_word(const std::string& letters) {
     NotationToken token;
     token.text = letters;
-    if (std::find(planos.begin(), planos.end(), letters) != planos.end()) {
+    if (is_plano(letters)) {
       token.is_number = token.has_sign = token.has_point = true;
     } else {
       const auto* known =
@@ -277,6 +277,10 @@ std::vector<NotationToken> notation_tokens(std::string_view text) {
   if (text.size() > longest_text)
     throw NotationError("a prescription of at most " + std::to_string(longest_text) + " bytes");
   return Scanner(utf8_text(std::string(text))).run();
+}
+
+bool is_plano(std::string_view word) {
+  return std::find(planos.begin(), planos.end(), word) != planos.end();
 }
 
 bool may_lack_its_point(std::string_view number) {

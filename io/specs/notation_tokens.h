@@ -50,6 +50,9 @@ struct NotationToken {
 /// Throws NotationError for a word or a character that is not of the notation.
 std::vector<NotationToken> notation_tokens(std::string_view text);
 
+/// Whether a word in lower case stands for no power at all: "pl", "plano".
+bool is_plano(std::string_view word);
+
 /// Whether a power is written in whole numbers that may be hundredths: "-200" stands for -2.00 to some, "-075" for
 /// -0.75, and in a table "25" or "00" may be what stood behind a decimal comma. `number`: a sign or none, digits, and
 /// what else a number has.

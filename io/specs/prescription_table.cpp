@@ -10,6 +10,7 @@
 
 #include "io/files/csv_table.h"
 #include "io/files/error.h"
+#include "io/files/lower_case.h"
 #include "io/files/readable_text.h"
 #include "io/files/text_encoding.h"
 #include "io/files/text_file.h"
@@ -37,12 +38,7 @@ const CsvColumn age_column{"age", {"ageyears", "years", "alter", "edad"}};
 const CsvColumn addition_column{"add_D", {"add", "addition", "additiond", "nearaddition", "zusatz"}};
 
 /// Words for "none" in cells of cylinder and axis, and the sphere's unit, which opticians write there.
-constexpr std::array<std::string_view, 9> nothings{"-", "--", "---", "/", "DS", "SPH", "sph", "ds", "Sph"};
-constexpr std::array<std::string_view, 6> plano_cells{"PL", "pl", "Pl", "Plano", "plano", "PLANO"};
-
-bool is_one_of(std::string_view cell, const auto& list) {
-  return std::ranges::find(list, cell) != list.end();
-}
+constexpr std::array<std::string_view, 6> nothings{"-", "--", "---", "/", "ds", "sph"};
 
 /// A table and the row of it that is read.
 class Rows {
@@ -82,7 +78,9 @@ class Rows {
   }
 
  private:
-  static bool is_nothing(const std::string& cell) { return cell.empty() || is_one_of(cell, nothings); }
+  static bool is_nothing(const std::string& cell) {
+    return cell.empty() || std::ranges::find(nothings, lower_case(cell)) != nothings.end();
+  }
 
   const std::string& field(std::size_t index, const CsvColumn& column) const {
     if (index >= row_.fields.size()) fail("", "a value in column " + column.name + ", or a field that is left empty");
@@ -103,7 +101,7 @@ class Rows {
 
   /// "+1.25", "1,25", "PL", "-2.00 D", "-2.00 DS".
   double dioptres(std::string cell, const CsvColumn& column) const {
-    if (is_one_of(cell, plano_cells)) return 0.0;
+    if (is_plano(lower_case(cell))) return 0.0;
     for (const std::string_view unit : {"DS", "DC", "D", "dpt"})
       if (cell.ends_with(unit)) {
         cell.erase(cell.size() - unit.size());

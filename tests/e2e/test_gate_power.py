@@ -4,11 +4,14 @@ One image instead of two, with a quarter of the pixels, two spots, and a part of
 default run, so that a false alarm is likelier here than there, while the largest |z| of ellipses is a function of the same
 few numbers however many cases there are (configs/gates/validation.json says why).
 """
+import functools
 import hashlib
 import json
 import os
+import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from sturm_process import FAILED, PASSED, SOURCE, STURM, FolderTest, strict_json, sturm
@@ -43,15 +46,24 @@ def small_validation():
     return document
 
 
+@functools.cache
+def baseline():
+    """The baseline's file as another run writes it."""
+    plain = {key: value for key, value in small_validation().items() if key != "baseline"}
+    with tempfile.TemporaryDirectory(prefix="sturm_e2e_") as name:
+        folder = pathlib.Path(name)
+        (folder / "plain.json").write_text(json.dumps({**plain, "mutations": []}))
+        sturm("run", folder / "plain.json", "--seed", OTHER_SEED, "--out", folder / "before", "--quiet", timeout=600)  # without a baseline gates fail
+        sturm("gate", folder / "before/report.json", "--write-baseline", folder / "baseline.json")
+        return (folder / "baseline.json").read_bytes()
+
+
 class GatePower(FolderTest):
     def setUp(self):
         super().setUp()
         self.document = small_validation()
         self.experiment = self.write("experiment.json", self.document)
-        plain = {key: value for key, value in self.document.items() if key != "baseline"}
-        self.write("plain.json", {**plain, "mutations": []})
-        sturm("run", self.folder / "plain.json", "--seed", OTHER_SEED, "--out", self.folder / "before", "--quiet", timeout=600)  # without a baseline gates fail
-        sturm("gate", self.folder / "before/report.json", "--write-baseline", self.folder / "baseline.json")
+        self.write("baseline.json", baseline())
         self.baseline_hash = self.hash_of_baseline()
 
     def hash_of_baseline(self):

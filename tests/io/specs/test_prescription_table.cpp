@@ -108,14 +108,18 @@ TEST_F(PrescriptionTableFile, IsReadInTheEncodingsOfSpreadsheets) {
 }
 
 TEST_F(PrescriptionTableFile, ASphereLeavesCylinderAndAxisEmpty) {
-  for (const char* cells : {"+1.25,,", "1.25,0,", "+1.25,DS,", "+1.25,-,-", "+1.25,SPH,", "+1.25,0.00,90"}) {
+  for (const char* cells :
+       {"+1.25,,", "1.25,0,", "+1.25,DS,", "+1.25,-,-", "+1.25,SPH,", "+1.25,Ds,", "+1.25,0.00,90"}) {
     const Prescription rx =
         only(read_prescription_table(file(std::string("eye,id,sph_D,cyl_D,axis_deg\nOD,P1,") + cells + "\n"), 0.012));
     EXPECT_EQ(rx.sphere_D, 1.25) << cells;
     EXPECT_EQ(rx.cylinder_D, 0.0) << cells;
   }
-  EXPECT_EQ(only(read_prescription_table(file("eye,id,sph_D,cyl_D,axis_deg\nOD,P1,PL,-0.75,180\n"), 0.0)).sphere_D,
-            0.0);
+  for (const std::string cell : {"PL", "plano", "Plan", "PLN"})
+    EXPECT_EQ(only(read_prescription_table(file("eye,id,sph_D,cyl_D,axis_deg\nOD,P1," + cell + ",-0.75,180\n"), 0.0))
+                  .sphere_D,
+              0.0)
+        << cell;
 }
 
 TEST_F(PrescriptionTableFile, BothEyesOfATextAndItsVertexDistance) {
