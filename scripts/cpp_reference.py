@@ -113,9 +113,17 @@ def type_of(compound):
 
 
 def sharing_docstrings(entries):
-    """Members that one line declares share the docstring behind it."""
+    """Members that one line declares share the docstring behind it, and a function that of the one before it, if that has the same name."""
     texts = {(entry.header, entry.line): entry.text for entry in entries if entry.kind == "variable" and entry.text}
-    return [entry._replace(text=entry.text or texts.get((entry.header, entry.line), "")) if entry.kind == "variable" else entry for entry in entries]
+    shared = []
+    for entry in entries:
+        text = entry.text
+        if entry.kind == "variable":
+            text = text or texts.get((entry.header, entry.line), "")
+        elif shared and (shared[-1].kind, shared[-1].name) == ("function", entry.name):
+            text = text or shared[-1].text
+        shared.append(entry._replace(text=text))
+    return shared
 
 
 @functools.lru_cache
@@ -137,7 +145,7 @@ def entries():
 
 def says_all_itself(owner, member):
     """A constructor without parameters does what it does everywhere."""
-    return member.declaration == owner.name + "()" or member.declaration.startswith(owner.name + "() ")
+    return member.declaration.startswith(owner.name + "()")
 
 
 def undocumented():

@@ -26,15 +26,17 @@ class Library(unittest.TestCase):
         self.assertEqual(list(cpp_reference.undocumented()), [])
 
     def test_a_name_without_a_docstring_is_noticed(self):
-        """A type, a member and a value each; members that one line declares share what stands behind it."""
+        """A type, a member and a value each. Members that one line declares share what stands behind it, functions of one name what stands before the first."""
         entry, bare = cpp_reference.Entry, ("a.h", 1, 1)
         values = [entry(*bare, "value", "documented", "documented", "", "text", []), entry(*bare, "value", "bare", "bare", "", "", [])]
-        members = cpp_reference.sharing_docstrings([entry("a.h", 2, c, "variable", name, "", "", text, []) for c, name, text in ((1, "x", ""), (2, "y", "both"))])
-        members += [entry("a.h", 3, 1, "function", "T", "T()", "", "", []), entry("a.h", 4, 1, "function", "T", "T(int n)", "", "", [])]
+        given = [("a.h", 2, 1, "variable", "x", ""), ("a.h", 2, 2, "variable", "y", "both"), ("a.h", 3, 1, "function", "at", "text"), ("a.h", 4, 1, "function", "at", ""),
+                 ("a.h", 5, 1, "function", "of", "")]
+        members = cpp_reference.sharing_docstrings([entry(*place, name, "", "", text, []) for *place, name, text in given])
+        members += [entry("a.h", 6, 1, "function", "T", "T()", "", "", []), entry("a.h", 7, 1, "function", "U", "U(int n)", "", "", [])]
         made = [entry(*bare, "enum", "E", "", "", "text", values), entry(*bare, "struct", "T", "struct T", "", "", members)]
         kept, cpp_reference.entries = cpp_reference.entries, lambda: made
         self.addCleanup(setattr, cpp_reference, "entries", kept)
-        self.assertEqual(list(cpp_reference.undocumented()), ["a.h:1: E::bare", "a.h:1: T", "a.h:4: T::T"])
+        self.assertEqual(list(cpp_reference.undocumented()), ["a.h:1: E::bare", "a.h:1: T", "a.h:5: T::of", "a.h:7: T::U"])
 
     def test_what_the_headers_declare_is_on_the_pages(self):
         """Types and functions at the beginning of a line, found without Doxygen."""
