@@ -19,7 +19,7 @@ struct BestAccommodation {
   double amplitude_D = 0.0;  ///< A_max ≥ 0 [D]
 };
 
-using Accommodation = std::variant<RelaxedAccommodation, FixedAccommodation, BestAccommodation>;
+using Accommodation = std::variant<RelaxedAccommodation, FixedAccommodation, BestAccommodation>;  ///< one of the three
 
 /// The distance [m] that an accommodation was stated as, where it was.
 inline std::optional<double> stated_focus_distance_m(const Accommodation& accommodation) {

@@ -8,7 +8,7 @@ inline constexpr double metres_per_nanometre = 1e-9;
 
 /// One wavelength of a light [nm], and its share of what is seen.
 struct SpectralLine {
-  double wavelength_nm, weight;
+  double wavelength_nm, weight;  ///< > 0 [nm]; ≥ 0, a share where the weights of a light sum to 1
 };
 
 /// The light that a point spread is computed for; its weights sum to 1.

@@ -19,9 +19,9 @@ struct Eye {
   PowerMatrix correction;  ///< F, the correcting power at the cornea [D], wearer frame; a myope's is negative
   std::optional<ZernikeWave>
       wavefront;  ///< if one was measured: all of it, `correction` included; its pupil is not smaller than the eye's
-  double pupil_radius_m = 2e-3;                       ///< a ≥ 0; 0 is a pinhole
-  double rotation_center_m = mean_rotation_center_m;  ///< distance of the centre of rotation behind the pupil
-  Accommodation accommodation = RelaxedAccommodation{};
+  double pupil_radius_m = 2e-3;                          ///< a ≥ 0; 0 is a pinhole
+  double rotation_center_m = mean_rotation_center_m;     ///< distance of the centre of rotation behind the pupil
+  Accommodation accommodation = RelaxedAccommodation{};  ///< what the eye does for each target
   double stiles_crawford_per_m2 =
       0.0;  ///< ρ ≥ 0 of the weight 10^(−ρ r²) of light through the pupil at r [1/m²]; 0: all alike
 

@@ -12,6 +12,6 @@ enum class FieldMethod {
 
 inline constexpr Words<FieldMethod, 3> field_method_words{{{FieldMethod::ray_transfer, "ray_transfer"},
                                                            {FieldMethod::published, "published"},
-                                                           {FieldMethod::previous, "previous"}}};
+                                                           {FieldMethod::previous, "previous"}}};  ///< in documents
 
 }  // namespace sturm

@@ -5,9 +5,9 @@ namespace sturm {
 
 /// Half a line: origin [m] and unit direction, wearer frame unless told otherwise.
 struct LightRay {
-  Eigen::Vector3d origin, direction;
+  Eigen::Vector3d origin, direction;  ///< [m]; unit vector
 
-  Eigen::Vector3d at(double distance) const { return origin + distance * direction; }
+  Eigen::Vector3d at(double distance) const { return origin + distance * direction; }  ///< [m]
 };
 
 }  // namespace sturm

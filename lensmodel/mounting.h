@@ -20,12 +20,12 @@ class Mounting {
   /// has the slopes `slopes` (∂z/∂x, ∂z/∂y) in the lens's frame: a prism.
   Mounting with_wedge(const Eigen::Vector2d& slopes) const;
 
-  bool straight() const { return straight_; }    ///< neither tilted, wrapped nor decentred
-  bool has_wedge() const { return has_wedge_; }  ///< the surfaces' axes differ
-  const Eigen::Vector2d& decentration_m() const { return decentration_m_; }
-  double pantoscopic_tilt() const { return pantoscopic_tilt_; }
-  double wrap() const { return wrap_; }
-  const Eigen::Vector2d& wedge() const { return wedge_; }
+  bool straight() const { return straight_; }                                ///< neither tilted, wrapped nor decentred
+  bool has_wedge() const { return has_wedge_; }                              ///< the surfaces' axes differ
+  const Eigen::Vector2d& decentration_m() const { return decentration_m_; }  ///< of the back vertex, wearer frame
+  double pantoscopic_tilt() const { return pantoscopic_tilt_; }              ///< [rad], as in the constructor
+  double wrap() const { return wrap_; }                                      ///< [rad], as in the constructor
+  const Eigen::Vector2d& wedge() const { return wedge_; }  ///< slopes as in with_wedge; 0 without a prism
 
   const Eigen::Matrix3d& wearer_from_lens() const { return wearer_from_lens_; }  ///< rotation
   const Eigen::Matrix3d& lens_from_back() const { return lens_from_back_; }      ///< rotation about the back vertex

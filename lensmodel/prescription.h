@@ -13,7 +13,7 @@ struct Prescription {
   double prism_cm_per_m = 0.0;     ///< prism [Δ], ≥ 0; without effect on the power
   double prism_base_deg = 0.0;     ///< its base, 0 ≤ base < 360, counter-clockwise as an examiner faces the wearer
 
-  double spherical_equivalent_D() const { return sphere_D + 0.5 * cylinder_D; }
+  double spherical_equivalent_D() const { return sphere_D + 0.5 * cylinder_D; }  ///< S + C/2 [D]
 };
 
 /// The same lens with the opposite sign of cylinder: (S + C, −C, AXIS ± 90), AXIS in (0, 180].

@@ -15,7 +15,7 @@ inline constexpr Words<RayModel, 6> ray_model_words{{{RayModel::pinhole, "pinhol
                                                      {RayModel::metalstigmatism, "metalstigmatism"},
                                                      {RayModel::sin2_radial, "sin2_radial"},
                                                      {RayModel::power_matrix, "power_matrix"},
-                                                     {RayModel::zernike, "zernike"}}};
+                                                     {RayModel::zernike, "zernike"}}};  ///< in documents
 
 /// The word for it in documents.
 inline std::string name_of(RayModel model) {
@@ -24,7 +24,7 @@ inline std::string name_of(RayModel model) {
 
 inline std::optional<RayModel> ray_model_named(std::string_view name) {
   return ray_model_words.value_of(name);
-}
+}  ///< none where no model has this word
 
 /// False where the model has no rays for an eye in this state: metalstigmatism adds the eye's focal distance to that of
 /// a target and needs one that is stated.

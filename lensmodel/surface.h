@@ -23,10 +23,10 @@ bool may_meet(const Surface& surface, const LightRay& ray, double rim_radius);
 
 /// Where a ray that comes from the eye goes through a surface.
 struct SurfaceHit {
-  LensStatus status = LensStatus::missed_lens;
-  double distance = 0.0;     ///< along the ray [m], > 0
-  Eigen::Vector3d position;  ///< [m], surface frame
-  Sag sag;                   ///< at the position: normal and curvature follow from it
+  LensStatus status = LensStatus::missed_lens;  ///< unless ok, the rest means nothing
+  double distance = 0.0;                        ///< along the ray [m], > 0
+  Eigen::Vector3d position;                     ///< [m], surface frame
+  Sag sag;                                      ///< at the position: normal and curvature follow from it
 };
 
 /// The first outward crossing of the surface within `rim_radius` [m] of its axis. The ray starts on the eye's side, so

@@ -11,6 +11,6 @@ struct SurfacePower {
   double cylinder_D;  ///< size of their difference, ≥ 0
 };
 
-SurfacePower surface_power(const Sag& sag, double refractive_index);
+SurfacePower surface_power(const Sag& sag, double refractive_index);  ///< at the point of `sag`; n ≥ 1
 
 }  // namespace sturm

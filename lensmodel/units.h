@@ -4,18 +4,18 @@
 
 namespace sturm {
 
-inline constexpr double metres_per_millimetre = 1e-3;
-inline constexpr double metres_per_micrometre = 1e-6;
-inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
-inline constexpr double arcminutes_per_radian = 60.0 * 180.0 / std::numbers::pi;
+inline constexpr double metres_per_millimetre = 1e-3;                             ///< from millimetres to metres
+inline constexpr double metres_per_micrometre = 1e-6;                             ///< from micrometres to metres
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;            ///< from degrees to radians
+inline constexpr double arcminutes_per_radian = 60.0 * 180.0 / std::numbers::pi;  ///< from radians to minutes of arc
 
 /// 1/d [D] of a distance > 0 [m]; 0 at infinity.
 inline double vergence_of(double distance_m) {
   return 1.0 / distance_m;
 }
-
+/// Sine and cosine of one angle.
 struct SineCosine {
-  double sine, cosine;
+  double sine, cosine;  ///< −1 … 1
 };
 
 /// Sine and cosine of an angle in degrees, exact at multiples of 90° and equal in size at odd multiples of 45°,

@@ -13,6 +13,6 @@ struct VertexPower {
       back_vertex;  ///< F₂ + F₁ (I − (t/n) F₁)⁻¹; none where a focal line of the front lies in the back vertex
 };
 
-VertexPower vertex_power(const Spectacles& lens);
+VertexPower vertex_power(const Spectacles& lens);  ///< the lens alone: its distance from the eye does not count
 
 }  // namespace sturm

@@ -16,7 +16,7 @@ enum class ZernikeOrder {
 };
 
 inline constexpr Words<ZernikeOrder, 3> zernike_order_words{
-    {{ZernikeOrder::Osa, "osa"}, {ZernikeOrder::Noll, "noll"}, {ZernikeOrder::Fringe, "fringe"}}};
+    {{ZernikeOrder::Osa, "osa"}, {ZernikeOrder::Noll, "noll"}, {ZernikeOrder::Fringe, "fringe"}}};  ///< in documents
 
 /// The number that a list of coefficients starts with: 0 of OSA, 1 of the others.
 int first_number(ZernikeOrder order);

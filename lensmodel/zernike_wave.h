@@ -17,7 +17,7 @@ enum class SecondOrder {
 };
 
 inline constexpr Words<SecondOrder, 2> second_order_words{
-    {{SecondOrder::LeastSquares, "least_squares"}, {SecondOrder::Paraxial, "paraxial"}}};
+    {{SecondOrder::LeastSquares, "least_squares"}, {SecondOrder::Paraxial, "paraxial"}}};  ///< in documents
 
 /// A wavefront W over a disc as OSA/ANSI Zernike coefficients (docs/theory.md#52-measured-wavefronts). Wearer frame;
 /// the ray through p leaves with the slope −∇W(p), so that a correcting power F alone is W = −½ pᵀF p. Immutable.
@@ -31,7 +31,7 @@ class ZernikeWave {
   /// That of a correcting power over a pupil.
   static ZernikeWave of_power(const PowerMatrix& power, double radius_m);
 
-  double radius_m() const { return radius_; }
+  double radius_m() const { return radius_; }  ///< of the disc, > 0
 
   /// c_j in the wearer frame [m]; the last may be zero.
   const std::vector<double>& coefficients() const { return coefficients_; }
@@ -53,7 +53,7 @@ class ZernikeWave {
 
   /// −∇W as polynomials in p/radius, for fast evaluation.
   const PlanePolynomial& slope_x() const { return slope_x_; }
-  const PlanePolynomial& slope_y() const { return slope_y_; }
+  const PlanePolynomial& slope_y() const { return slope_y_; }  ///< the same along y
 
  private:
   ZernikeWave(std::vector<double> coefficients, double radius_m);

@@ -15,15 +15,15 @@ namespace sturm {
 
 /// A blur field and how it came about.
 struct BlurField {
-  FieldGrid grid;
-  TracedDirections directions;
-  std::optional<DepthAnalyticField> analytic;
-  std::optional<VoxelField> voxels;
+  FieldGrid grid;                              ///< places of lines of sight and distances
+  TracedDirections directions;                 ///< the conoid of each line of sight
+  std::optional<DepthAnalyticField> analytic;  ///< if the document asks for it
+  std::optional<VoxelField> voxels;            ///< the same
   Json summary;  ///< sizes, counters and the interpolation error: what does not depend on the run
-  std::map<std::string, double> seconds;
+  std::map<std::string, double> seconds;  ///< wall-clock by part [s]
 };
 
-BlurField compute_blur_field(const BlurFieldSpec& spec);
+BlurField compute_blur_field(const BlurFieldSpec& spec);  ///< on all cores; the same bits for any number of threads
 
 /// The conoids of all lines of sight of a blur field alone.
 TracedDirections field_directions(const BlurFieldSpec& spec);

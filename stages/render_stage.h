@@ -14,7 +14,7 @@
 
 namespace sturm {
 
-using ProgressFunction = std::function<void(double fraction)>;
+using ProgressFunction = std::function<void(double fraction)>;  ///< told the fraction done, 0 … 1; may be empty
 
 /// Path traces one view. Accommodation and focus distance come from the eye, relaxed or fixed, for which the model has
 /// rays (has_rays).
@@ -26,16 +26,18 @@ RenderResult path_trace(const Scene& scene, const CameraPose& pose, const Eye& e
 RenderResult path_trace_view(const Scene& scene, const RenderSpec& spec, const WornEye& worn, double sideways_m,
                              const RenderSettings& settings, const ViewPlan& plan);
 
+/// How long the two steps of a prediction took.
 struct PredictionTimes {
-  double sharp_view_seconds = 0.0, spreading_seconds = 0.0;
+  double sharp_view_seconds = 0.0, spreading_seconds = 0.0;  ///< wall-clock [s]
 };
 
+/// A predicted view, and what it was made from.
 struct PredictedImage {
-  Prediction prediction;
-  SharpView source;  ///< that it was spread from
-  PredictionTimes times;
-  RenderCounters sharp_counters;
-  int margin_px = 0;
+  Prediction prediction;          ///< the blurred picture, without the margin
+  SharpView source;               ///< that it was spread from
+  PredictionTimes times;          ///< of the two steps
+  RenderCounters sharp_counters;  ///< of the pinhole rendering
+  int margin_px = 0;              ///< that `source` has on each side, in pixels of the picture
 };
 
 /// Predicts the same view: one pinhole rendering of `settings.samples_per_pixel` samples per output pixel, spread by
@@ -43,17 +45,17 @@ struct PredictedImage {
 PredictedImage predict(const Scene& scene, const CameraPose& pose, const Eye& eye, int oversampling,
                        const RenderSettings& settings, const PredictorSettings& spreading = {});
 
-Json counters_json(const RenderCounters& counters);
+Json counters_json(const RenderCounters& counters);  ///< as they stand in a manifest
 
 /// What `sturm render` writes: the layers, the counters, the seconds of each part, and the notes of the document, its
 /// model files and its method. `warning` says what is wrong with the picture as a whole, "" if nothing is; it is one of
 /// the notes, too.
 struct RenderOutput {
-  LayeredImage image;
-  Json counters;
-  std::vector<std::string> notes;
-  std::string warning;
-  std::map<std::string, double> seconds;
+  LayeredImage image;                     ///< linear light; "" is the picture itself
+  Json counters;                          ///< for the manifest
+  std::vector<std::string> notes;         ///< what is remarkable, in words
+  std::string warning;                    ///< "" if nothing is wrong
+  std::map<std::string, double> seconds;  ///< wall-clock by part [s]
 
   /// The picture for people: filtered where the document asks for it, else as rendered.
   const Image& shown() const {

@@ -18,10 +18,10 @@ inline constexpr int usual_parts = 8;
 
 /// Who sees a picture, and how exactly.
 struct SeeSettings {
-  Eye eye;
-  double accommodation_D = 0.0;
-  double pixel_slope = 0.0;  ///< size of a pixel in tangent units, > 0
-  SeenPsf psf = SeenPsf::Rays;
+  Eye eye;                                             ///< who sees; the pupil and the wave are taken from it
+  double accommodation_D = 0.0;                        ///< ≥ 0 [D]; the mode of the eye does not count
+  double pixel_slope = 0.0;                            ///< size of a pixel in tangent units, > 0
+  SeenPsf psf = SeenPsf::Rays;                         ///< what kernels are made of
   bool chromatic = false;                              ///< R, G and B have kernels of their own
   int parts = 1;                                       ///< of the pupil; waves have one
   std::function<void(double fraction)> progress = {};  ///< of the blurring, called from worker threads; may be empty
@@ -29,13 +29,13 @@ struct SeeSettings {
 
 /// What the eye sees.
 struct SeenPicture {
-  Image radiance;                ///< linear, 3 channels
-  std::vector<double> planes_D;  ///< vergences of the planes, ascending
-  std::vector<int> radii_px;     ///< of their kernels
-  BlurCounters work;
+  Image radiance;                                  ///< linear, 3 channels
+  std::vector<double> planes_D;                    ///< vergences of the planes, ascending
+  std::vector<int> radii_px;                       ///< of their kernels
+  BlurCounters work;                               ///< what was done with the layers of each tile
   long long hidden_given = 0, hidden_guessed = 0;  ///< pixels of hidden surfaces
-  int parts = 1;
-  std::map<std::string, double> seconds;
+  int parts = 1;                                   ///< of the pupil that were composited
+  std::map<std::string, double> seconds;           ///< wall-clock by part [s]
 };
 
 /// What an eye sees of a picture with a depth map (docs/theory.md#143-pictures-with-depth). `layers` are further

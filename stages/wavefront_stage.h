@@ -12,9 +12,9 @@ namespace sturm {
 
 /// A sensor's table and how a wavefront is fitted to it.
 struct WavefrontQuery {
-  std::string file;  ///< of the table, for messages
-  SensorTable table;
-  double pupil_radius_m = 0.0;
+  std::string file;                 ///< of the table, for messages
+  SensorTable table;                ///< slopes, spots or heights
+  double pupil_radius_m = 0.0;      ///< > 0; of the disc that the modes are fitted over
   double lenslet_m = 0.0;           ///< side of a lenslet; 0 takes the gradient at its centre
   std::optional<int> radial_order;  ///< none: chosen by leaving out
   bool keep_spurious = false;       ///< ordinary least squares of everything
@@ -24,10 +24,10 @@ struct WavefrontQuery {
 
 /// A fitted wavefront and what became of each row of the table.
 struct FittedWavefront {
-  ModalFit fit;                      ///< of `points`, examiner's frame
-  std::vector<SensorPoint> points;   ///< within the pupil
-  std::vector<SensorPoint> outside;  ///< left out
-  int radial_order = 0;
+  ModalFit fit;                       ///< of `points`, examiner's frame
+  std::vector<SensorPoint> points;    ///< within the pupil
+  std::vector<SensorPoint> outside;   ///< left out
+  int radial_order = 0;               ///< highest n of the modes
   std::optional<OrderChoice> choice;  ///< if the order was chosen
 
   /// OSA coefficients [µm] from j = 0 on, examiner's frame.
@@ -44,12 +44,12 @@ Json wavefront_report(const WavefrontQuery& query, const FittedWavefront& fitted
 /// An eye's document (sturm.eye/1) with a wavefront.
 struct WavefrontEye {
   std::vector<double> coefficients_um;  ///< OSA normalised, examiner's frame
-  double measured_pupil_mm, pupil_mm;
-  std::optional<std::string> side;  ///< "right" or "left"
-  std::optional<double> wavelength_nm;
-  std::string source;
+  double measured_pupil_mm, pupil_mm;  ///< diameter that the coefficients are stated for, and the eye's own, not larger
+  std::optional<std::string> side;     ///< "right" or "left"
+  std::optional<double> wavelength_nm;  ///< that the wave is stated for
+  std::string source;                   ///< where the measurement comes from, in words
 };
-Json eye_document(const WavefrontEye& eye);
+Json eye_document(const WavefrontEye& eye);  ///< its sturm.eye/1
 
 /// Power and higher orders of a wavefront, for reports: M, J0, J45 and SPH/CYL/AXIS at the cornea, and root mean
 /// squares.

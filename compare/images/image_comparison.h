@@ -12,8 +12,8 @@ namespace sturm {
 
 /// Conditions that the values depend on.
 struct ImageMetricSettings {
-  double exposure = 1.0;  ///< factor before the display transfer function
-  double pixels_per_degree = flip_default_pixels_per_degree;
+  double exposure = 1.0;                                      ///< factor before the display transfer function
+  double pixels_per_degree = flip_default_pixels_per_degree;  ///< of the observer, for FLIP and HDR-FLIP; > 0
   std::optional<ExposureRange> hdr_exposures;  ///< of HDR-FLIP; none: by the rule for the reference picture
 };
 
@@ -29,7 +29,7 @@ struct ImageMetric {
   /// of them, or a function of their mean (root, decibel); of MS-SSIM it is a picture for orientation. Empty where
   /// `value` is not defined for the picture, and for trimmed means, which are none of the whole map.
   Image map;
-  int margin = 0;
+  int margin = 0;                  ///< pixels of the picture that the map lacks on each side
   int window_px = 1;               ///< side of the square of pixels that a local value depends on
   bool map_is_similarity = false;  ///< larger local values are better (the map of a PSNR holds squared errors)
 
@@ -43,10 +43,10 @@ std::vector<ImageMetric> measure_images(const Image& test, const Image& referenc
 
 /// The metrics' keys, titles and directions without any picture.
 struct ImageMetricName {
-  const char *key, *title;
-  bool more_is_better;
+  const char *key, *title;  ///< in JSON and in tables
+  bool more_is_better;      ///< a similarity; otherwise an error
 };
-const std::vector<ImageMetricName>& image_metric_names();
+const std::vector<ImageMetricName>& image_metric_names();  ///< in the order of measure_images
 
 /// Map values inside the mask (above 0), in the order of the map's pixels.
 std::vector<double> values_within(const Image& map, int margin, const Image& mask);

@@ -12,16 +12,16 @@ namespace sturm {
 
 /// One metric on one part of the picture, and what noise makes of it.
 struct MetricResult {
-  std::optional<double> value;
+  std::optional<double> value;          ///< none where the metric has none, as the PSNR of equal pictures
   std::optional<NoiseFloor> noise;      ///< where seeds were given
   std::optional<bool> distinguishable;  ///< z above the threshold of the family; none where there is no z
 };
 
 /// All metrics on one part of the picture, in the order of `image_metric_names`.
 struct PartResult {
-  std::string name;  ///< "whole", or that of the region
-  std::size_t pixels = 0;
-  std::vector<MetricResult> metrics;
+  std::string name;                   ///< "whole", or that of the region
+  std::size_t pixels = 0;             ///< in this part
+  std::vector<MetricResult> metrics;  ///< in the order of `image_metric_names`
 };
 
 /// Two pictures by all metrics, on the whole and on its regions.

@@ -11,10 +11,10 @@ namespace sturm {
 
 /// A part of a picture with a name.
 struct Region {
-  std::string name;
-  Image mask;  ///< one channel, 1 inside and 0 outside
+  std::string name;  ///< one of those of regions_of
+  Image mask;        ///< one channel, 1 inside and 0 outside
 
-  std::size_t pixels() const;
+  std::size_t pixels() const;  ///< inside of the mask
 };
 
 /// What regions are told from. Each layer has one channel and the size of the pictures.

@@ -16,7 +16,7 @@ inline constexpr double flip_default_pixels_per_degree = 67.0206433;
 int flip_window_px(double pixels_per_degree);
 
 /// LDR-FLIP of display values (sRGB in [0, 1], 3 channels): both pictures are filtered with the eye's contrast
-/// sensitivities (YCxCz) for `pixels_per_degree` > 0, their distance is HyAB in Hunt-adjusted L*a*b*, and differences
+/// sensitivities (YCxCz) for `pixels_per_degree` > 0, their distance is HyAB in Hunt-adjusted CIELAB, and differences
 /// of edges and points (filters of 0.082°) raise it. The same bits for any number of threads. Throws InputError as
 /// `require_colour_pair`.
 Flip flip(const Image& test, const Image& reference, double pixels_per_degree);

@@ -11,7 +11,7 @@ struct ExposureRange {
 
   double stops(int i) const {
     return count == 1 ? start_stops : start_stops + i * (stop_stops - start_stops) / (count - 1);
-  }
+  }  ///< exposure i of 0 … count − 1, as a power of two
 };
 
 /// The range for a reference picture by the rule of [Andersson2021]: at the shortest exposure the brightest pixel, at

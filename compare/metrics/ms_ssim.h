@@ -10,7 +10,7 @@ namespace sturm {
 /// scale 5)^β_5, each scale half the one before (means of 2 × 2 pixels; an odd last row or column is left out), windows
 /// as in SSIM.
 struct MsSsim {
-  static constexpr int scales = 5;
+  static constexpr int scales = 5;  ///< the whole picture is the first
   static constexpr std::array<double, scales> exponents{0.0448, 0.2856, 0.3001, 0.2363,
                                                         0.1333};  ///< β of [Wang2003], from observers
   static constexpr int smallest_image_px = 11 << (scales - 1);    ///< 176: the coarsest scale still holds a window

@@ -8,7 +8,7 @@ namespace sturm {
 
 /// A rectangle of pixels.
 struct PixelRectangle {
-  int x = 0, y = 0, width = 0, height = 0;
+  int x = 0, y = 0, width = 0, height = 0;  ///< [px]; (x, y) is its upper left pixel, (0, 0) that of the picture
 };
 
 /// Modulation transfer along the normal of one straight edge.

@@ -17,7 +17,7 @@ class DepthAnalyticField {
  public:
   /// X/d [rad/m] row by row, and what accommodation takes off, of one direction: one cache line.
   struct alignas(64) Node {
-    float a[4], b[4], q0[4], q1[4];
+    float a[4], b[4], q0[4], q1[4];  ///< X/d = V a + b − A (V q0 + q1) at the vergence V and the accommodation A [D]
   };
 
   /// `correction` is the eye's F [D].
@@ -27,9 +27,10 @@ class DepthAnalyticField {
   /// sizes do not fit.
   DepthAnalyticField(const FieldGrid& grid, std::vector<Node> nodes, std::vector<std::uint8_t> usable);
 
-  const FieldGrid& grid() const { return grid_; }
-  const std::vector<Node>& nodes() const { return nodes_; }
-  const std::vector<std::uint8_t>& usable() const { return usable_; }
+  const FieldGrid& grid() const { return grid_; }                      ///< where the directions are
+  const std::vector<Node>& nodes() const { return nodes_; }            ///< in the order of FieldGrid::index
+  const std::vector<std::uint8_t>& usable() const { return usable_; }  ///< 1 where a node has a conoid
+  /// Of nodes and of what tells where they are usable.
   std::size_t memory_bytes() const { return nodes_.size() * sizeof(Node) + usable_.size() + cells_.size(); }
 
   /// X/d [rad/m] on (e1, e2) in normalised coordinates, for any vergence and accommodation [D]. None outside of the

@@ -13,6 +13,7 @@ struct DirectionShortcuts {
   bool symmetry = true;  ///< trace one quadrant where the lens is its own mirror image, left to right and up to down
 };
 
+/// What became of the directions of a grid.
 struct DirectionCounters {
   std::uint64_t traced = 0;      ///< chief rays followed through the lens
   std::uint64_t mirrored = 0;    ///< directions taken from their mirror image
@@ -24,8 +25,8 @@ struct DirectionCounters {
 /// The conoids of all directions of a grid, in the order of FieldGrid::index. They hold for every distance and
 /// accommodation.
 struct TracedDirections {
-  std::vector<SpectacleConoid> conoids;
-  DirectionCounters counters;
+  std::vector<SpectacleConoid> conoids;  ///< one for each direction; its status says whether it means anything
+  DirectionCounters counters;            ///< of all of them
 };
 
 /// `lens` null is the naked eye: its conoids start at the pupil. Rows are shared out to threads; the result does not

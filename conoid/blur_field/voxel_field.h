@@ -17,13 +17,15 @@ class VoxelField {
 
   /// Room for all voxels, or for those of the mask; not filled yet.
   explicit VoxelField(const FieldGrid& grid);
-  explicit VoxelField(const VoxelMask& stored);
+  explicit VoxelField(const VoxelMask& stored);  ///< of the mask's grid
 
-  const FieldGrid& grid() const { return grid_; }
-  bool sparse() const { return stored_.has_value(); }
-  bool stores(std::size_t direction, int k) const { return !stored_ || stored_->has(direction, k); }
-  std::size_t stored_voxels() const { return stored_voxels_; }
-  std::size_t memory_bytes() const;
+  const FieldGrid& grid() const { return grid_; }      ///< all of it, stored or not
+  bool sparse() const { return stored_.has_value(); }  ///< made for a mask
+  bool stores(std::size_t direction, int k) const {
+    return !stored_ || stored_->has(direction, k);
+  }                                                             ///< k = 0 is the nearest
+  std::size_t stored_voxels() const { return stored_voxels_; }  ///< of all directions
+  std::size_t memory_bytes() const;                             ///< of the numbers, the mask and the notes
 
   /// The voxels of one direction that are stored, in the order of depth.
   float* column(std::size_t direction) { return data_.get() + first_voxel(direction) * floats_per_voxel; }
@@ -33,13 +35,17 @@ class VoxelField {
   const float* voxel(std::size_t direction, int k) const {
     return column(direction) + place(direction, k) * floats_per_voxel;
   }
-  float* voxel(std::size_t direction, int k) { return column(direction) + place(direction, k) * floats_per_voxel; }
+  float* voxel(std::size_t direction, int k) {
+    return column(direction) + place(direction, k) * floats_per_voxel;
+  }  ///< the same
 
   /// Notes that a voxel has no footprint: a lost chief ray, a failure of eq. 11, a focus on a surface. Its numbers are
   /// 0.
   void set_undefined(std::size_t direction, int k);
-  bool defined(std::size_t direction, int k) const { return !undefined_ || !undefined_->has(direction, k); }
-  std::uint64_t undefined_count() const { return undefined_ ? undefined_->count() : 0; }
+  bool defined(std::size_t direction, int k) const {
+    return !undefined_ || !undefined_->has(direction, k);
+  }                                                                                       ///< it has a footprint
+  std::uint64_t undefined_count() const { return undefined_ ? undefined_->count() : 0; }  ///< voxels without one
   void prepare_undefined();  ///< makes room for such notes; afterwards threads may note voxels of different directions
                              ///< at the same time
 

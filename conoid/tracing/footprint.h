@@ -11,9 +11,9 @@ namespace sturm {
 /// docs/theory.md#113-conoid-tracing-as-ray-transfer): a point p of the pupil sends its ray through X p at the target's
 /// distance. At infinity only the angular map exists.
 struct Footprint {
-  double accommodation_D = 0.0;
-  double distance_m = 0.0;  ///< may be ∞
-  Eigen::Matrix2d angular;  ///< X/d [rad/m]; I/d + F − A·I for the naked eye
+  double accommodation_D = 0.0;  ///< A of the eye for this target [D]
+  double distance_m = 0.0;       ///< may be ∞
+  Eigen::Matrix2d angular;       ///< X/d [rad/m]; I/d + F − A·I for the naked eye
   /// Of the wave that leaves the pupil, or the spectacles, at the chief ray [D], positive = converging towards the
   /// scene: −(F − A·I) for the naked eye. None at a focal line.
   std::optional<Eigen::Matrix2d> wavefront_curvature;

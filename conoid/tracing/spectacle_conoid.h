@@ -24,7 +24,7 @@ struct SpectacleConoid {
   }
   Eigen::Matrix2d angular_q(double vergence_D) const {
     return vergence_D * exit.offset_from_slope + exit.slope_from_slope;
-  }
+  }  ///< as angular_p
 
   /// X(d)/d [rad/m] for the slopes S = F − A·I [D].
   Eigen::Matrix2d angular_footprint(const Eigen::Matrix2d& slopes, double vergence_D) const {
@@ -34,7 +34,7 @@ struct SpectacleConoid {
   /// Curvature K = −B A⁻¹ of the wave at the exit point [D] on (e1, e2), positive = converging towards the scene. None
   /// where a focal line passes through the exit point: A is singular to `relative_singularity` of its size.
   std::optional<Eigen::Matrix2d> exit_curvature(const Eigen::Matrix2d& slopes) const;
-  static constexpr double relative_singularity = 1e-14;
+  static constexpr double relative_singularity = 1e-14;  ///< of |det A| to the sum of the squares of its elements
 };
 
 /// Turns the eye to `gaze` (unit vector; Listing's law about its centre of rotation) and follows its chief ray and the

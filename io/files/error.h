@@ -10,13 +10,13 @@ namespace sturm {
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, const std::string& pointer, const std::string& value,
-             const std::string& expected);
+             const std::string& expected);  ///< "" where a part does not apply
 
   // The parts as they were given; the message shortens long ones.
-  const std::string& file() const { return parts_->file; }
-  const std::string& pointer() const { return parts_->pointer; }
-  const std::string& value() const { return parts_->value; }
-  const std::string& expected() const { return parts_->expected; }
+  const std::string& file() const { return parts_->file; }        ///< path of the document, or where else it comes from
+  const std::string& pointer() const { return parts_->pointer; }  ///< JSON pointer, or the name of an option
+  const std::string& value() const { return parts_->value; }      ///< what stands there
+  const std::string& expected() const { return parts_->expected; }  ///< what should stand there
 
  private:
   struct Parts {

@@ -21,13 +21,13 @@ struct PictureFile {
   /// The picture is the layer "": linear Rec. 709 (other primaries have been converted), or as stored for a display. Of
   /// an EXR also the layer "depth", if the file has distances of the picture's size, and the text attributes.
   LayeredImage picture;
-  PixelValues values = PixelValues::Linear;
-  int bits = 0;                    ///< of integer values; 0 for floats
-  StatedColours colours;           ///< how they are decoded, if the values are for a display
-  std::string layer;               ///< of an EXR: the one that was taken, "" is the main one
-  std::vector<std::string> notes;  ///< what was chosen, converted or left out on reading
+  PixelValues values = PixelValues::Linear;  ///< what the numbers of the layer "" mean
+  int bits = 0;                              ///< of integer values; 0 for floats
+  StatedColours colours;                     ///< how they are decoded, if the values are for a display
+  std::string layer;                         ///< of an EXR: the one that was taken, "" is the main one
+  std::vector<std::string> notes;            ///< what was chosen, converted or left out on reading
 
-  const Image& image() const { return picture.layers.at(""); }
+  const Image& image() const { return picture.layers.at(""); }  ///< the picture without its further layers
 };
 
 /// Reads a picture: EXR, Radiance HDR, portable float map, and what OpenImageIO reads (PNG, JPEG, TIFF, …). The file's
@@ -58,6 +58,6 @@ Image without_alpha(const Image& image);
 /// the first three channels that is not finite, and the second for negative ones, too. `advice` is added to what was
 /// expected.
 void require_finite_pixels(const Image& image, const std::string& file);
-void require_light(const Image& image, const std::string& file, const std::string& advice = "");
+void require_light(const Image& image, const std::string& file, const std::string& advice = "");  ///< finite and ≥ 0
 
 }  // namespace sturm

@@ -6,7 +6,7 @@ namespace sturm {
 /// Transfer functions of sRGB (IEC 61966-2-1) on [0, 1]; values beyond continue by the same formulas, negative ones on
 /// the linear part.
 float linear_to_srgb(float linear);
-float srgb_to_linear(float encoded);
+float srgb_to_linear(float encoded);  ///< the inverse of linear_to_srgb
 
 /// Decodes an sRGB-encoded image; the last of 2 or 4 channels is alpha and stays as it is.
 Image srgb_to_linear(const Image& encoded);

@@ -7,16 +7,16 @@
 
 namespace sturm {
 
-using Json = nlohmann::json;
+using Json = nlohmann::json;  ///< members of objects are sorted by their names
 
 /// Where a JSON value stands: its file ("<stdin>" for standard input) and its JSON pointer (RFC 6901). For error
 /// messages.
 struct Source {
-  std::string file;
+  std::string file;     ///< as it was named
   std::string pointer;  ///< "" is the whole document
 
-  Source operator/(std::string_view key) const;
-  Source operator/(std::size_t index) const;
+  Source operator/(std::string_view key) const;  ///< of a member of the object that stands there
+  Source operator/(std::size_t index) const;     ///< of an element of the array that stands there
 
   /// Throws InputError for `value` at this place, cut to a readable length.
   [[noreturn]] void fail(const Json& value, const std::string& expected) const;

@@ -29,7 +29,7 @@ enum class ConoidMethod {
 
 inline constexpr Words<ConoidMethod, 3> conoid_method_words{{{ConoidMethod::conoid, "conoid"},
                                                              {ConoidMethod::conoid_published, "conoid_published"},
-                                                             {ConoidMethod::previous, "previous"}}};
+                                                             {ConoidMethod::previous, "previous"}}};  ///< in documents
 
 /// How a blur ellipse is found: by a conoid, or measured on rays.
 using EllipseMethod = std::variant<ConoidMethod, RayModel>;
@@ -39,12 +39,12 @@ std::string name_of(const EllipseMethod& method);
 
 /// A validated document of format sturm.ellipse/1.
 struct EllipseQuery {
-  Eye eye;
+  Eye eye;                               ///< who looks
   std::optional<Spectacles> spectacles;  ///< none: the naked eye
-  std::vector<Target> targets;
-  std::vector<EllipseMethod> methods;
-  RayBundleSpec rays;
-  std::uint64_t seed = 1;
+  std::vector<Target> targets;           ///< in the order of the document
+  std::vector<EllipseMethod> methods;    ///< each answers for every target
+  RayBundleSpec rays;                    ///< of the methods that measure on rays
+  std::uint64_t seed = 1;                ///< of their random numbers
   std::vector<std::string> notes;        ///< for the manifest
   std::vector<std::string> input_files;  ///< absolute paths of further files that were read
 };

@@ -12,7 +12,7 @@ namespace sturm {
 
 /// An eye as a configuration gives it, and what is remarkable about it.
 struct EyeSpec {
-  Eye eye;
+  Eye eye;                               ///< SI units, correction at the cornea
   std::vector<std::string> notes;        ///< e.g. a pupil beyond 10 mm; for the manifest
   std::vector<std::string> input_files;  ///< absolute path of the eye's own file, if it has one
 };

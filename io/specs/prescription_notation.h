@@ -7,21 +7,21 @@
 #include "io/json/json.h"
 
 namespace sturm {
-
+/// The wearer's right (OD) or left (OS) eye.
 enum class EyeSide { right, left };
 
 /// What a text in optical notation says of one eye (docs/formats/prescriptions.md).
 struct NotedPrescription {
-  std::optional<EyeSide> eye;
-  double sphere_D = 0.0, cylinder_D = 0.0;
-  std::optional<double> axis_deg;  ///< always there where there is a cylinder
-  std::optional<double> addition_D, vertex_distance_mm;
+  std::optional<EyeSide> eye;                            ///< none where the text names none
+  double sphere_D = 0.0, cylinder_D = 0.0;               ///< [D]; 0 for PL
+  std::optional<double> axis_deg;                        ///< always there where there is a cylinder
+  std::optional<double> addition_D, vertex_distance_mm;  ///< none where the text does not say
 
   // Prism [cm/m] by where its base is, as an examiner faces the wearer.
-  double prism_right = 0.0, prism_up = 0.0;
-  double prism_nasal = 0.0;  ///< base in; where that is depends on the eye
+  double prism_right = 0.0, prism_up = 0.0;  ///< base to the examiner's right, and up; negative: left, and down
+  double prism_nasal = 0.0;                  ///< base in; where that is depends on the eye
 
-  bool has_prism() const { return prism_right != 0.0 || prism_up != 0.0 || prism_nasal != 0.0; }
+  bool has_prism() const { return prism_right != 0.0 || prism_up != 0.0 || prism_nasal != 0.0; }  ///< in any direction
 };
 
 /// Reads "-2.00 -1.50 x 30", "OD PL -0.75 x 180 OS +1.25 DS", … One element, or one for each eye that is named. Throws

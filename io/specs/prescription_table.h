@@ -10,8 +10,8 @@ namespace sturm {
 
 /// One eye of a table of prescriptions.
 struct TabledPrescription {
-  std::string id;  ///< "P172-OS": id and eye; the id alone where the table has no eyes
-  Prescription prescription;
+  std::string id;                               ///< "P172-OS": id and eye; the id alone where the table has no eyes
+  Prescription prescription;                    ///< as written, at the vertex distance of its row or of all
   std::optional<double> age_years, addition_D;  ///< where the table states them
 };
 

@@ -8,6 +8,7 @@ from typing import Any, Mapping, Union
 from . import _core
 
 Document = Union[Mapping[str, Any], str, "os.PathLike[str]"]
+"""A document of Sturm: its members as a dictionary, or the path of a JSON file."""
 
 _SHIPPED = pathlib.Path(__file__).with_name("configs")
 

@@ -10,6 +10,7 @@ from . import _core
 from ._documents import Document
 
 STATUS = _core.lens_status_words
+"""What became of a ray through a lens, in words: the field `status` of `ellipses` is the number of one of them, 0 the first."""
 
 
 def ellipses(eye: _core.Eye, distance_m: ArrayLike, azimuth_deg: ArrayLike = 0.0, elevation_deg: ArrayLike = 0.0,

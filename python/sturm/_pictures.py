@@ -11,6 +11,7 @@ from . import _core
 from ._documents import Document
 
 Progress = Callable[[float], object]
+"""A function that is told which fraction of the work is done, 0 to 1, by the thread that asked for it."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -78,6 +79,7 @@ class Comparison:
 
 
 METRICS: dict[str, str] = _core.metric_titles
+"""The keys of all metrics of two pictures, with their titles."""
 
 
 def compare(test: ArrayLike, reference: ArrayLike, *, exposure: float = 1.0, pixels_per_degree: float | None = None) -> Comparison:

@@ -1,6 +1,7 @@
-"""The documents as a site: every document is on it, no link of it is dead, and its search works from files, without a server."""
+"""The documents as a site: every document is on it, and a reference of the code; no link of it is dead, and its search works from files, without a server."""
 import html.parser
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -38,7 +39,7 @@ def dead_targets(pages):
                 yield f"{path.name}: {target}"
 
 
-@unittest.skipUnless(shutil.which("mkdocs"), "MkDocs is not installed (scripts/site installs it)")
+@unittest.skipUnless(shutil.which("mkdocs") and shutil.which("doxygen"), "MkDocs or Doxygen is not installed (scripts/site installs them)")
 class Site(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -57,6 +58,16 @@ class Site(unittest.TestCase):
                 self.assertTrue((self.folder / page).is_file())
                 self.assertIn(page.removesuffix(".html") + ".md", listed)
 
+    def test_the_reference_is_on_it(self):
+        """A page for each room with public headers and one for Python; links to a room's folder lead there on the site."""
+        rooms = {line.split("/")[0] for line in (SOURCE / "cmake/public_headers.txt").read_text().splitlines() if not line.startswith("#")}
+        self.assertEqual({path.stem for path in (self.folder / "reference").iterdir()}, rooms | {"python"})
+        listed = set(re.findall(r"reference/(\w+)\.md", (SOURCE / "site/mkdocs.yml").read_text()))
+        self.assertEqual(listed, rooms | {"python"})
+        self.assertIn("reference/conoid.html", Page(self.folder / "library.html").targets)
+        self.assertIn("reference/python.html", Page(self.folder / "python.html").targets)
+        self.assertIn("lensmodeleyeh", Page(self.folder / "reference/lensmodel.html").anchors)
+
     def test_no_link_is_dead(self):
         pages = {path: Page(path) for path in self.folder.rglob("*.html") if path.name != "404.html"}
         self.assertEqual(list(dead_targets(pages)), [])
@@ -71,7 +82,7 @@ class Site(unittest.TestCase):
     def test_tables_are_as_wide_as_the_page_and_have_their_pictures(self):
         """The theme once kept each cell on one line: sentences were cut off, and the gallery's pictures had no width."""
         browser = self.browser()
-        for page in ("index", "first_steps", "commands/lens"):
+        for page in ("index", "first_steps", "commands/lens", "reference/io", "reference/python"):
             browser.open(self.folder / f"{page}.html")
             cut = browser.run("return [...document.querySelectorAll('.wy-table-responsive')].filter((box) => box.scrollWidth > box.clientWidth + 1).length;")
             narrow = browser.run("return [...document.images].filter((image) => image.clientWidth < 200).map((image) => image.src);")
@@ -79,10 +90,11 @@ class Site(unittest.TestCase):
 
     def test_search_works_from_files(self):
         browser = self.browser()
-        browser.open(self.folder / "search.html")
-        browser.type("#mkdocs-search-query", "circle of least confusion")
-        found = browser.run("return [...document.querySelectorAll('#mkdocs-search-results a')].map((link) => link.href);")
-        self.assertTrue(any("theory.html" in address for address in found), found)
+        for words, page in (("naked_eye_footprint", "reference/conoid.html"), ("circle of least confusion", "theory.html")):
+            browser.open(self.folder / "search.html")
+            browser.type("#mkdocs-search-query", words)
+            found = browser.run("return [...document.querySelectorAll('#mkdocs-search-results a')].map((link) => link.href);")
+            self.assertTrue(any(page in address for address in found), found)
         browser.click("#mkdocs-search-results a")
         self.assertNotEqual(browser.text("h1"), "Search Results")
         self.assertEqual(browser.console(), [])

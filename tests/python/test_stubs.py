@@ -3,10 +3,14 @@ import ast
 import inspect
 import pathlib
 import re
+import sys
 import unittest
 
 import sturm
 from sturm import _core
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import python_reference  # noqa: E402
 
 STUBS = ast.parse(pathlib.Path(sturm.__file__).with_name("_core.pyi").read_text(encoding="utf-8"))
 
@@ -58,6 +62,16 @@ class Stubs(unittest.TestCase):
 
 
 class Docstrings(unittest.TestCase):
+    def test_the_reference_page_has_those_of_the_module(self):
+        """It reads them in the sources of the bindings, where the module has them from; pybind11 puts signatures before those of functions."""
+        bound = python_reference.bound_docstrings()
+        for name, text in bound.items():
+            owner, _, member = name.rpartition(".")
+            real = inspect.getattr_static(getattr(_core, owner), member) if owner else getattr(_core, name)
+            self.assertEqual(inspect.cleandoc(real.__doc__.split("\n\n", 1)[-1] if callable(real) and not inspect.isclass(real) else real.__doc__), inspect.cleandoc(text), name)
+        public = {f"{name}.{member}" for name, thing in vars(_core).items() if inspect.isclass(thing) for member in vars(thing) if not member.startswith("_")}
+        self.assertEqual({name for name in public - bound.keys()}, set())
+
     def test_everything_public_has_one(self):
         for name in sturm.__all__:
             thing = getattr(sturm, name)

@@ -9,7 +9,7 @@
 
 namespace sturm {
 
-inline constexpr double two_pi = 2.0 * std::numbers::pi;
+inline constexpr double two_pi = 2.0 * std::numbers::pi;  ///< 2π
 
 /// The wave in an eye's pupil, from which its point spreads follow (docs/theory.md#142-point-spreads).
 /// With a vergence error V added it is W(p) − ½ V |p|² over |p| ≤ radius. The image of a point stands at X = +∇W
@@ -32,7 +32,7 @@ struct PupilWave {
   }
   Eigen::Vector2d gradient(const Eigen::Vector2d& p, double vergence_D) const {
     return -wave.slope(p) - vergence_D * p;
-  }
+  }  ///< as height
 
   /// V at a wavelength: that of the target, and the eye's own chromatic difference.
   double vergence_at(double wavelength_nm, double vergence_D) const {

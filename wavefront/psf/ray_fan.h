@@ -17,9 +17,9 @@ class RayFan {
   /// number of threads.
   RayFan(const PupilWave& pupil, const Light& light, std::size_t count, const PupilSector& sector = {});
 
-  std::size_t points() const { return points_.size(); }
-  std::size_t wavelengths() const { return lines_.size(); }
-  const Eigen::Vector2d& pupil_point(std::size_t i) const { return points_[i]; }
+  std::size_t points() const { return points_.size(); }      ///< each has one ray in every wavelength
+  std::size_t wavelengths() const { return lines_.size(); }  ///< lines of the light
+  const Eigen::Vector2d& pupil_point(std::size_t i) const { return points_[i]; }  ///< [m], frame of the pupil
 
   /// X = +∇W [rad] of a point's ray with the vergence error V [D], the chromatic one included.
   Eigen::Vector2d landing(std::size_t i, double vergence_D) const { return gradients_[i] - vergence_D * points_[i]; }
@@ -36,7 +36,7 @@ class RayFan {
   template <class Visit>
   void for_each(double vergence_D, const Visit& visit) const {
     for_each(vergence_D, points_.size(), visit);
-  }
+  }  ///< the same for all points
 
  private:
   struct Line {

@@ -33,7 +33,7 @@ struct PsfCells {
   double cell_rad;         ///< side of a cell
   Eigen::MatrixXd energy;  ///< odd × odd; row iy, column ix from the most negative on; the middle one is about X = 0
 
-  double outside() const { return 1.0 - energy.sum(); }
+  double outside() const { return 1.0 - energy.sum(); }  ///< the share that no cell has
 };
 
 /// Exact integrals over side × side cells of the spread, which is band-limited.

@@ -9,7 +9,7 @@ namespace sturm {
 /// OTF(ν) = ∫ PSF(X) e^(−2πi ν·X) dX on a grid of frequencies. Each wavelength has unit energy over all angles, by the
 /// pupil's area; OTF(0) is a little below 1 by what the grid does not hold.
 struct WavePsf {
-  WaveSampling sampling;
+  WaveSampling sampling;  ///< the grid that it was computed on
   int highest;            ///< k of the highest frequency k·frequency_step that passes
   Eigen::MatrixXcd otf;   ///< row highest + ky, column kx ≥ 0; the other half is its conjugate
   double strehl_origin;   ///< PSF(0) over that of the same pupil and light without aberration, also chromatic

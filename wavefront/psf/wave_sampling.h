@@ -8,11 +8,11 @@ namespace sturm {
 
 /// The grid that a wave's point spread is computed on: grid × grid samples over a window of 1/frequency_step [rad].
 struct WaveSampling {
-  int grid;
+  int grid;               ///< samples along each side
   double frequency_step;  ///< [cycles/rad]; a wavelength λ samples the pupil every λ·frequency_step
 
-  double window_rad() const { return 1.0 / frequency_step; }
-  double pixel_rad() const { return 1.0 / (grid * frequency_step); }
+  double window_rad() const { return 1.0 / frequency_step; }          ///< side of the window
+  double pixel_rad() const { return 1.0 / (grid * frequency_step); }  ///< side of a sample
 };
 
 /// The grid that was asked for, or that is allowed at all, would alias: light would come back in at the other side of
@@ -22,7 +22,7 @@ class AliasedSampling : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-inline constexpr int least_wave_grid = 1024, largest_wave_grid = 4096;
+inline constexpr int least_wave_grid = 1024, largest_wave_grid = 4096;  ///< samples along each side
 
 /// The sampling that the wave's largest slope asks for: neighbouring samples of the pupil differ by less than half a
 /// wave, with room for the light that the rim diffracts, and the highest frequency 2a/λ stays below the grid's. `grid`
