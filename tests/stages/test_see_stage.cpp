@@ -1,0 +1,110 @@
+// What `see_picture` leaves as it is, from the sharp picture to the seen one with all steps between.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "io/images/depth_map.h"
+#include "stages/see_stage.h"
+
+namespace sturm {
+namespace {
+
+constexpr int width = 240, height = 180;
+constexpr double near_m = 0.4, far_m = 2.0;
+
+SeeSettings seen_by_a_myope(int parts) {
+  SeeSettings settings;
+  settings.eye = Eye::with(Prescription{-1.5, -1.0, 30.0, 0.0}, 5e-3);
+  settings.pixel_slope = 6e-4;
+  settings.parts = parts;
+  return settings;
+}
+
+bool on_the_card(int x, int y) {
+  return x >= 40 && x < 110 && y >= 40 && y < 140;
+}
+
+float texture(int x, int y, int channel) {
+  return static_cast<float>(0.2 + 0.1 * ((x * 7 + y * 3 + channel) % 5));
+}
+
+/// A textured card before a textured wall.
+LayeredPicture card_before_wall() {
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      picture.vergence_D.push_back(1.0 / (on_the_card(x, y) ? near_m : far_m));
+      for (int c = 0; c < 3; ++c) picture.radiance.at(x, y)[c] = texture(x, y, on_the_card(x, y) ? c : c + 1);
+    }
+  return picture;
+}
+
+/// The wall, known everywhere.
+PictureLayer wall() {
+  PictureLayer layer{Image(width, height, 3), std::vector<double>(width * height, 1.0 / far_m), {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c) layer.radiance.at(x, y)[c] = texture(x, y, c + 1);
+  return layer;
+}
+
+class LampsInALayeredPicture : public ::testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(LampsInALayeredPicture, LeaveWhatTheyDoNotReach) {
+  const auto [lamp_x, lamp_y] = GetParam();
+  const PictureLayer dark_wall = wall();
+  for (const bool wall_given : {false, true})
+    for (const int parts : {1, 8}) {
+      PictureLayer lit_wall = dark_wall;
+      LayeredPicture dark = card_before_wall(), lit = dark;
+      std::fill_n(lit.radiance.at(lamp_x, lamp_y), 3, 1e4f);
+      if (!on_the_card(lamp_x, lamp_y)) std::fill_n(lit_wall.radiance.at(lamp_x, lamp_y), 3, 1e4f);
+      const auto layers = [&](const PictureLayer& layer) {
+        return wall_given ? std::span(&layer, 1) : std::span<const PictureLayer>();
+      };
+      const SeenPicture without = see_picture(dark, layers(dark_wall), seen_by_a_myope(parts)),
+                        with = see_picture(lit, layers(lit_wall), seen_by_a_myope(parts));
+      // Planes ascend: the wall, the card. The two pixels beside the lamp are sharpened by the colour in its place.
+      const int reach = with.radii_px[on_the_card(lamp_x, lamp_y) ? 1 : 0] + 2;
+      double largest = 0.0;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          if (std::max(std::abs(x - lamp_x), std::abs(y - lamp_y)) > reach)
+            for (int c = 0; c < 3; ++c)
+              largest = std::max<double>(largest, std::abs(with.radiance.at(x, y)[c] - without.radiance.at(x, y)[c]));
+      EXPECT_LE(largest, 1e-5) << wall_given << " " << parts;
+      EXPECT_GT(with.radiance.at(lamp_x, lamp_y)[0], 5.0f);  // 1e4 over some hundred pixels
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, LampsInALayeredPicture,
+                         ::testing::Values(std::pair(180, 90),    // on the wall
+                                           std::pair(75, 90),     // on the card
+                                           std::pair(112, 90)));  // on the wall beside the card
+
+TEST(SeePicture, WithHolesOfDepthKeepsItsMean) {
+  // Dark but for the insides of the card and of the wall, so that no light is hidden or comes out of hiding. Every
+  // seventh pixel has no depth, and a square in the card's middle; all holes have neighbours of one surface.
+  LayeredPicture picture = card_before_wall();
+  Image metres(width, height, 1);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const bool inside = (x >= 60 && x < 90 && y >= 60 && y < 120) || (x >= 150 && x < 210 && y >= 50 && y < 130);
+      const bool hole = inside && ((x + 3 * y) % 7 == 0 || (x >= 70 && x < 80 && y >= 80 && y < 95));
+      if (!inside) std::fill_n(picture.radiance.at(x, y), 3, 0.0f);
+      *metres.at(x, y) = hole ? 0.0f : static_cast<float>(on_the_card(x, y) ? near_m : far_m);
+    }
+  const DepthMap depth = depth_of(metres, {}, "holes");
+  EXPECT_GT(depth.filled_holes, 1000);
+  picture.vergence_D = depth.vergence_D;
+  const auto light = [](const Image& image) { return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0); };
+  for (const int parts : {1, 8})
+    EXPECT_NEAR(light(see_picture(picture, {}, seen_by_a_myope(parts)).radiance) / light(picture.radiance), 1.0, 5e-4)
+        << parts;
+}
+
+}  // namespace
+}  // namespace sturm
