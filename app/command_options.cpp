@@ -41,9 +41,6 @@ void know_shipped_names(CLI::Option& option, const std::string& kind) {
   option.check([](const std::string&) { return std::string(); }, "", shipped_validator(kind));
 }
 
-namespace {
-
-/// What changes a document on the command line.
 void add_changes(CLI::App& command, CommonOptions& options, const char* schema) {
   command.preparse_callback([&options, schema](std::size_t) { options.schema = schema; });
   command.add_option("--set", options.assignments, "change the configuration: /json/pointer=value; may be repeated")
@@ -51,6 +48,8 @@ void add_changes(CLI::App& command, CommonOptions& options, const char* schema) 
   command.add_flag("--print-config", options.print_config,
                    "print the document that the command line stands for, and do nothing else");
 }
+
+namespace {
 
 std::string described(const char* what, const std::string& kind, const char* named) {
   return std::string(what) + (kind.empty() ? "" : named) + " (- is standard input)";

@@ -88,6 +88,8 @@ void know_shipped_names(CLI::Option& option, const std::string& kind);
 CLI::Option* add_document(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
 /// The same for commands that answer several documents, each by itself; none need be given.
 CLI::Option* add_documents(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
+/// What changes a document on the command line: --set and --print-config.
+void add_changes(CLI::App& command, CommonOptions& options, const char* schema);
 void add_prescription(CLI::App& command, CommonOptions& options, const char* whose);
 /// The eye, its prescription, vertex distance, pupil and accommodation.
 void add_wearer(CLI::App& command, CommonOptions& options);

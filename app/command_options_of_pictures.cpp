@@ -57,18 +57,28 @@ void CommandLine::add_view() {
 
 void CommandLine::add_see() {
   auto* s = app.add_subcommand("see", "any picture with a depth map, as an eye sees it");
-  s->add_option("picture", see.picture, "sharp picture: EXR, HDR, PFM (linear), PNG, JPEG … (sRGB)")->required();
-  know_shipped_names(*s->add_option("--eye", see.eye, "eye (sturm.eye/1), or the name of a shipped one"), "eyes");
+  s->add_option("picture", see.picture,
+                "sharp picture: EXR, HDR, PFM (linear), PNG, JPEG … (sRGB); or a document (sturm.see/1: X.json, or - "
+                "for standard input)")
+      ->required();
+  know_shipped_names(*s->add_option("--eye", common.worn.eye, "eye (sturm.eye/1), or the name of a shipped one"),
+                     "eyes");
   add_prescription(*s, common, "the eye");
+  add_changes(*s, common, "see");
   auto* output_option = s->add_option("-o,--output", see.output, "PNG or EXR file; a manifest appears beside it");
   add_see_depth(*s);
   add_see_view(*s);
   s->add_flag("--explain", see.explain, "print what is done with each tile and layer; nothing is written")
       ->excludes(output_option);
   add_run_options(*s, common);
+  s->footer(
+      "Examples:\n"
+      "  sturm see photo.png --depth depth.png --rx \"-2.00 -1.50 x 30\" --hfov-deg 60 -o seen.png\n"
+      "  sturm see photo.png --distance-m 6 --eye hofer_5 --vfov-deg 2 --print-config > seen.json\n"
+      "  sturm see seen.json --pupil 3 -o seen.png");
   s->callback([this, s, output_option] {
     see.disparity = s->count("--disparity") > 0;
-    if (!see.explain && output_option->empty()) throw CLI::RequiredError("--output");
+    if (!see.explain && !common.print_config && output_option->empty()) throw CLI::RequiredError("--output");
     action = [this] { return see_command(common, see); };
   });
 }
@@ -97,9 +107,10 @@ void CommandLine::add_see_view(CLI::App& s) {
   s.add_option("--hfov-deg", see.hfov_deg, "or from left to right [deg]")
       ->check(CLI::Range(1e-3, 175.0))
       ->excludes(vfov);
-  s.add_option("--pupil,--pupil-mm", see.pupil_mm, "pupil diameter in place of the eye's own [mm]")
+  s.add_option("--pupil,--pupil-mm", common.worn.pupil_mm, "pupil diameter in place of the eye's own [mm]")
       ->check(CLI::Range(0.0, 100.0));
-  auto* focus_m = s.add_option("--focus,--focus-m", see.focus_m, "accommodation as a distance [m]; inf = relaxed");
+  auto* focus_m =
+      s.add_option("--focus,--focus-m", common.worn.focus_m, "accommodation as a distance [m]; inf = relaxed");
   s.add_option("--focus-D", see.focus_D, "accommodation as a power [D]")
       ->check(CLI::Range(0.0, 1000.0))
       ->excludes(focus_m);
@@ -110,16 +121,13 @@ void CommandLine::add_see_view(CLI::App& s) {
   s.add_option("--error", see.error, "root-mean-square error beside edges that parts are chosen for")
       ->check(CLI::PositiveNumber)
       ->excludes(parts);
-  s.add_option("--psf", see.psf, "rays, or waves (with diffraction, in one part)")
-      ->check(CLI::IsMember({"rays", "waves"}))
-      ->capture_default_str();
+  s.add_option("--psf", see.psf, "rays (default), or waves (with diffraction, in one part)")
+      ->check(CLI::IsMember({"rays", "waves"}));
   s.add_flag("--chromatic", see.chromatic, "red, green and blue are out of focus by different amounts");
-  s.add_option("--exposure", see.exposure, "factor before the display transfer function of a PNG")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  s.add_option("--png-bits", see.png_bits, "8 or 16 bits for each value of a PNG")
-      ->check(CLI::IsMember({8, 16}))
-      ->capture_default_str();
+  s.add_option("--exposure", see.exposure, "factor before the display transfer function of a PNG (default: 1)")
+      ->check(CLI::PositiveNumber);
+  s.add_option("--png-bits", see.png_bits, "8 (default) or 16 bits for each value of a PNG")
+      ->check(CLI::IsMember({8, 16}));
   add_see_sequences(s);
 }
 
@@ -130,7 +138,7 @@ void CommandLine::add_see_sequences(CLI::App& s) {
       ->expected(2)
       ->check(CLI::Range(0.0, 100.0))
       ->excludes("--pupil-mm");
-  s.add_option("--frames", see.frames, "of a sequence")->check(CLI::Range(2, 100000))->capture_default_str();
+  s.add_option("--frames", see.frames, "of a sequence (default: 25)")->check(CLI::Range(2, 100000));
   s.add_flag("--film", see.film, "join the frames of a sequence into X.mp4 (needs ffmpeg)");
 }
 

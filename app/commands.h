@@ -126,30 +126,28 @@ struct BlurFieldOptions {
   std::string layers;  ///< SVG, "" = not drawn
 };
 
-/// What `sturm see` is asked for.
+/// What `sturm see` is asked for beside the eye; "", none and empty are what was not given.
 struct SeeOptions {
-  std::string picture, eye, output;  ///< picture and eye files; where the result goes ("" with `explain`)
-  std::string depth;                 ///< depth map, "" = the picture's own
-  std::vector<std::string> layers;   ///< pictures of hidden surfaces
-  std::string picture_layer;         ///< of EXR files with several pictures, "" = the main or only one
-  std::string distance_m;            ///< of a flat picture: > 0 or "inf"; "" = it has depth
+  std::string picture, output;      ///< a picture or a document; where the result goes
+  std::string depth;                ///< depth map
+  std::vector<std::string> layers;  ///< pictures of hidden surfaces
+  std::string picture_layer;        ///< of EXR files with several pictures
+  std::string distance_m;           ///< of a flat picture: > 0 or "inf"
   std::optional<double> vfov_deg, hfov_deg;
-  std::string depth_unit;  ///< "m", "mm", "D"; "" = by the file
+  std::string depth_unit;  ///< "m", "mm", "D"
   std::optional<double> depth_scale;
   bool disparity = false;      ///< the depth map holds disparities
   std::string disparity_file;  ///< that map, if --disparity names it
-  std::optional<double> focal_px, baseline_m;
-  double doffs_px = 0.0;
-  std::optional<double> pupil_mm, focus_D;  ///< in place of the eye's own
-  std::string focus_m;                      ///< the same as a distance
-  std::optional<int> parts;                 ///< of the pupil
-  std::optional<double> error;              ///< beside edges, from which the parts follow
-  std::string psf = "rays";                 ///< or "waves"
+  std::optional<double> focal_px, baseline_m, doffs_px;
+  std::optional<double> focus_D;  ///< accommodation as a power
+  std::optional<int> parts;       ///< of the pupil
+  std::optional<double> error;    ///< beside edges, from which the parts follow
+  std::string psf;                ///< "rays" or "waves"
   bool chromatic = false, explain = false;
-  double exposure = 1.0;  ///< of a PNG
-  int png_bits = 8;
+  std::optional<double> exposure;  ///< of a PNG
+  std::optional<int> png_bits;
   std::vector<double> rack_focus_D, pupil_sequence_mm;  ///< first and last of a sequence of frames
-  int frames = 25;
+  std::optional<int> frames;
   bool film = false;  ///< the frames are joined
 };
 

@@ -13,6 +13,7 @@
 #include "io/specs/experiment/gate_spec.h"
 #include "io/specs/psf_spec.h"
 #include "io/specs/render_spec.h"
+#include "io/specs/see_spec.h"
 #include "io/specs/spectacles_spec.h"
 
 namespace sturm {
@@ -23,12 +24,13 @@ struct Use {
   const char *schema, *how;
 };
 
-constexpr std::array<Use, 12> uses{{{"ellipse", "sturm ellipse"},
+constexpr std::array<Use, 13> uses{{{"ellipse", "sturm ellipse"},
                                     {"render", "sturm render"},
                                     {"experiment", "sturm run"},
                                     {"bench", "sturm bench"},
                                     {"blurfield", "sturm blurfield"},
                                     {"psf", "sturm psf"},
+                                    {"see", "sturm see"},
                                     {"spectacles", "sturm lens, or --lens of other commands"},
                                     {"eye", "sturm see --eye, or name it as the \"eye\" of a document"},
                                     {"scene", "sturm render, with a view that names it as its \"scene\""},
@@ -66,6 +68,8 @@ void read_as_its_format(const Json& document, const std::string& file) {
     read_render_spec(document, file);
   else if (name == "psf")
     read_psf_spec(document, file);
+  else if (name == "see")
+    read_see_spec(document, file);
   else if (name == "experiment")
     read_experiment(document, file);
   else if (name == "bench")

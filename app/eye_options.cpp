@@ -53,14 +53,13 @@ bool apply_to_lens(Json& document, const WearerOptions& w) {
   return false;
 }
 
-/// A document starts paths at its own folder, the command line at the working directory.
-std::string path_for(const CommonOptions& options, const std::string& path) {
+}  // namespace
+
+std::string path_in_document(const CommonOptions& options, const std::string& path) {
   std::error_code code;
   if (options.file == command_line_source || options.file == "-" || !std::filesystem::exists(path, code)) return path;
   return std::filesystem::absolute(path).string();
 }
-
-}  // namespace
 
 void apply_wearer(Json& eye, const WearerOptions& w, const Source& where) {
   if (w.vertex_mm) set_vertex(eye, *w.vertex_mm, where);
@@ -68,19 +67,11 @@ void apply_wearer(Json& eye, const WearerOptions& w, const Source& where) {
   set_accommodation(eye, w);
 }
 
-void apply_eye_options_to(Json& eye, const CommonOptions& options, const Source& where) {
-  if (!options.prescription.empty()) {
-    read_notation(options.prescription, {"", "--rx"});  // what is wrong with the text is a matter of the option
-    eye["prescription"] = options.prescription;
-  }
-  apply_wearer(eye, options.worn, where);
-}
-
 void apply_eye_options(Json& document, const CommonOptions& options) {
-  if (!options.worn.eye.empty() && document.is_object()) document["eye"] = path_for(options, options.worn.eye);
+  if (!options.worn.eye.empty() && document.is_object()) document["eye"] = path_in_document(options, options.worn.eye);
   if (!options.prescription.empty()) apply_prescription(document, options.prescription, options.file);
   if (!document.is_object()) return;  // the reader says what is wrong
-  if (!options.worn.lens.empty()) document["spectacles"] = path_for(options, options.worn.lens);
+  if (!options.worn.lens.empty()) document["spectacles"] = path_in_document(options, options.worn.lens);
   if (!says_something(options.worn) || apply_to_lens(document, options.worn)) return;
   const Source where{options.file, "/eye"};
   const auto eye = document.find("eye");

@@ -10,8 +10,9 @@ namespace sturm {
 /// pupil, accommodation, spectacles. Throws InputError for a document that has no place for one of them.
 void apply_eye_options(Json& document, const CommonOptions& options);
 
-/// The same for an eye that stands alone.
-void apply_eye_options_to(Json& eye, const CommonOptions& options, const Source& where);
+/// A path of the command line as the document that `options` name has to write it: documents start paths at their own
+/// folder, the command line at the working directory.
+std::string path_in_document(const CommonOptions& options, const std::string& path);
 
 /// Gives an eye, an object at `where`, its pupil, its accommodation and the vertex distance of its prescription, as far
 /// as these are stated. Throws InputError.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/option_values.h"
 #include "io/files/error.h"
 #include "io/images/picture_file.h"
 #include "lensmodel/units.h"
@@ -52,10 +51,9 @@ void darken_negative(Image& radiance, const std::string& path, std::vector<std::
   if (below > 0) notes.push_back(path + ": " + std::to_string(below) + " negative values were taken for 0");
 }
 
-ColorFile read_color_file(const std::string& path, const SeeOptions& options, std::vector<std::string>& notes) {
+ColorFile read_color_file(const std::string& path, const SeeSpec& spec, std::vector<std::string>& notes) {
   const bool layered = has_layers(path);
-  PictureFile picture = read_picture_file(
-      path, layered && !options.picture_layer.empty() ? std::optional(options.picture_layer) : std::nullopt);
+  PictureFile picture = read_picture_file(path, layered ? spec.picture_layer : std::nullopt);
   require_finite_pixels(picture.image(), path);
   ColorFile file;
   make_linear(picture);
@@ -68,26 +66,6 @@ ColorFile read_color_file(const std::string& path, const SeeOptions& options, st
   return file;
 }
 
-DepthReading depth_reading(const SeeOptions& options) {
-  DepthReading reading;
-  reading.scale = options.depth_scale;
-  if (options.disparity) {
-    if (!options.depth_unit.empty())
-      throw InputError("", "--depth-unit", "\"" + options.depth_unit + "\"", "no unit beside --disparity");
-    if (!options.focal_px || !options.baseline_m)
-      throw InputError("", "--disparity", "no calibration", "--focal-px and --baseline-m");
-    reading.unit = DepthUnit::Disparity;
-    reading.stereo = {*options.focal_px, *options.baseline_m, options.doffs_px};
-  } else if (options.depth_unit == "m") {
-    reading.unit = DepthUnit::Metres;
-  } else if (options.depth_unit == "mm") {
-    reading.unit = DepthUnit::Millimetres;
-  } else if (options.depth_unit == "D") {
-    reading.unit = DepthUnit::Dioptres;
-  }
-  return reading;
-}
-
 std::string size_of(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
@@ -97,57 +75,49 @@ void require_size(int width, int height, const Image& picture, const std::string
     throw InputError(file, "", size_of(width, height), size_of(picture.width, picture.height) + " as the picture has");
 }
 
-/// The picture's vergences, from where the options say.
-DepthMap picture_depth(const SeeOptions& options, const ColorFile& file, SeeInputs& inputs) {
-  const std::string map = !options.disparity_file.empty() ? options.disparity_file : options.depth;
-  if (!options.distance_m.empty()) {
-    if (!map.empty()) throw InputError("", "--distance-m", options.distance_m, "either a distance or a depth map");
-    const double vergence = 1.0 / distance_option(options.distance_m, "--distance-m");
-    return {file.radiance.width, file.radiance.height, std::vector<double>(file.radiance.pixels.size() / 3, vergence),
-            0};
-  }
-  if (!map.empty()) {
-    inputs.files.push_back(map);
-    return read_depth_map(map, depth_reading(options));
-  }
-  if (file.depth) return depth_of(*file.depth, depth_reading(options), options.picture + ", its depth channel");
-  throw InputError(options.picture, "", "no depth", "--depth FILE, a picture with a channel Z, or --distance-m");
+/// The picture's vergences, from where the document says.
+DepthMap picture_depth(const SeeSpec& spec, const ColorFile& file) {
+  if (spec.distance_m)
+    return {file.radiance.width, file.radiance.height,
+            std::vector<double>(file.radiance.pixels.size() / 3, 1.0 / *spec.distance_m), 0};
+  if (spec.depth_map) return read_depth_map(*spec.depth_map, spec.depth_reading);
+  if (file.depth) return depth_of(*file.depth, spec.depth_reading, spec.picture + ", its depth channel");
+  throw InputError(spec.picture, "", "no depth", "--depth FILE, a picture with a channel Z, or --distance-m");
 }
 
-void add_layer(const std::string& path, const SeeOptions& options, SeeInputs& inputs) {
-  ColorFile file = read_color_file(path, options, inputs.notes);
-  inputs.files.push_back(path);
+void add_layer(const std::string& path, const SeeSpec& spec, SeeInputs& inputs) {
+  ColorFile file = read_color_file(path, spec, inputs.notes);
   require_size(file.radiance.width, file.radiance.height, inputs.picture.radiance, path);
   if (!file.depth) throw InputError(path, "", "no channel Z", "a layer with its own depth");
-  DepthMap depth = depth_of(*file.depth, depth_reading(options), path + ", its depth channel");
+  DepthMap depth = depth_of(*file.depth, spec.depth_reading, path + ", its depth channel");
   inputs.filled_holes += depth.filled_holes;
   inputs.layers.push_back({std::move(file.radiance), std::move(depth.vergence_D), std::move(file.coverage)});
 }
 
-double pixel_slope_of(const SeeOptions& options, const ColorFile& file) {
+double pixel_slope_of(const SeeSpec& spec, const ColorFile& file) {
   const auto of_angle = [](double degrees, int pixels) {
     return 2.0 * std::tan(0.5 * degrees * radians_per_degree) / pixels;
   };
-  if (options.vfov_deg) return of_angle(*options.vfov_deg, file.radiance.height);
-  if (options.hfov_deg) return of_angle(*options.hfov_deg, file.radiance.width);
+  if (spec.vfov_deg) return of_angle(*spec.vfov_deg, file.radiance.height);
+  if (spec.hfov_deg) return of_angle(*spec.hfov_deg, file.radiance.width);
+  if (spec.pixel_slope) return *spec.pixel_slope;
   if (file.pixel_slope) return *file.pixel_slope;
-  throw InputError(options.picture, "", "no field of view", "--vfov-deg or --hfov-deg");
+  throw InputError(spec.picture, "", "no field of view", "--vfov-deg or --hfov-deg");
 }
 
 }  // namespace
 
-SeeInputs read_see_inputs(const SeeOptions& options) {
+SeeInputs read_see_inputs(const SeeSpec& spec) {
   SeeInputs inputs;
-  ColorFile file = read_color_file(options.picture, options, inputs.notes);
-  inputs.files.push_back(options.picture);
-  inputs.pixel_slope = pixel_slope_of(options, file);
-  DepthMap depth = picture_depth(options, file, inputs);
-  require_size(depth.width, depth.height, file.radiance, inputs.files.back());
+  ColorFile file = read_color_file(spec.picture, spec, inputs.notes);
+  inputs.pixel_slope = pixel_slope_of(spec, file);
+  DepthMap depth = picture_depth(spec, file);
+  require_size(depth.width, depth.height, file.radiance, spec.depth_map.value_or(spec.picture));
   inputs.filled_holes = depth.filled_holes;
   inputs.picture.radiance = std::move(file.radiance);
   inputs.picture.coverage = std::move(file.coverage);
   inputs.picture.vergence_D = std::move(depth.vergence_D);
-  for (const std::string& layer : options.layers) add_layer(layer, options, inputs);
+  for (const std::string& layer : spec.layers) add_layer(layer, spec, inputs);
   if (inputs.filled_holes > 0)
     inputs.notes.push_back(std::to_string(inputs.filled_holes) +
                            " pixels without depth got that of their farthest neighbour");

@@ -226,7 +226,8 @@ class ShippedThings(FolderTest):
     def test_what_a_line_stands_for(self):
         """--print-config gives a document that does the same, for every command that has it."""
         for command in (["lens", "--rx", "-2.00 -1.00 x 20", "--index", "1.67"], ["psf", "--rx", "-2.00 DS"], ["lens", "--rx", "+4.00 DS"],
-                        ["render", "cornell", "--rx", "-3 -1 x 20", *self.SMALL[:4]], ["blurfield", "kakimoto_fig12", "--rx", "-1 DS"], ["run", "night", "--seed", "5"]):
+                        ["render", "cornell", "--rx", "-3 -1 x 20", *self.SMALL[:4]], ["blurfield", "kakimoto_fig12", "--rx", "-1 DS"], ["run", "night", "--seed", "5"],
+                        ["see", SOURCE / "docs/images/see_desk.png", "--rx", "-3 -1 x 20", "--distance-m", 2, "--vfov-deg", 30]):
             with self.subTest(command):
                 config = self.succeed(*command, "--print-config").stdout
                 self.write("config.json", config)

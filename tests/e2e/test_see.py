@@ -153,6 +153,86 @@ class See(FolderTest):
             self.assertEqual(spec["format"], "sturm.see/1")
             self.succeed("validate", self.write("spec.json", spec))
 
+    def test_the_number_of_parts_is_the_one_that_help_states(self):
+        self.see_quietly("--distance-m", "2")
+        parts = json.loads((self.folder / "seen.manifest.json").read_text())["spec"]["parts"]
+        self.assertIn(f"on their own (default: {parts})", " ".join(self.succeed("see", "--help").stdout.split()))
+
+    LINES = (["--distance-m", "inf", "--focus-m", "2"], ["--distance-m", "0.7", "--focus-D", "1.5", "--parts", "3", "--exposure", "1.7"],
+             ["--depth", "m.pfm"], ["--depth", "mm.png", "--pupil-mm", "4", "--error", "0.004"], ["--depth", "mm.png", "--depth-scale", "0.001", "--chromatic"],
+             ["--depth", "d.pfm", "--depth-unit", "D", "--psf", "waves"], ["--depth", "m.pfm", "--layer", "behind.exr", "--png-bits", "16"],
+             ["--depth", "mm.png", "--layer", "behind.exr"], ["--depth", "disparity.pfm", "--disparity", "--focal-px", "1000", "--baseline-m", "0.1", "--doffs-px", "5"],
+             ["--disparity", "disparity.pfm", "--focal-px", "1000", "--baseline-m", "0.1"], ["--rx", "+1.50 -0.75 x 170", "--vertex", "0", "--depth", "m.pfm"],
+             ["--rx", "-2.00 DS", "--set", "/parts=2", "--set", "/eye/pupil_diameter_mm=3", "--depth", "m.pfm"])
+
+    def write_depth(self):
+        metres = two_distances(0.5, 4.0)
+        self.write("m.pfm", pfm(metres))
+        self.write("mm.png", png([[round(1000 * d) for d in row] for row in metres], 16))
+        self.write("d.pfm", pfm([[1 / d for d in row] for row in metres]))
+        self.write("disparity.pfm", pfm([[100 / d - 5 for d in row] for row in metres]))
+        level = [[0.25] * WIDTH for _ in range(HEIGHT)]
+        self.write("behind.exr", exr({**{c: level for c in "RGB"}, "Z": [[6.0] * WIDTH for _ in range(HEIGHT)]}))
+
+    def bytes_of(self, *arguments, output):
+        self.succeed("see", *arguments, "-o", output, cwd=self.folder)
+        return {path.name: path.read_bytes() for path in self.folder.glob("seen*") if path.suffix in (".png", ".exr")}
+
+    def test_a_line_and_its_document_give_the_same_bytes(self):
+        """So does what stands in the manifest; an EXR file has what was asked for in an attribute."""
+        self.write_depth()
+        for options in self.LINES:
+            line = ["photo.png", *(["--eye", "eye.json"] if "--rx" not in options else []), "--vfov-deg", "2", *options]
+            output = "seen.png" if "--png-bits" in options else "seen.exr"
+            with self.subTest(options=options):
+                by_line = self.bytes_of(*line, output=output)
+                spec = json.loads((self.folder / "seen.manifest.json").read_text())["spec"]
+                self.write("line.json", self.succeed("see", *line, "--print-config", cwd=self.folder).stdout)
+                self.assertEqual(self.bytes_of("line.json", output=output), by_line)
+                self.write("spec.json", spec)
+                self.assertEqual(self.bytes_of("spec.json", output=output), by_line)
+                self.assertEqual(json.loads((self.folder / "seen.manifest.json").read_text())["spec"], spec)
+
+    def test_a_sequence_of_a_document_is_that_of_the_line(self):
+        self.write_depth()
+        line = ["photo.png", "--eye", "eye.json", "--hfov-deg", "2", "--depth", "m.pfm", "--rack-focus-D", "0", "1.7", "--pupil-sequence-mm", "5", "3", "--frames", "3"]
+        by_line = self.bytes_of(*line, output="seen.png")
+        self.assertEqual(sorted(by_line), ["seen_0001.png", "seen_0002.png", "seen_0003.png"])
+        self.write("line.json", self.succeed("see", *line, "--print-config", cwd=self.folder).stdout)
+        self.assertEqual(self.bytes_of("line.json", output="seen.png"), by_line)
+
+    def test_options_change_a_document(self):
+        """A document in another folder names files from there, the line from the working directory."""
+        self.write_depth()
+        self.write("sub/photo.png", self.photo.read_bytes())
+        document = {"format": "sturm.see/1", "picture": "photo.png", "eye": MYOPE, "hfov_deg": 20, "distance_m": 1, "parts": 2}
+        self.write("sub/view.json", document)
+        expected = self.bytes_of("photo.png", "--eye", "eye.json", "--vfov-deg", "2", "--depth", "m.pfm", "--pupil", "3", "--focus-D", "1", "--parts", "2", output="seen.png")
+        changes = ["--vfov-deg", "2", "--depth", "m.pfm", "--pupil", "3", "--focus-D", "1"]
+        self.assertEqual(self.bytes_of("sub/view.json", *changes, output="seen.png"), expected)
+        self.write("other.json", dict(MYOPE, pupil_diameter_mm=7))
+        self.assertNotEqual(self.bytes_of("sub/view.json", *changes[:4], "--eye", "other.json", output="seen.png"), expected)
+        self.assertEqual(self.bytes_of("sub/view.json", "--eye", "eye.json", *changes, output="seen.png"), expected)
+        text = json.dumps({**document, "picture": str(self.photo)})
+        process = sturm("see", "-", *changes, "-o", self.folder / "seen.png", stdin=text, cwd=self.folder)
+        self.assertEqual((process.returncode, (self.folder / "seen.png").read_bytes()), (0, expected["seen.png"]), process.stderr)
+
+    def test_what_is_wrong_with_a_document(self):
+        good = {"format": "sturm.see/1", "picture": "photo.png", "eye": MYOPE, "vfov_deg": 2, "distance_m": 1}
+        self.write_depth()
+        for expected, changes in [("/picture", {"picture": "none.png"}), ("/depth/file", {"distance_m": None, "depth": {"file": "none.pfm"}}),
+                                  ("/layers/1", {"layers": ["behind.exr", "none.exr"]}), ("/distance_m", {"depth": {"file": "m.pfm"}}),
+                                  ("calibration", {"distance_m": None, "depth": {"file": "m.pfm", "unit": "disparity"}}),
+                                  ("stereo", {"stereo": {"focal_px": 1, "baseline_m": 1}}), ("/hfov_deg", {"hfov_deg": 3}), ("/frames", {"frames": 3}),
+                                  ("/eye/pupil_diameter_mm", {"eye": dict(MYOPE, pupil_diameter_mm=-1)}), ("/parts", {"parts": 65}),
+                                  ("/eye/accommodation", {"distance_m": None, "depth": {"file": "m.pfm"}, "eye": dict(MYOPE, accommodation={"mode": "best", "amplitude_D": 3})}),
+                                  ("partz", {"partz": 3}), ("sturm ellipse", {"format": "sturm.ellipse/1"})]:
+            with self.subTest(expected=expected):
+                document = {key: value for key, value in {**good, **changes}.items() if value is not None}
+                message = self.refuse(self.write("view.json", document))
+                self.assertIn(expected, message)
+                self.assertIn("view.json", message)
+
     def see_quietly(self, *arguments):
         self.succeed("see", self.photo, "--eye", self.eye, "--vfov-deg", "2", "-o", self.folder / "seen.png", *arguments)
 
@@ -248,7 +328,7 @@ class See(FolderTest):
             ("no depth", []),
             ("calibration", ["--depth", good, "--disparity"]),
             ("no pixel with a depth", ["--depth", self.write("empty.pfm", pfm(two_distances(0.0, 0.0)))]),
-            ("no such file", ["--depth", self.folder / "none.pfm"]),
+            ("there is no file", ["--depth", self.folder / "none.pfm"]),
             ("break off", ["--depth", self.write("broken.pfm", b"Pf\n48 40\n-1.0\nshort")]),
             ("distance", ["--distance-m", "-3"]),
         ]:
