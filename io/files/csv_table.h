@@ -16,8 +16,8 @@ struct CsvColumn {
 };
 
 /// A table with a line of column names, as people and spreadsheets write it: the separator is told from the heading
-/// (csv_dialect_of), UTF-16 and Latin-1 are understood, and of a column's name only letters and digits count, in either
-/// case.
+/// (csv_dialect_of), UTF-16 and Windows-1252 are understood, and of a column's name only letters and digits count, in
+/// either case.
 class CsvTable {
  public:
   /// `bytes` are the contents of `file`, which messages name. Throws InputError where nothing stands in them.

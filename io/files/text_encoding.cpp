@@ -26,6 +26,21 @@ void append_utf8(std::string& text, std::uint32_t code) {
   }
 }
 
+/// What Windows-1252 has from 0x80 to 0x9F, where Latin-1 has control characters; five bytes stand for nothing.
+constexpr std::array<std::uint16_t, 32> windows_1252{0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                     0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
+                                                     0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                     0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+
+std::string from_windows_1252(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    append_utf8(text, byte >= 0x80 && byte < 0xA0 ? windows_1252[byte - 0x80u] : byte);
+  }
+  return text;
+}
+
 std::string from_utf16(std::string_view bytes, bool little_endian) {
   const auto unit = [&](std::size_t at) {
     const auto low = static_cast<unsigned char>(bytes[at + (little_endian ? 0 : 1)]);
@@ -102,10 +117,7 @@ std::string bytewise_text(std::string bytes) {
 
 std::string utf8_text(std::string bytes) {
   bytes = bytewise_text(std::move(bytes));
-  if (is_utf8(bytes)) return bytes;
-  std::string text;
-  for (const char c : bytes) append_utf8(text, static_cast<unsigned char>(c));
-  return text;
+  return is_utf8(bytes) ? bytes : from_windows_1252(bytes);
 }
 
 bool is_utf8(std::string_view text) {

@@ -8,7 +8,8 @@ namespace sturm {
 /// without one by a first character of which one byte is 0.
 std::string bytewise_text(std::string bytes);
 
-/// The same as UTF-8: bytes that are not are taken as Latin-1, which is what spreadsheets of western Europe write.
+/// The same as UTF-8: bytes that are not are taken as Windows-1252, which has all letters of Latin-1: what spreadsheets
+/// of western Europe write.
 std::string utf8_text(std::string bytes);
 
 /// Whether every byte is part of a whole character of UTF-8.

@@ -74,6 +74,8 @@ void describe(const sturm_imageformats_pixels& pixels, StoredImage& stored) {
   }
   stored.was_cmyk = pixels.was_cmyk != 0;
   if (stored.was_cmyk) stored.notes.emplace_back("its colours for printing (CMYK) are converted without a profile");
+  if (pixels.was_multiplied)
+    stored.notes.emplace_back("its colours are divided by alpha, as they were stored times it");
   if (pixels.has_more) stored.notes.emplace_back("the first of its pictures is taken");
   if (!pixels.profile) return;
   const std::unique_ptr<unsigned char, decltype(Module::free)> owner(pixels.profile, module().free);

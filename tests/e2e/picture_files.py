@@ -144,6 +144,17 @@ def jpeg(blocks, segments=(ADOBE_AS_STORED,)):
     return head + scan.replace(b"\xff", b"\xff\0") + b"\xff\xd9"
 
 
+def tiff_bytes(rows, photometric=2, further=()):
+    """8-bit rows of (r, g, b) or (r, g, b, a), in one strip; further: (tag, number)."""
+    width, height, count = len(rows[0]), len(rows), len(rows[0][0])
+    body = b"".join(bytes(pixel) for row in rows for pixel in row)
+    bits = 8 + len(body)
+    entries = sorted([(256, 3, 1, width), (257, 3, 1, height), (258, 3, count, bits), (259, 3, 1, 1), (262, 3, 1, photometric), (273, 4, 1, 8), (277, 3, 1, count),
+                      (278, 3, 1, height), (279, 4, 1, len(body)), *((tag, 3, 1, number) for tag, number in further)])
+    return (struct.pack("<2sHI", b"II", 42, bits + 8) + body + struct.pack("<4H", 8, 8, 8, 8) + struct.pack("<H", len(entries)) +
+            b"".join(struct.pack("<HHII", *entry) for entry in entries) + struct.pack("<I", 0))
+
+
 def float_tiff(rows):
     """32-bit floats, rows of (r, g, b), in one strip."""
     width, height = len(rows[0]), len(rows)

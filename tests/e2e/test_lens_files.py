@@ -70,6 +70,20 @@ class LensFiles(FolderTest):
         self.assertIn("no DIA; the diameter is taken as 70 mm", notes)
         self.assertEqual(report["diameter_mm"], 70)
 
+    def test_heights_on_a_grid_that_is_not_square(self):
+        """x^2/2/100 + y^2/2/80 at nodes 3 mm apart along x and 4 mm along y, from the top left one on; a thickness of the document."""
+        columns, rows = 23, 17
+        heights = [((3 * (i % columns - 11)) ** 2 / 200 + (4 * (i // columns - 8)) ** 2 / 160) for i in range(columns * rows)]
+        back = ["  TYPE GRID_SAG", "  CURV 0", f"  GDAT {columns} {rows} 3 4", *(f"  GARR {i + 1} {height!r} 0 0 0" for i, height in enumerate(heights))]
+        self.write("grid.zmx", zmx(120, back, 2.5))
+        named = {"format": "sturm.spectacles/1", "lens_file": {"file": "grid.zmx", "center_thickness_mm": 4}}
+        for document, thickness in (("grid.zmx", 2.5), (self.write("lens.json", named), 4)):
+            report, _ = self.report(self.folder / document)
+            xx, xy, yy = report["back_vertex"]["matrix_D"]
+            self.assertAlmostEqual(xx, back_vertex_power(5, -6, thickness, 1.6), delta=1e-6)  # splines hold parabolas but for rounding
+            self.assertAlmostEqual(xy, 0, delta=1e-6)
+            self.assertAlmostEqual(yy, back_vertex_power(5, -7.5, thickness, 1.6), delta=1e-6)
+
     def test_jobs_and_configurations_are_not_mixed(self):
         job = "JOB=1\nDO=R\nSPH=-2\nCYL=0\nLIND=1.6\nCTHICK=2\nFRNT=4\nDIA=60\n"
         for name, text, options, word in (("two.oma", job + job.replace("JOB=1", "JOB=2").replace("-2", "-3"), (), "a second job, 2"),

@@ -1,6 +1,7 @@
 """OBJ and MTL files as programs and people write them: each is a square of which the right picture is known."""
 import unittest
 
+import picture_files
 import png_pixels
 from model_pictures import BLUE, FACE, GREEN, QUARTERS, RED, SQUARE, YELLOW, ModelTest
 from sturm_process import WRONG_INPUT, sturm
@@ -235,6 +236,10 @@ class Textures(ModelTest):
 
     def test_opacity_texture(self):
         self.write("d.png", png_pixels.encode([[(255, 255, 255), (0, 0, 0)]]))  # the right half is a hole
+        picture = self.obj(USING, "newmtl m\nKd 0.1 0.2 0.3\nmap_d d.png\n")
+        self.assert_albedo(picture, 12, 16, DARK)
+        self.assertGreater(picture["depth.Z"][16][20], 1e9)
+        self.write("d.png", picture_files.png([[(0, 0, 0, 255), (255, 255, 255, 0)]]))  # where there is alpha, it counts
         picture = self.obj(USING, "newmtl m\nKd 0.1 0.2 0.3\nmap_d d.png\n")
         self.assert_albedo(picture, 12, 16, DARK)
         self.assertGreater(picture["depth.Z"][16][20], 1e9)

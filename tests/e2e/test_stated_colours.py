@@ -72,6 +72,22 @@ class Compared(FolderTest):
             self.compared("a.jpg", files.jpeg(blocks, [files.ADOBE_AS_STORED, (0xE2, b"ICC_PROFILE\0\1\1" + files.icc(name, srgb_to_linear, **colorants))]), srgb_to_linear)
             self.assertEqual([note.count('"Display P3" is not applied') for note in self.notes], [1] if noted else [])
 
+    def test_what_a_tiff_states(self):
+        """ExtraSamples 1: colours are stored times alpha; 2: they are not. Photometric 8 is CIELAB, 274 the orientation."""
+        times_alpha = [[tuple(v // 3 for v in pixel) + (85,) for pixel in row] for row in bands()]
+        as_light = lambda v: srgb_to_linear(round(255 * v) // 3 * 3 / 255)  # what is left of a byte
+        self.assertLess(self.compared("a.tif", files.tiff_bytes(times_alpha, further=[(338, 1)]), as_light), 1e-6)
+        self.assertTrue(any("divided by alpha" in note for note in self.notes), self.notes)
+        plain = [[(*pixel, 85) for pixel in row] for row in bands()]
+        self.assertLess(self.compared("a.tif", files.tiff_bytes(plain, further=[(338, 2)]), srgb_to_linear), 1e-6)
+        self.assertEqual(self.notes, ["a.tif: alpha is left out"])
+        turned = [row[::-1] for row in bands()[::-1]]
+        self.assertLess(self.compared("a.tif", files.tiff_bytes(turned, further=[(274, 3)]), srgb_to_linear), 1e-6)
+        self.write("lab.tif", files.tiff_bytes(bands(), photometric=8))
+        refused = sturm("compare", "lab.tif", "b.exr", cwd=self.folder)
+        self.assertEqual(refused.returncode, WRONG_INPUT)
+        self.assertIn("CIELAB", refused.stderr)
+
     def test_see_decodes_as_the_file_says(self):
         """A uniform picture stays what it is through any lens: 100/255 as light, not its square or so."""
         self.write("a.png", files.png([[(100, 150, 200)] * 40] * 40, chunks=[(b"gAMA", LINEAR)]))

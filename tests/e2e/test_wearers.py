@@ -47,6 +47,12 @@ class Wearers(FolderTest):
         # An addition of a third has less cylinder beside its corridor.
         self.assertLess(float(rows[0]["largest_D"]), 0.6 * float(rows[2]["largest_D"]))
 
+    def test_a_table_in_windows_1252(self):
+        """Its 96 is an en dash, as word processors write for a minus; a quoted name on two lines, lines that end in separators, and empty ones."""
+        table = b'# of J\xe9r\xf4me\n\nAxis;CYL;sph;Eye;Name;\n30\xb0;\x960,5;\x961,25;OD;"J\xe9r\xf4me\nM";\n;;;;;\n'
+        row, = self.rows(table, self.lens(), *FEW_GAZES)[:1] or [None]
+        self.assertEqual((row["sphere_D"], row["cylinder_D"], row["axis_deg"]), ("-1.25", "-0.5", "30"))
+
     def test_an_addition_in_the_notation(self):
         rows = self.rows('id,rx\nA,"OD -1.00 DS ADD +2.00 OS -1.50 -0.50 x 20 ADD +2.25"\n', REGULAR, *FEW_GAZES)
         self.assertEqual([(r["wearer"], r["addition_D"]) for r in rows], [("A-OD", "2"), ("A-OS", "2.25")])

@@ -11,6 +11,7 @@ TEST(TextEncoding, IsToldFromTheBytes) {
   EXPECT_EQ(utf8_text("\xEF\xBB\xBFh\xC3\xA9"), "hé");
   EXPECT_EQ(utf8_text("h\xC3\xA9"), "hé");
   EXPECT_EQ(utf8_text("h\xE9"), "hé");                      // Latin-1
+  EXPECT_EQ(utf8_text("\x80\x96\x9F\x81"), "€–Ÿ\uFFFD");    // Windows-1252; 81 stands for nothing
   EXPECT_EQ(utf8_text("\xFF\xFEh\0\xE9\0"s), "hé");         // UTF-16, little endian
   EXPECT_EQ(utf8_text("\xFE\xFF\0h\0\xE9"s), "hé");         // big endian
   EXPECT_EQ(utf8_text("h\0\xE9\0"s), "hé");                 // without a mark
