@@ -14,12 +14,20 @@ namespace {
 constexpr int width = 240, height = 180;
 constexpr double near_m = 0.4, far_m = 2.0;
 
-SeeSettings seen_by_a_myope(int parts) {
+SeeSettings seen_by(const Prescription& eye, int parts) {
   SeeSettings settings;
-  settings.eye = Eye::with(Prescription{-1.5, -1.0, 30.0, 0.0}, 5e-3);
+  settings.eye = Eye::with(eye, 5e-3);
   settings.pixel_slope = 6e-4;
   settings.parts = parts;
   return settings;
+}
+
+SeeSettings seen_by_a_myope(int parts) {
+  return seen_by({-1.5, -1.0, 30.0, 0.0}, parts);
+}
+
+SeeSettings in_focus_at(double distance_m, int parts) {
+  return seen_by({-1.0 / distance_m, 0.0, 0.0, 0.0}, parts);
 }
 
 bool on_the_card(int x, int y) {
@@ -84,6 +92,60 @@ INSTANTIATE_TEST_SUITE_P(Places, LampsInALayeredPicture,
                          ::testing::Values(std::pair(180, 90),    // on the wall
                                            std::pair(75, 90),     // on the card
                                            std::pair(112, 90)));  // on the wall beside the card
+
+TEST(SeePicture, LampsBehindASharpEdgeStayBehindIt) {
+  // The card is in focus; the lamp on the wall beside it is blurred by 8 px, half of them behind the card.
+  const LayeredPicture dark = card_before_wall();
+  LayeredPicture lit = dark;
+  std::fill_n(lit.radiance.at(113, 90), 3, 1e4f);
+  for (const int parts : {1, 8}) {
+    LayeredPicture without = dark, with = lit;
+    const Image expected = see_picture(without, {}, in_focus_at(near_m, parts)).radiance,
+                got = see_picture(with, {}, in_focus_at(near_m, parts)).radiance;
+    for (int y = 60; y < 120; ++y)
+      for (int x = 90; x < 110; ++x) ASSERT_NEAR(got.at(x, y)[0], expected.at(x, y)[0], 1e-5) << parts << " " << x;
+    EXPECT_GT(got.at(111, 90)[0], 5.0f);
+  }
+}
+
+TEST(SeePicture, LampsBesideABlurredEdgeAreNotGuessedOn) {
+  // The wall is in focus and the card is blurred by 8 px: what the card's rim lets through of the wall is no lamp.
+  LayeredPicture picture = card_before_wall();
+  for (int x = 110; x < 113; ++x) std::fill_n(picture.radiance.at(x, 90), 3, 1e4f);
+  const Image seen = see_picture(picture, {}, in_focus_at(far_m, 8)).radiance;
+  EXPECT_GT(seen.at(110, 90)[0], 1e3f);
+  for (int x = 90; x < 109; ++x) EXPECT_LT(seen.at(x, 90)[0], 0.7f) << x;  // the brightest of the texture is 0.6
+}
+
+TEST(SeePicture, MixedPixelsOfASharpEdgeStaySharp) {
+  // Plain colours, and a column beside the card that it fills by half. The card is in focus, so the column stays,
+  // though its depth is the wall's.
+  LayeredPicture picture = card_before_wall();
+  PictureLayer plain_wall = wall();
+  std::fill(plain_wall.radiance.pixels.begin(), plain_wall.radiance.pixels.end(), 0.8f);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const bool half = x == 110 && y >= 40 && y < 140;
+      std::fill_n(picture.radiance.at(x, y), 3, on_the_card(x, y) ? 0.2f : half ? 0.5f : 0.8f);
+    }
+  const Image seen = see_picture(picture, {&plain_wall, 1}, in_focus_at(near_m, 8)).radiance;
+  for (int y = 60; y < 120; ++y) ASSERT_NEAR(seen.at(110, y)[0], 0.5f, 1e-3) << y;
+}
+
+TEST(SeePicture, StripesKeepTheContrastThatTheBlurLeavesThem) {
+  // A disc of radius r leaves 2 J₁(kr)/(kr) of stripes of period 2π/k; here k = 0.7, and 0.36 D over 2.5 mm are 1.5 px.
+  // Sharing light among pixels would take another k²/12 = 4 % of them.
+  constexpr double k = 0.7, r = 1.5;
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  picture.vergence_D.assign(width * height, 1.0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      std::fill_n(picture.radiance.at(x, y), 3, static_cast<float>(0.5 + 0.1 * std::cos(k * x)));
+  const Image seen = see_picture(picture, {}, seen_by({-0.64, 0.0, 0.0, 0.0}, 1)).radiance;
+  const double left = 2.0 * std::cyl_bessel_j(1.0, k * r) / (k * r);
+  for (int x = 80; x < 160; ++x) EXPECT_NEAR(seen.at(x, 90)[0], 0.5 + 0.1 * left * std::cos(k * x), 4e-4) << x;
+}
 
 TEST(SeePicture, WithHolesOfDepthKeepsItsMean) {
   // Dark but for the insides of the card and of the wall, so that no light is hidden or comes out of hiding. Every
