@@ -58,7 +58,8 @@ void main() {
   vec2 place = projected(point), step = vec2(0.0);
   mat2x3 across = mat2x3(u_head[0], u_head[1]);
   float t = length(point - u_position);
-  for (int k = 0; k < 4; ++k) {
+  // Two or three steps, but for places at and beyond a rim, where the field bends most.
+  for (int k = 0; k < 10 && (k == 0 || length(step) > 0.02); ++k) {
     float ahead = t;
     vec2 here = missed(place, point, p, across, t), right = missed(place + vec2(1.0, 0.0), point, p, across, ahead);
     ahead = t;

@@ -4,7 +4,7 @@ import type { Core } from './core_module';
 import type { Bound } from './controls';
 import { byId } from './elements';
 import { EyeOptics } from './eye_optics';
-import { fillForm } from './form';
+import { fillForm, modeNames } from './form';
 import { Gpu } from './gpu';
 import { GpuScene } from './gpu_scene';
 import { hashOf, stateOfHash } from './hash_state';
@@ -284,7 +284,7 @@ export class App {
         const e = this.placed(((i + 0.5) * this.width) / 7, ((j + 0.5) * this.height) / 5);
         if (e) field.push(e);
       }
-    this.overlay.show(this.width, this.height, this.panels.length, flat ? this.placed(x, y) : null, field, this.rim);
+    this.overlay.show(this.width, this.height, this.panels.map((p) => new Map(modeNames).get(p.mode) ?? ''), flat ? this.placed(x, y) : null, field, this.rim);
     if (this.state.lensMap && this.eye.lens) this.lensMap.show(this.eye.optics, this.eye.worn, distance);
     else this.lensMap.hide();
   }

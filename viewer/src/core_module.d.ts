@@ -174,7 +174,7 @@ export interface ClearVision {
  * gaze at the origin, x right, y up, z back; a camera turns and moves what comes out. 40 floats a node (index j·columns + i), ten
  * texels RGBA: origin and how far within the rim the chief ray leaves the lens (1 at its axis and for a naked eye, 0 on the rim, less than 0
  * where spectacles stop it) | direction, 0 | then column 0 and column 1 of offset_p, offset_s, slope_p, slope_s, each followed by a 0.
- * Beyond the rim these numbers go on from within, for up to twelve nodes; then they are 0, and −1 for the rim. A ray through the pupil point p [m] with the slope s = S p, S = F − A, is
+ * Beyond the rim these numbers go on from within; where no node is within, they are 0, and −1 for the rim. A ray through the pupil point p [m] with the slope s = S p, S = F − A, is
  * origin + offset_p p + offset_s s, direction + slope_p p + slope_s s.
  */
 export interface SlopeGrid {

@@ -23,7 +23,7 @@ export interface FormActions {
   headset(button: HTMLButtonElement): void;
 }
 
-const modeNames: readonly (readonly [Mode, string])[] = [
+export const modeNames: readonly (readonly [Mode, string])[] = [
   ['sharp', 'Sharp'], ['raster', 'Passes, rasterised'], ['gather', 'Passes, traced'], ['path', 'Path traced'], ['sphere', 'Path traced, whole sphere'],
 ];
 const modelNames: readonly (readonly [RayModel, string])[] = [
