@@ -18,6 +18,8 @@ WARNINGS = NO
 WARN_IF_UNDOCUMENTED = NO
 MARKDOWN_SUPPORT = NO
 """
+USE = """Lengths are metres and angles are radians unless a name says otherwise; frames are those of [the theory](../theory.md#1-frames-signs-units).
+How to use the library: [Sturm as a library](../library.md)."""
 KINDS_OF_PARTS = ("variable", "value")  # members that stand in a table
 
 Entry = collections.namedtuple("Entry", "header line column kind name declaration value text entries")
@@ -186,7 +188,7 @@ def section(entry):
 
 def page(room):
     """What a room's public headers declare."""
-    parts = [f"# {room}: reference of the library", f"What the public headers of `sturm::{room}` declare, as they say it themselves. Lengths are metres and angles are radians unless a name says otherwise; frames are those of [the theory](../theory.md#1-frames-signs-units). How to use the library: [Sturm as a library](../library.md)."]
+    parts = [f"# {room}: reference of the library", f"What the public headers of `sturm::{room}` declare, as they say it themselves.", USE]
     for header in public_headers():
         if header.startswith(room + "/"):
             declared = [section(entry) for entry in entries() if entry.header == header]

@@ -62,10 +62,9 @@ def see(picture: ArrayLike, depth_m: ArrayLike | float, eye: _core.Eye, *, vfov_
 
     picture: height x width x 3, linear light. depth_m: height x width [m], or one distance for the whole picture; 0 is a hole, infinity
     is allowed. vfov_deg: vertical field of view [deg]. layers: (picture, depth_m) of surfaces that the picture hides. psf: "rays" or
-    "waves". chromatic: kernels for each colour. parts: of the pupil. The result has the shape of the picture. Ctrl-C ends the work.
+    "waves". chromatic: kernels for each colour. parts: of the pupil; waves have one. The result has the shape of the picture. Ctrl-C ends the work.
     """
-    waves_have_one = 1 if psf == "waves" else parts
-    return _core.see_picture(picture, depth_m, eye, vfov_deg, list(layers), psf, chromatic, waves_have_one, progress)[0]
+    return _core.see_picture(picture, depth_m, eye, vfov_deg, list(layers), psf, chromatic, parts, progress)[0]
 
 
 @dataclasses.dataclass(frozen=True)

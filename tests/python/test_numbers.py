@@ -2,6 +2,7 @@
 import csv
 import json
 import math
+import os
 import unittest
 
 import numpy as np
@@ -109,6 +110,29 @@ class Documents(FolderTest):
                 places = 0.5 * (np.arange(33) - 16)
                 centroid = [(spread.picture.sum(0) * places).sum(), (spread.picture.sum(1) * -places).sum()]
                 np.testing.assert_allclose(centroid, spread.measures["centroid_arcmin"], atol=0.05)  # a tenth of a pixel
+
+    def test_each_point_spread_has_its_own_picture(self):
+        """In another order pictures would have the same sums and centroids; their second moments tell them apart."""
+        spreads = sturm.point_spreads({"format": "sturm.psf/1", "eye": {"prescription": "-1.00 -0.50 x 30", "pupil_diameter_mm": 3}, "defocus_D": [0, 0.25, 0.5], "models": ["rays"],
+                                       "rays": {"count": 65536}, "picture": {"pixel_arcmin": 0.25, "size_px": 129}})
+        places = 0.25 * (np.arange(129) - 64)
+        for spread in spreads:
+            self.assertAlmostEqual(spread.picture.sum(), 1, delta=1e-9)
+            x, y = np.meshgrid(places, -places)
+            [xx, xy, yy] = [(spread.picture * product).sum() for product in (x * x, x * y, y * y)]
+            # A pixel of 0.25' adds 0.25²/12 = 0.0052 to a variance; its edges cut a spread at random, by some hundredths of that.
+            np.testing.assert_allclose([xx, xy, yy], spread.measures["covariance_arcmin2"], atol=0.02)
+        self.assertEqual(len({round(spread.measures["covariance_arcmin2"][0]) for spread in spreads}), 3)
+
+
+class NamedEyes(FolderTest):
+    def test_a_file_of_a_shipped_eye_s_name_is_the_one_that_is_meant(self):
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.folder)
+        self.assertEqual(sturm.Eye("hofer_5").pupil_diameter_mm, json.loads(sturm.shipped("eyes/hofer_5.json").read_text())["pupil_diameter_mm"])
+        self.write("hofer_5", {"prescription": "-1.00 DS", "pupil_diameter_mm": 2.5})
+        self.assertEqual(sturm.Eye("hofer_5").pupil_diameter_mm, 2.5)
 
 
 class Optics(unittest.TestCase):

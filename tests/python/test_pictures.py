@@ -33,6 +33,14 @@ class Pictures(FolderTest):
         self.assertGreater(picture.radiance.mean(), 0.01)
         self.assertEqual(picture.document["method"]["filter"], "box")  # a default
 
+    def test_a_prediction_has_the_samples_of_its_own_kind(self):
+        """Those of a path-traced view are not a sharp view's, which has 16; those of a view that is a prediction are."""
+        for kind, samples in (("path_trace", 16), ("predict", 4)):
+            document = documents.changed(view(samples_per_pixel=4), "/method/type", kind)
+            for key in ("ray_model", "sampler") if kind == "predict" else ():
+                document["method"].pop(key, None)
+            self.assertEqual(sturm.predict(document).document["method"]["samples_per_pixel"], samples, kind)
+
     def test_a_prediction(self):
         document = view()
         predicted = sturm.predict(document)
