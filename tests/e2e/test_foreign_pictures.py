@@ -159,6 +159,12 @@ class Layers(Compared):
         plain = self.compared("a.exr", files.exr(dict.fromkeys("RGB", half), chromaticities=files.REC709))
         self.assertEqual((plain["metrics"]["rmse_linear"], plain["notes"]), (0, []))
 
+    def test_shapes_that_are_not_followed_are_noted(self):
+        for stated, word in (({}, None), ({"aspect": 2.0}, "2 times as wide as high"), ({"envmap": 1}, "cube"), ({"envmap": 0}, None)):
+            result = self.compared("a.exr", files.exr(A, **stated))
+            self.expect_a(result)
+            self.assertEqual([word in note for note in result["notes"]] if word else result["notes"], [True] if word else [])
+
     def test_pixels_that_are_not_finite_come_with_their_file(self):
         broken = {c: [list(row) for row in rows] for c, rows in A.items()}
         broken["G"][5][3] = math.nan
