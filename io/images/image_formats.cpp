@@ -21,6 +21,7 @@
 #include "io/images/claimed_size.h"
 #include "io/images/imageformats/abi.h"
 #include "io/images/picture_format.h"
+#include "io/images/tiff_header.h"
 #include "io/images/upright.h"
 
 namespace sturm {
@@ -74,8 +75,6 @@ void describe(const sturm_imageformats_pixels& pixels, StoredImage& stored) {
   }
   stored.was_cmyk = pixels.was_cmyk != 0;
   if (stored.was_cmyk) stored.notes.emplace_back("its colours for printing (CMYK) are converted without a profile");
-  if (pixels.was_multiplied)
-    stored.notes.emplace_back("its colours are divided by alpha, as they were stored times it");
   if (pixels.has_more) stored.notes.emplace_back("the first of its pictures is taken");
   if (!pixels.profile) return;
   const std::unique_ptr<unsigned char, decltype(Module::free)> owner(pixels.profile, module().free);
@@ -104,6 +103,17 @@ StoredImage decoded(const std::string& name, const Read& read) {
   stored.bits = pixels.bits;
   describe(pixels, stored);
   return stored;
+}
+
+/// Colours that are stored times alpha.
+void divide_by_alpha(const PictureFormat& format, const BytesAt& bytes_at, StoredImage& stored) {
+  Image& image = stored.image;
+  if (format.reader != "tiff"sv || image.channels % 2 != 0 || !tiff_is_multiplied_by_alpha(bytes_at)) return;
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i < image.pixels.size(); i += channels)
+    for (std::size_t c = 0; c + 1 < channels; ++c)
+      if (const float alpha = image.pixels[i + channels - 1]; alpha > 0.0f) image.pixels[i + c] /= alpha;
+  stored.notes.emplace_back("its colours are divided by alpha, as they were stored times it");
 }
 
 /// Adobe's programs store ink the other way round, and OpenImageIO takes all files for theirs.
@@ -177,6 +187,7 @@ StoredImage read_stored_image(const std::filesystem::path& path) {
       });
   if (stored.was_cmyk && format->reader == "jpeg"sv)
     require_ink_of_adobe(bytes_at, std::filesystem::file_size(path), path.string());
+  divide_by_alpha(*format, bytes_at, stored);
   follow_chunks(*format, bytes_at, stored);
   return stored;
 }

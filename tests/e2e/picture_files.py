@@ -11,13 +11,13 @@ def _attribute(name, kind, data):
     return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
 
 
-def _exr_header(channels, data, display, extra):
+def _exr_header(channels, data, display, extra, aspect=1):
     """channels: {name: (type, rows, side of the blocks that have one value)}"""
     listed = b"".join(name.encode("latin-1") + b"\0" + struct.pack("<iB3xii", kind, 0, step, step)
                       for name, (kind, _, step) in sorted(channels.items())) + b"\0"
     return (_attribute("channels", "chlist", listed) + _attribute("compression", "compression", b"\0") +
             _attribute("dataWindow", "box2i", struct.pack("<4i", *data)) + _attribute("displayWindow", "box2i", struct.pack("<4i", *display)) +
-            _attribute("lineOrder", "lineOrder", b"\0") + _attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) +
+            _attribute("lineOrder", "lineOrder", b"\0") + _attribute("pixelAspectRatio", "float", struct.pack("<f", aspect)) +
             _attribute("screenWindowCenter", "v2f", struct.pack("<ff", 0, 0)) + _attribute("screenWindowWidth", "float", struct.pack("<f", 1)) +
             b"".join(extra))
 
@@ -27,13 +27,14 @@ def _window(channels, corner):
     return corner[0], corner[1], corner[0] + len(rows[0]) - 1, corner[1] + len(rows) - 1
 
 
-def exr(channels, corner=(0, 0), display=None, chromaticities=None):
+def exr(channels, corner=(0, 0), display=None, chromaticities=None, envmap=None, aspect=1):
     """One part. channels: {name: rows} as floats, {name: (type, rows)}, or {name: (type, rows, step)}, of which every step-th value of
     every step-th row is stored; corner: where the stored pixels start."""
     channels = {name: (*value, 1)[:3] if isinstance(value, tuple) else (FLOAT, value, 1) for name, value in channels.items()}
     data = _window(channels, corner)
     extra = [_attribute("chromaticities", "chromaticities", struct.pack("<8f", *chromaticities))] if chromaticities else []
-    header = struct.pack("<II", 20000630, 2) + _exr_header(channels, data, display or data, extra) + b"\0"
+    extra += [_attribute("envmap", "envmap", bytes([envmap]))] if envmap is not None else []
+    header = struct.pack("<II", 20000630, 2) + _exr_header(channels, data, display or data, extra, aspect) + b"\0"
     lines = [b"".join(struct.pack(f"<{len(rows[y][::step])}{SYMBOL[kind]}", *rows[y][::step])
                       for _, (kind, rows, step) in sorted(channels.items()) if y % step == 0) for y in range(data[3] - data[1] + 1)]
     at, offsets, body = len(header) + 8 * len(lines), b"", b""

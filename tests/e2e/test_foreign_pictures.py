@@ -159,6 +159,12 @@ class Layers(Compared):
         plain = self.compared("a.exr", files.exr(dict.fromkeys("RGB", half), chromaticities=files.REC709))
         self.assertEqual((plain["metrics"]["rmse_linear"], plain["notes"]), (0, []))
 
+    def test_shapes_that_are_not_followed_are_noted(self):
+        for stated, word in (({}, None), ({"aspect": 2.0}, "2 times as wide as high"), ({"envmap": 1}, "cube"), ({"envmap": 0}, None)):
+            result = self.compared("a.exr", files.exr(A, **stated))
+            self.expect_a(result)
+            self.assertEqual([word in note for note in result["notes"]] if word else result["notes"], [True] if word else [])
+
     def test_pixels_that_are_not_finite_come_with_their_file(self):
         broken = {c: [list(row) for row in rows] for c, rows in A.items()}
         broken["G"][5][3] = math.nan
@@ -198,6 +204,27 @@ class Formats(Compared):
         self.refused("a.hdr", files.radiance(f"-Y {HEIGHT} +X {WIDTH}", pixels[:-1]), "a.hdr", "break off")
         self.refused("a.hdr", files.radiance("-Y 100000 +X 100000", pixels), "a.hdr", "claims")
         self.refused("a.hdr", files.radiance(f"-Y {HEIGHT} +X {WIDTH}", pixels, ["EXPOSURE=0"]), "a.hdr", "EXPOSURE")
+
+    def test_radiance_of_other_primaries(self):
+        """Green of Rec. 2020 in Rec. 709 (ITU-R BT.2087-0, table 4): 0.5 times (-0.5876, 1.1329, -0.1006)."""
+        self.write("b.exr", files.exr({c: [[v] * WIDTH] * HEIGHT for c, v in zip("RGB", (-0.29382, 0.56645, -0.05030))}))
+        green = files.radiance(f"-Y {HEIGHT} +X {WIDTH}", [(0, 128, 0, 128)] * (WIDTH * HEIGHT), ["PRIMARIES=0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290"])
+        result = self.compared("a.hdr", green)
+        self.assertLess(result["metrics"]["rmse_linear"], 1e-4)  # the table has four digits
+        self.assertTrue(any("PRIMARIES" in note for note in result["notes"]))
+
+    def test_runs_of_radiance_pictures(self):
+        """A run of more than 255 pixels in two digits, the lower one first; and bytes that are not repeated."""
+        width, many = 304, (128, 64, 32, 129)
+        few = [(64 + i, 128, 200, 128) for i in range(3)]
+        light = [[v * 2.0 ** (e - 136) for v in (r, g, b)] for r, g, b, e in [many] * (width - 3) + few]
+        self.write("b.exr", files.exr({c: [[pixel[i] for pixel in light]] * HEIGHT for i, c in enumerate("RGB")}))
+        line = [many, (1, 1, 1, 300 % 256), (1, 1, 1, 300 // 256), *few]
+        self.assertEqual(self.compared("a.hdr", files.radiance(f"-Y {HEIGHT} +X {width}", line * HEIGHT))["metrics"]["rmse_linear"], 0)
+        new = bytes([2, 2, width // 256, width % 256])
+        for values in zip(*([many] * (width - 3) + few)):
+            new += bytes([128 + 127, values[0]]) * 2 + bytes([width - 254, *values[254:]])
+        self.assertEqual(self.compared("a.hdr", files.radiance(f"-Y {HEIGHT} +X {width}", []) + new * HEIGHT)["metrics"]["rmse_linear"], 0)
 
     def test_display_referred_pictures_are_compared_as_such(self):
         a, b = ({c: [[int(255 * v) for v in row] for row in rows] for c, rows in picture.items()} for picture in (A, B))

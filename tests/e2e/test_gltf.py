@@ -110,6 +110,15 @@ class Geometry(Gltf):
         model.json["scenes"][0]["nodes"].append(model.add("nodes", mesh=0, scale=[0, 0, 0]))  # nothing is seen of it, and it does no harm
         self.assertEqual(self.extent(self.shown(model)), (16, 23, 12, 19))
 
+    def test_a_matrix_says_what_its_parts_say(self):
+        """x is halved, a quarter turn takes it upwards, and all moves to the right by 1/2; a matrix stands column by column."""
+        half, root = [(0, -1, -2), (1, -1, -2), (1, 1, -2), (0, 1, -2)], 0.5 ** 0.5
+        for place in ({"matrix": [0, 0.5, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 1]},
+                      {"translation": [0.5, 0, 0], "rotation": [0, 0, root, root], "scale": [0.5, 1, 1]}):
+            model = Model()
+            model.node(model.primitive(model.material(), corners=half), **place)
+            self.assertEqual(self.extent(self.shown(model)), (12, 27, 12, 15), place)
+
     def test_the_scene_that_the_file_names(self):
         model = Model()
         model.square(model.material())

@@ -103,8 +103,8 @@ class Colours(Gltf):
                 row = (one, 0.2 * one if component == FLOAT else one // 5, 0, *alpha)
                 stride = 4 if component == UNSIGNED_BYTE else 8 if component == UNSIGNED_SHORT else None
                 colours = model.accessor([row] * 4, component, stride, normalized=component != FLOAT)
-                model.square(model.material((0.5, 0.5, 1, 1)), COLOR_0=colours)
-                self.assert_near(self.albedo(self.shown(model), 16, 16), (0.5, 0.1, 0), what=f"{component} {alpha}")
+                model.square(model.material((1, 0.5, 1, 1)), COLOR_0=colours)  # 255/256 would be seen
+                self.assert_near(self.albedo(self.shown(model), 16, 16), (1, 0.1, 0), what=f"{component} {alpha}")
 
     def test_vertex_colours_are_interpolated_and_multiply_the_texture(self):
         model = Model()

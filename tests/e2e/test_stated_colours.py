@@ -79,8 +79,9 @@ class Compared(FolderTest):
         self.assertLess(self.compared("a.tif", files.tiff_bytes(times_alpha, further=[(338, 1)]), as_light), 1e-6)
         self.assertTrue(any("divided by alpha" in note for note in self.notes), self.notes)
         plain = [[(*pixel, 85) for pixel in row] for row in bands()]
-        self.assertLess(self.compared("a.tif", files.tiff_bytes(plain, further=[(338, 2)]), srgb_to_linear), 1e-6)
-        self.assertEqual(self.notes, ["a.tif: alpha is left out"])
+        for further in ([(338, 2)], [(338, 0)], []):
+            self.assertLess(self.compared("a.tif", files.tiff_bytes(plain, further=further), srgb_to_linear), 1e-6)
+            self.assertEqual(self.notes, ["a.tif: alpha is left out"])
         turned = [row[::-1] for row in bands()[::-1]]
         self.assertLess(self.compared("a.tif", files.tiff_bytes(turned, further=[(274, 3)]), srgb_to_linear), 1e-6)
         self.write("lab.tif", files.tiff_bytes(bands(), photometric=8))

@@ -14,7 +14,6 @@ struct sturm_imageformats_pixels {
   int bits = 0;                      ///< of integer values, 0 for floats
   int orientation = 1;               ///< as EXIF and TIFF count them, 1 … 8
   int was_cmyk = 0;                  ///< whether the reader has made the colours from those of printers
-  int was_multiplied = 0;            ///< whether colours were stored times alpha, by which they have been divided
   int has_more = 0;                  ///< whether the file has further pictures
   unsigned char* profile = nullptr;  ///< ICC, or null; handed out
   std::size_t profile_size = 0;

@@ -85,21 +85,6 @@ void require_rgb(const OIIO::ImageSpec& spec) {
     throw std::runtime_error("colours in CIELAB, which are not read");
 }
 
-/// TIFF alone says whether colours are stored times alpha; OpenImageIO leaves them as they are.
-bool is_multiplied(OIIO::ImageInput& input) {
-  const OIIO::ImageSpec& spec = input.spec();
-  return std::string(input.format_name()) == "tiff" && spec.alpha_channel >= 0 &&
-         spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
-}
-
-void divide_by_alpha(float* values, std::size_t count, const OIIO::ImageSpec& spec) {
-  const int channels = spec.nchannels, alpha = spec.alpha_channel;
-  for (std::size_t i = 0; i < count; i += static_cast<std::size_t>(channels))
-    for (int c = 0; c < channels; ++c)
-      if (const float share = values[i + static_cast<std::size_t>(alpha)]; c != alpha && share > 0.0f)
-        values[i + static_cast<std::size_t>(c)] /= share;
-}
-
 /// How many rows are read at once: whole tiles or strips, of about 64 MiB.
 int rows_at_once(const OIIO::ImageSpec& spec) {
   constexpr std::size_t bytes = std::size_t{1} << 26;
@@ -144,7 +129,6 @@ void read_opened(OIIO::ImageInput& input, sturm_imageformats_pixels* pixels) {
                      ? 0
                      : spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * spec.format.basesize()));
   const std::size_t row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
-  pixels->was_multiplied = is_multiplied(input);
   const int step = rows_at_once(spec), left = spec.x, right = spec.x + spec.width;
   for (int y = 0; y < spec.height; y += step) {
     const int rows = std::min(step, spec.height - y), top = spec.y + y;
@@ -156,7 +140,6 @@ void read_opened(OIIO::ImageInput& input, sturm_imageformats_pixels* pixels) {
             : input.read_scanlines(0, 0, top, top + rows, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, to);
     if (!read) throw std::runtime_error(input.geterror());
     require_whole(input);
-    if (pixels->was_multiplied) divide_by_alpha(to, row * static_cast<std::size_t>(rows), spec);
   }
   pixels->width = spec.width;
   pixels->height = spec.height;
