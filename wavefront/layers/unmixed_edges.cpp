@@ -26,14 +26,6 @@ struct NearSurface {
   float variance;  // of each channel
 };
 
-/// Layers have the mean colour of a whole pixel, of which an edge may show the brighter or the darker part. So what the
-/// layers' light that ends in a pixel and the one behind it lack to make the pixel is given to both by the squares of
-/// their light, most of it to the brighter one: here the factor of the first.
-Vector3f factor_of_brighter(const Vector3f& ending, const Vector3f& behind, const Vector3f& pixel) {
-  const Eigen::Array3f a = ending, b = behind, lacking = pixel.array() - a - b;
-  return (1.0f + lacking * a / (a * a + b * b).max(1e-12f)).max(0.0f).matrix();
-}
-
 class EdgePixels {
  public:
   EdgePixels(LayeredPicture& picture, std::span<const PictureLayer> layers)
@@ -103,46 +95,25 @@ class EdgePixels {
     return nullptr;
   }
 
-  /// The pieces of nearer surfaces that layers have in a pixel.
-  std::vector<HiddenPixel*> pieces_before(int x, int y) {
-    std::vector<HiddenPixel*> pieces;
-    auto piece = std::lower_bound(picture_.hidden.begin(), picture_.hidden.end(), std::pair(y, x),
-                                  [](const HiddenPixel& h, const auto& at) { return std::pair(h.y, h.x) < at; });
-    for (; piece != picture_.hidden.end() && piece->x == x && piece->y == y; ++piece)
-      if (piece->vergence_D > vergence(x, y) + picture_.jump_D) pieces.push_back(&*piece);
-    return pieces;
-  }
-
   /// What layers of the pixel's own surface and of nearer ones say about its colour and coverage.
   void take_what_is_told(int x, int y) {
     const std::size_t i = index(x, y);
-    const std::vector<HiddenPixel*> pieces = pieces_before(x, y);
+    float* const rgb = picture_.radiance.at(x, y);
+    Vector3f rest(rgb);
+    float before = 0.0f;
+    for (const PictureLayer& layer : layers_)
+      if (lies_before(layer, picture_, i)) {
+        rest -= layer.coverage[i] * Vector3f(layer.radiance.at(x, y));
+        before += layer.coverage[i];
+      }
     const PictureLayer* const own = beside_nearer(x, y) && !nearer_is_told(x, y) ? nullptr : own_layer(x, y);
     const float covered = own && !own->coverage.empty() ? own->coverage[i] : 1.0f;
-    if (pieces.empty() && (!own || covered >= covers_all)) return;
-    auto pixel = Vector3f::Map(picture_.radiance.at(x, y));
-    Vector3f near = Vector3f::Zero();
-    float before = 0.0f;
-    for (const HiddenPixel* piece : pieces) {
-      near += piece->coverage * Vector3f(piece->rgb);
-      before += piece->coverage;
+    if (own && (before > 0.0f || covered < covers_all)) {
+      std::copy_n(own->radiance.at(x, y), 3, rgb);
+      picture_.coverage[i] = std::min(picture_.coverage[i], covered);
+    } else if (before > 0.0f && before < 1.0f - little) {
+      Vector3f::Map(rgb) = (rest / (1.0f - before)).cwiseMax(0.0f);
     }
-    if (!own) {
-      if (before < 1.0f - little) pixel = ((pixel - near) / (1.0f - before)).cwiseMax(0.0f).eval();
-      return;
-    }
-    const float seen = std::min(covered, std::max(0.0f, 1.0f - before));
-    Vector3f front(own->radiance.at(x, y)), whole = seen * front;
-    if (covered < covers_all) {  // it ends in the pixel, too
-      const auto behind = layer_color(x, y, [&](double v) { return v < vergence(x, y) - picture_.jump_D; });
-      near += whole;
-      whole = behind ? Vector3f(std::max(0.0f, 1.0f - before - seen) * *behind) : Vector3f(pixel - near);
-    }
-    const Vector3f factor = factor_of_brighter(near, whole, pixel);
-    for (HiddenPixel* piece : pieces) Vector3f::Map(piece->rgb).array() *= factor.array();
-    if (covered < covers_all) front.array() *= factor.array();
-    pixel = front;
-    picture_.coverage[i] = std::min(picture_.coverage[i], covered);
   }
 
   /// The unmixed pixels of the nearest surface about (x, y), if that is nearer than `than_D`; of a surface that has

@@ -167,33 +167,5 @@ TEST(UnmixedEdges, HoldNoMoreLightThanTheirPixels) {
   EXPECT_EQ(pieces, height);
 }
 
-TEST(UnmixedEdges, HaveTheLightThatTheirPixelsShow) {
-  // A surface of 0.9 ends in a pixel, of which it covers 0.3; its layer continues with 0.225 there, so that its mean is
-  // 0.45. The wall is black, so all light of the pixel is the surface's.
-  LayeredPicture picture;
-  picture.radiance = Image(width, height, 3);
-  picture.vergence_D.assign(width * height, far_D);
-  picture.jump_D = 0.2;
-  std::vector<PictureLayer> layers(2, {Image(width, height, 3), std::vector<double>(width * height, far_D), {}});
-  layers[1].vergence_D.assign(width * height, near_D);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const float covered = x < 50 ? 1.0f : x == 50 ? 0.3f : 0.0f;
-      if (x < 50) picture.vergence_D[static_cast<std::size_t>(y) * width + x] = near_D;
-      std::fill_n(picture.radiance.at(x, y), 3, covered * 0.9f);
-      std::fill_n(layers[1].radiance.at(x, y), 3, x == 50 ? 0.45f : 0.9f);
-      layers[1].coverage.push_back(covered);
-    }
-  picture.hidden = hidden_by(picture, layers);
-  unmix_edges(picture, layers);
-  int pieces = 0;
-  for (const HiddenPixel& h : picture.hidden)
-    if (h.x == 50 && h.vergence_D == near_D) {
-      EXPECT_NEAR(h.rgb[0], 0.9f, 1e-5) << h.y;
-      ++pieces;
-    }
-  EXPECT_EQ(pieces, height);
-}
-
 }  // namespace
 }  // namespace sturm
