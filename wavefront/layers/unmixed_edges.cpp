@@ -197,8 +197,8 @@ class EdgePixels {
     const float least = std::clamp(1.0f - (mixed.array() / behind.array().max(1e-12f)).minCoeff(), 0.0f, 1.0f);
     const float alpha = std::max(
         least, (by_color * doubt_of_place + coverage_by_place(x, y, behind_D) * doubt) / (doubt_of_place + doubt));
-    const Vector3f own =
-        alpha > little ? Vector3f((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f) : near.color;
+    Vector3f own = near.color.cwiseMin(mixed / std::max(alpha, 1e-6f));  // no more than the pixel has
+    if (alpha > little) own = ((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f);
     if (near_in_front) {
       picture_.coverage[i] = alpha;
       Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) = own;

@@ -154,5 +154,18 @@ TEST(UnmixedEdges, PiecesOfSlantedSurfacesLeanAsTheyDo) {
   EXPECT_EQ(found, height);
 }
 
+TEST(UnmixedEdges, HoldNoMoreLightThanTheirPixels) {
+  // Beside a lamp of uneven brightness a pixel that has none of it, though it may have, by the lamp's shape.
+  const Edge lamp(0, 50, 50, 0.0f, [](int x, int y) { return (x + y) % 2 == 0 ? 94.0f : 106.0f; });
+  int pieces = 0;
+  for (const HiddenPixel& h : lamp.picture.hidden)
+    if (h.x == 50 && h.vergence_D == near_D) {
+      EXPECT_GT(h.coverage, 0.01f);
+      EXPECT_LE(h.coverage * h.rgb[0], 0.5f + 1e-5f);
+      ++pieces;
+    }
+  EXPECT_EQ(pieces, height);
+}
+
 }  // namespace
 }  // namespace sturm
