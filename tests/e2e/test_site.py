@@ -58,14 +58,26 @@ class Site(unittest.TestCase):
                 self.assertTrue((self.folder / page).is_file())
                 self.assertIn(page.removesuffix(".html") + ".md", listed)
 
+    def text_of(self, page):
+        """The HTML of a page's document, without the navigation beside it."""
+        return (self.folder / f"{page}.html").read_text(encoding="utf-8").split('role="main"')[1]
+
+    def test_a_link_to_a_source_names_it(self):
+        """Sources are not on the site; the link becomes its text and the path."""
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        links = re.findall(r"\[([^\]]+)\]\(((?:ci|configs|reports|tests)/[^)#]+)\)", text)
+        self.assertTrue(links)
+        for words, source in links:
+            self.assertIn(f"{words} (<code>{source}</code>)", self.text_of("index"))
+
     def test_the_reference_is_on_it(self):
         """A page for each room with public headers and one for Python; links to a room's folder lead there on the site."""
         rooms = {line.split("/")[0] for line in (SOURCE / "cmake/public_headers.txt").read_text().splitlines() if not line.startswith("#")}
         self.assertEqual({path.stem for path in (self.folder / "reference").iterdir()}, rooms | {"python"})
         listed = set(re.findall(r"reference/(\w+)\.md", (SOURCE / "site/mkdocs.yml").read_text()))
         self.assertEqual(listed, rooms | {"python"})
-        self.assertIn("reference/conoid.html", Page(self.folder / "library.html").targets)
-        self.assertIn("reference/python.html", Page(self.folder / "python.html").targets)
+        for page, target in (("library", "reference/conoid.html"), ("library", "reference/conoid.html#conoidtracingfootprinth"), ("python", "reference/python.html")):
+            self.assertIn(f'href="{target}"', self.text_of(page))
         self.assertIn("lensmodeleyeh", Page(self.folder / "reference/lensmodel.html").anchors)
 
     def test_no_link_is_dead(self):
