@@ -67,8 +67,9 @@ function sights(core) {
   const optics = new core.Optics(), step = 0.02, size = 141, first = -1.4;
   optics.setEye(ametrope);
   const result = {};
-  for (const name of ['toric', 'progressive']) {
-    optics.setLens(lenses[name]);
+  const tilted = {...lenses.toric, mounting: {decentration_m: [4e-3, -3e-3], pantoscopic_tilt_rad: 0.2, wrap_rad: 0.15}};
+  for (const [name, lens] of Object.entries({toric: lenses.toric, progressive: lenses.progressive, tilted})) {
+    optics.setLens(lens);
     const ask = (x, y, n) => optics.sights({gaze: 'foveal', first_x: x, first_y: y, step_x: step, step_y: step, columns: n, rows: n});
     const all = ask(first, first, size), found = result[name] = {stopped: 0, wrong: 0, places: 0, directions: 0, powers: 0};
     for (let k = 0; k < size * size; ++k) {

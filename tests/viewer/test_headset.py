@@ -46,7 +46,8 @@ MISTAKES = {
     "a frustum mirrored": "left.pose.center[0] = left.pose.width - left.pose.center[0];",
     "a frustum upside down": "left.pose.center[1] = left.pose.height - left.pose.center[1];",
 }
-SPH, GLASSES, LAST = 1, 6, 7
+SPH, CYL, AXIS, GLASSES, LAST = 1, 2, 3, 6, 7
+LESS, MORE = 180 / 640, 500 / 640  # the buttons at a slider's ends
 
 
 def full_view():
@@ -171,17 +172,33 @@ class HeadsetTest(PageTest):
         self.press(False)
         self.point(0.4, SPH)
         self.assertEqual(self.eye("right")["sphere_D"], -10)
-        self.click(500 / 640, SPH)  # the button at the slider's end
+        self.click(MORE, SPH)  # the button at the slider's end
         self.assertEqual(self.eye("right")["sphere_D"], -9.75)
         self.wait("window.sturmViewer.app.headset.eyes.right.state.eyes.right.sphere_D === -9.75")  # what the eye wears
         self.browser.run("window.emulated.primaryInputMode = 'hand'")
         self.click(0.25, 0, "hand")  # the left eye
-        self.click(180 / 640, SPH, "hand")
+        self.click(LESS, SPH, "hand")
         self.assertEqual(self.eye("left")["sphere_D"], -6.25)
         self.assertEqual(self.eye("right")["sphere_D"], -9.75)
         self.click(0.9, GLASSES, "hand")
         self.wait("window.sturmViewer.app.headset.eyes.left.optics.lens")  # a progressive lens, made meanwhile
         self.assertFalse(self.browser.run("return window.sturmViewer.app.headset.eyes.right.optics.lens"))
+
+    def test_cylinder_and_axis_are_of_the_chosen_eye(self):
+        self.wear_headset(small_view())
+        self.rest()
+        for eye, cylinder, axis in (("right", 0, 30), ("left", -3, 30)):
+            self.assertEqual((self.eye(eye)["cylinder_D"], self.eye(eye)["axis_deg"]), (cylinder, axis))
+        self.click(LESS, CYL)
+        self.click(MORE, AXIS)
+        self.assertEqual((self.eye("right")["cylinder_D"], self.eye("right")["axis_deg"]), (-0.25, 31))
+        self.assertEqual((self.eye("left")["cylinder_D"], self.eye("left")["axis_deg"]), (-3, 30))
+        self.click(0.25, 0)  # the left eye
+        self.click(MORE, CYL)
+        self.click(TRACK[0] + 0.5 * (TRACK[1] - TRACK[0]), AXIS)
+        self.assertEqual((self.eye("left")["cylinder_D"], self.eye("left")["axis_deg"]), (-2.75, 90))
+        self.assertEqual((self.eye("right")["cylinder_D"], self.eye("right")["axis_deg"]), (-0.25, 31))
+        self.assertEqual((self.eye("left")["sphere_D"], self.eye("right")["sphere_D"]), (-6, 0))
 
     def test_seeing_sharply_and_leaving(self):
         mode = "return window.sturmViewer.app.headset.eyes.left.panel.mode"

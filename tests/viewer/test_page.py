@@ -103,6 +103,14 @@ class Page(PageTest):
         self.browser.press("#picture", KEYS["right"])
         self.assertGreater(self.state()["camera"]["turn_deg"], turned)
 
+    def test_letters_move_the_head_also_with_caps_lock(self):
+        self.open()
+        position = "return window.sturmViewer.app.state.camera.position_m"
+        for keys, expected in (("wd", [0.1, 0, -0.1]), ("WD", [0.2, 0, -0.2]), ("sA", [0.1, 0, -0.1]), ("Sa", [0, 0, 0])):
+            self.browser.press("#picture", *keys)
+            for mine, wanted in zip(self.browser.run(position), expected):
+                self.assertAlmostEqual(mine, wanted, places=9, msg=keys)
+
     def test_nothing_bars_the_way(self):
         axe = SOURCE / "viewer/node_modules/axe-core/axe.min.js"
         if not axe.exists():
@@ -143,8 +151,12 @@ class Page(PageTest):
     def test_a_link_holds_the_state(self):
         self.open()
         state = self.state()
-        state["eyes"]["right"].update({"sphere_D": 2.25, "axis_deg": 77})
-        state["modes"] = ["sharp", "gather"]
+        eyes, glasses, camera = (state[key] for key in ("eyes", "glasses", "camera"))
+        eyes["right"].update({"sphere_D": 2.25, "cylinder_D": -0.75, "axis_deg": 77, "vertex_mm": 11, "pupil_mm": 3.5, "accommodation": "best", "focus_D": 0.4, "amplitude_D": 2.75})
+        eyes["left"].update({"sphere_D": -1.25, "axis_deg": 12, "accommodation": "fixed", "focus_D": 1.1, "amplitude_D": 6.5})
+        glasses["left"].update({"kind": "progressive", "fitted": False, "sphere_D": 0.5, "cylinder_D": -1, "axis_deg": 8, "addition_D": 1.75, "vertex_mm": 14})
+        camera.update({"position_m": [0.1, 0.2, -0.3], "turn_deg": 4, "tilt_deg": -2, "field_deg": 41, "gaze": "foveal"})
+        state.update({"modes": ["sharp", "gather"], "rayModel": "thin_lens", "passes": 16, "exposure": 2, "filter": True, "fieldOverlay": True, "rimOverlay": True, "lensMap": True})
         self.open(hash_of(state))
         self.assertEqual(self.state(), state)
         self.assertEqual(self.message(), "")

@@ -56,6 +56,22 @@ class Paths(PageTest):
         self.assertEqual(restarted[1], [0, 0])
         self.browser.run("window.sturmViewer.app.held = false")
         self.wait("window.sturmViewer.app.panels.every((p) => p.passes > 8)")
+        # What is laid over pictures, and how brightly they are shown, leaves them as they are.
+        kept, darker = self.browser.run(f"""const {{app}} = window.sturmViewer, {{gpu: {{gl}}, canvas}} = app, before = {passes}, pixels = new Uint8Array(4 * canvas.width * canvas.height);
+          const light = () => {{
+            gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+            gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+            return pixels.reduce((sum, x, k) => (k % 4 < 3 ? sum + x : sum), 0);
+          }};
+          app.held = true;
+          const first = light();
+          app.change((s) => {{ s.exposure = 0.25; s.fieldOverlay = s.rimOverlay = s.lensMap = true; }});
+          app.prepare();
+          return [[before, {passes}], light() < 0.8 * first];""")
+        self.assertEqual(kept[0], kept[1])
+        self.assertTrue(darker)
+        self.browser.run("window.sturmViewer.app.held = false")
+        self.wait("window.sturmViewer.app.panels.every((p) => p.passes > 8)")
 
     def test_the_filter_waits_for_whole_passes(self):
         self.page_of(view_of({"vfov_deg": 39.3, "resolution": [32, 64]}, 4))

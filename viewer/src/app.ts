@@ -52,6 +52,8 @@ export class App {
   private readonly pace = new Pace();
   readonly lenses = new LensMaker(() => this.lensMade());
   private changed = true;
+  /** What the pictures are of; what is laid over them, and how brightly they are shown, does not begin them anew. */
+  private drawn = '';
   private pointed = true;
   private busy = false;
   private lost = false;
@@ -197,7 +199,10 @@ export class App {
       this.canvas.width = this.width * this.panels.length;
       this.canvas.height = this.height;
     }
-    this.panels.forEach((p) => this.pictures.restart(p));
+    const drawn = JSON.stringify({ ...state, exposure: 1, filter: false, fieldOverlay: false, rimOverlay: false, lensMap: false }) + this.eye.worn;
+    if (drawn !== this.drawn) this.panels.forEach((p) => this.pictures.restart(p));
+    else this.showPanels();
+    this.drawn = drawn;
     return true;
   }
 
