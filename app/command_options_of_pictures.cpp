@@ -85,7 +85,8 @@ void CommandLine::add_see() {
 
 void CommandLine::add_see_depth(CLI::App& s) {
   auto* depth = s.add_option("--depth", see.depth, "depth map: EXR, PFM or 16-bit PNG (default: the picture's own Z)");
-  s.add_option("--layer", see.layers, "surface that the picture hides: EXR with R, G, B, Z and A; may be repeated")
+  s.add_option("--layer", see.layers,
+               "surface that the picture hides or shows: EXR with R, G, B, Z and A; may be repeated")
       ->allow_extra_args(false);
   s.add_option("--picture-layer", see.picture_layer, "of EXR files with several pictures: the name of one");
   s.add_option("--distance-m", see.distance_m, "of a flat picture [m]; inf = far away")->excludes(depth);
