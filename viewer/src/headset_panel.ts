@@ -81,13 +81,13 @@ export class HeadsetPanel {
 
   private paintSlider(context: CanvasRenderingContext2D, row: Slider, top: number): void {
     const [least, largest] = ranges[row.range], number = row.of(this.state().eyes[this.side]), middle = top + rowHeight / 2;
-    button(context, less, top, track - less - 6, '−', false);
+    button(context, less, top, track - less - 10, '−', false);
     button(context, more, top, value - more - 6, '+', false);
     context.fillStyle = field;
     context.fillRect(track, middle - 5, trackEnd - track, 10);
     context.fillStyle = ink;
     context.beginPath();
-    context.arc(track + ((trackEnd - track) * (number - least)) / (largest - least), middle, 16, 0, 2 * Math.PI);
+    context.arc(track + ((trackEnd - track) * (number - least)) / (largest - least), middle, 12, 0, 2 * Math.PI);
     context.fill();
     context.textAlign = 'left';
     context.fillText(row.label, 12, middle, less - 18);
