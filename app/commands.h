@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/text_answers.h"
+#include "io/files/sandbox.h"
 #include "lensmodel/eye.h"
 
 namespace sturm {
@@ -18,9 +19,6 @@ struct WearerOptions {
   std::string focus_m;                           ///< accommodation at one distance: > 0 or "inf"
   std::string lens;                              ///< spectacles: a file, or the name of a shipped lens
 };
-
-/// The name in messages of what options alone say, without a file. Paths in it start at the working directory.
-inline constexpr const char* command_line_source = "command line";
 
 /// What several commands take.
 struct CommonOptions {

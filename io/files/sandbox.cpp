@@ -28,7 +28,7 @@ bool sandbox_is_on() {
 }
 
 bool within_sandbox(const fs::path& path, const std::string& naming_file) {
-  if (!in_sandbox) return true;
+  if (!in_sandbox || naming_file == command_line_source) return true;
   const fs::path folder =
       followed(naming_file == "<stdin>" ? fs::current_path() : fs::absolute(naming_file).parent_path());
   const fs::path target = followed(path);

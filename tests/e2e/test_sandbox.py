@@ -1,9 +1,11 @@
 """--sandbox: files of someone who is not trusted may name only files in their own folder and below it, links followed."""
+import json
 import os
 import unittest
 
 import documents
 import gltf_models
+import picture_files
 from sturm_process import SOURCE, WRONG_INPUT, FolderTest, sturm
 
 EYE = {"format": "sturm.eye/1", "prescription": {"sphere_D": -2, "cylinder_D": -1, "axis_deg": 30}, "pupil_diameter_mm": 4}
@@ -42,6 +44,19 @@ class Sandbox(FolderTest):
     def test_the_option_stands_before_or_behind_the_command(self):
         self.ellipse("../outside/eye.json")
         self.assertEqual(sturm("--sandbox", "ellipse", self.folder / "inside/query.json").returncode, WRONG_INPUT)
+
+    def test_what_the_command_line_names_is_trusted(self):
+        line = ("--rx", "-2.00 -1.50 x 30", "--distance", "1", "--sandbox")
+        self.write("outside/lens.json", json.loads((SOURCE / "configs/lenses/aspheric_plus.json").read_text()))
+        self.write("outside/grey.png", picture_files.png([[128] * 8] * 8, 8))
+        (self.folder / "work").mkdir()
+        for arguments in (("ellipse", *line, "--lens", self.folder / "outside/lens.json"), ("ellipse", *line[2:], "--eye", self.folder / "outside/eye.json"),
+                          ("see", self.folder / "outside/grey.png", "--rx", "-2", "--distance-m", 1, "--vfov-deg", 1, "-o", "seen.png", "--sandbox")):
+            process = sturm(*arguments, cwd=self.folder / "work")
+            self.assertEqual(process.returncode, 0, process.stderr)
+        # A document names what is below it alone, on standard input too.
+        query = json.dumps({**documents.query(), "eye": str(self.folder / "outside/eye.json")})
+        self.assertEqual(sturm("ellipse", "-", "--sandbox", stdin=query, cwd=self.folder / "work").returncode, WRONG_INPUT)
 
     def render(self, model, *options):
         scene = {"models": [{"file": model}]}
