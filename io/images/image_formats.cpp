@@ -131,6 +131,14 @@ void follow_chunks(const PictureFormat& format, const BytesAt& bytes_at, StoredI
   stored.colours.notes.insert(stored.colours.notes.end(), stated.notes.begin(), stated.notes.end());
 }
 
+/// What the bytes of a file say of its numbers and OpenImageIO does not.
+void follow_bytes(const PictureFormat& format, const BytesAt& bytes_at, std::uint64_t size, const std::string& name,
+                  StoredImage& stored) {
+  if (stored.was_cmyk && format.reader == "jpeg"sv) require_ink_of_adobe(bytes_at, size, name);
+  divide_by_alpha(format, bytes_at, stored);
+  follow_chunks(format, bytes_at, stored);
+}
+
 /// How many pixels a picture may have. Throws InputError about `name` for claims that the bytes cannot fulfil.
 std::uint64_t admitted_pixels(const PictureFormat& format, const BytesAt& bytes_at, std::uint64_t size,
                               const std::string& name) {
@@ -180,15 +188,13 @@ StoredImage read_stored_image(const std::filesystem::path& path) {
   };
   const std::optional<PictureFormat> format = picture_format(bytes_at);
   if (!format) throw InputError(path.string(), "", "a file of another kind", picture_formats);
-  const std::uint64_t most = admitted_pixels(*format, bytes_at, std::filesystem::file_size(path), path.string());
+  const std::uint64_t size = std::filesystem::file_size(path);
+  const std::uint64_t most = admitted_pixels(*format, bytes_at, size, path.string());
   StoredImage stored =
       decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
         return module().read(format->reader, path.c_str(), most, &pixels, error, error_size);
       });
-  if (stored.was_cmyk && format->reader == "jpeg"sv)
-    require_ink_of_adobe(bytes_at, std::filesystem::file_size(path), path.string());
-  divide_by_alpha(*format, bytes_at, stored);
-  follow_chunks(*format, bytes_at, stored);
+  follow_bytes(*format, bytes_at, size, path.string(), stored);
   return stored;
 }
 
@@ -208,8 +214,7 @@ StoredImage read_embedded_image(std::span<const unsigned char> bytes, const std:
   StoredImage stored = decoded(name, [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
     return module().read_memory(format->reader, bytes.data(), bytes.size(), most, &pixels, error, error_size);
   });
-  if (stored.was_cmyk && format->reader == "jpeg"sv) require_ink_of_adobe(bytes_at, bytes.size(), name);
-  follow_chunks(*format, bytes_at, stored);
+  follow_bytes(*format, bytes_at, bytes.size(), name, stored);
   return stored;
 }
 

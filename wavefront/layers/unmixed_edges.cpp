@@ -55,12 +55,6 @@ class EdgePixels {
       for (int u = std::max(0, x - distance); u <= std::min(width_ - 1, x + distance); ++u) visit(u, v);
   }
 
-  bool beside_farther(int x, int y) const {
-    bool found = false;
-    around(x, y, 1, [&](int u, int v) { found |= vergence(x, y) - vergence(u, v) > picture_.jump_D; });
-    return found;
-  }
-
   double farthest_beside(int x, int y) const {
     double farthest = vergence(x, y);
     around(x, y, 1, [&](int u, int v) { farthest = std::min(farthest, vergence(u, v)); });
@@ -73,6 +67,7 @@ class EdgePixels {
     return nearest;
   }
 
+  bool beside_farther(int x, int y) const { return vergence(x, y) - farthest_beside(x, y) > picture_.jump_D; }
   bool beside_nearer(int x, int y) const { return nearest_beside(x, y) - vergence(x, y) > picture_.jump_D; }
 
   /// Whether a layer says how much of a pixel the nearest surface beside it covers.
