@@ -11,13 +11,26 @@
 #include "io/files/plain_file.h"
 #include "io/json/json_text.h"
 #include "io/json/manifest.h"
+#include "io/json/named_file.h"
 #include "stages/blur_field_stage.h"
 #include "stages/stopwatch.h"
 
 namespace sturm {
 
-int blurfield_command(const CommonOptions& options, const BlurFieldOptions& files) {
-  const Json document = load_configuration(options);
+namespace {
+
+/// The field that is computed where no document says more.
+Json usual_field() {
+  return {{"format", "sturm.blurfield/1"},
+          {"eye", {{"pupil_diameter_mm", 4}}},
+          {"field", {{"hfov_deg", 60}, {"directions", {32, 32}}}}};
+}
+
+}  // namespace
+
+int blurfield_command(const CommonOptions& given, const BlurFieldOptions& files) {
+  const CommonOptions options = with_source(given);
+  const Json document = load_configuration(options, usual_field());
   if (options.print_config) return print_configuration(document, options.file, files.output);
   const std::filesystem::path exr(files.output);
   if (!has_suffix(exr, ".exr"))
@@ -33,7 +46,8 @@ int blurfield_command(const CommonOptions& options, const BlurFieldOptions& file
   facts.threads = thread_count(options);
   facts.started_utc = utc_now();
   facts.input_files = spec.input_files;
-  if (options.file != "-") facts.input_files.insert(facts.input_files.begin(), options.file);
+  if (options.file != "-" && options.file != command_line_source)
+    facts.input_files.insert(facts.input_files.begin(), options.file);
   BlurField field = compute_blur_field(spec);
   Stopwatch writing;
   write_blur_field(exr, field.grid, field.directions, field.analytic ? &*field.analytic : nullptr,

@@ -1,5 +1,6 @@
 #include "app/command_options.h"
 
+#include "app/command_examples.h"
 #include "app/command_help.h"
 #include "io/files/build_info.h"
 #include "io/files/sandbox.h"
@@ -161,7 +162,10 @@ CommandLine::CommandLine() {
   add_doctor();
   add_completion();
   add_man();
-  for (CLI::App* command : app.get_subcommands({})) command->fallthrough();
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->fallthrough();
+    command->footer(command_examples(command->get_name()));
+  }
 }
 
 void CommandLine::add_validate() {

@@ -22,12 +22,6 @@ void CommandLine::add_ellipse() {
   e->add_option("-o,--output", ellipse.output,
                 "file instead of standard output (.csv, .json, or .txt for a table); of several queries' JSON a "
                 "folder, or a name with {name}");
-  e->footer(
-      "Examples:\n"
-      "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --vertex 12 --pupil 5 --age 52 --distance 0.4,1,6,inf\n"
-      "  sturm ellipse --rx \"-3.25 -1.75 x 160\" --lens glasses --gaze 0,0 --gaze 20,-10 --distance 1 --csv\n"
-      "  sturm ellipse query.json --pupil 6\n"
-      "  sturm ellipse one.json two.json --csv -o both.csv");
   e->callback([this] { action = [this] { return ellipse_command(common, ellipse); }; });
 }
 
@@ -73,18 +67,13 @@ void CommandLine::add_lens() {
   l->add_option("-o,--output", output,
                 "file instead of standard output (.csv, .json, or .txt for a table); of several lenses' JSON a "
                 "folder, or a name with {name}");
-  l->footer(
-      "Examples:\n"
-      "  sturm lens --rx \"-3.25 -1.75 x 160\" --index 1.6 --map map.svg\n"
-      "  sturm lens progressive_regular --azimuth-deg 0 --elevation-deg -40:40:10\n"
-      "  sturm lens progressive_regular progressive_wide_near --map maps.pdf --corridor corridors.svg --range 3");
   l->callback([this] { action = [this] { return lens_command(common, lens, output); }; });
 }
 
 void CommandLine::add_blurfield() {
   auto* b =
       app.add_subcommand("blurfield", "blur ellipses over the whole field of view and all distances: a multi-part EXR");
-  add_common_options(*b, common, "blur field (sturm.blurfield/1)", "blurfield");
+  add_common_options(*b, common, "blur field (sturm.blurfield/1)", "blurfield")->required(false);
   add_wearer(*b, common);
   add_spectacles(*b, common);
   auto* output_option = b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it");

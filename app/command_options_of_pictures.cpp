@@ -21,11 +21,6 @@ void CommandLine::add_render() {
       ->capture_default_str();
   render->add_flag("--explain", explain, "print what the picture does without, and why; nothing is rendered")
       ->excludes(file_option);
-  render->footer(
-      "Examples:\n"
-      "  sturm render cornell --rx \"-3.25 -1.75 x 160\" --pupil 5 -o seen.png\n"
-      "  sturm render desk --rx \"-3.25 -1.75 x 160\" --lens glasses --samples 256 -o corrected.exr\n"
-      "  sturm render desk street --samples 16 -o seen_{name}.png");
   render->callback([this, file_option] {
     if (!explain && !common.print_config && file_option->empty()) throw CLI::RequiredError("--output");
     action = [this] { return explain ? explain_command(common, preview) : render_command(common, preview, output); };
@@ -71,11 +66,6 @@ void CommandLine::add_see() {
   s->add_flag("--explain", see.explain, "print what is done with each tile and layer; nothing is written")
       ->excludes(output_option);
   add_run_options(*s, common);
-  s->footer(
-      "Examples:\n"
-      "  sturm see photo.png --depth depth.png --rx \"-2.00 -1.50 x 30\" --hfov-deg 60 -o seen.png\n"
-      "  sturm see photo.png --distance-m 6 --eye hofer_5 --vfov-deg 2 --print-config > seen.json\n"
-      "  sturm see seen.json --pupil 3 -o seen.png");
   s->callback([this, s, output_option] {
     see.disparity = s->count("--disparity") > 0;
     if (!see.explain && !common.print_config && output_option->empty()) throw CLI::RequiredError("--output");

@@ -5,7 +5,7 @@ namespace sturm {
 void CommandLine::add_run() {
   auto* run = app.add_subcommand("run", "run an experiment and write its report");
   add_common_options(*run, common, "experiment (sturm.experiment/1)", "experiment");
-  run->add_option("--out", folder, "folder of the report (default: reports/runs/NAME)");
+  run->add_option("-o,--out", folder, "folder of the report (default: reports/runs/NAME)");
   run->add_flag("--resume", resume, "take over what an interrupted run has finished");
   run->callback([this] { action = [this] { return run_command(common, folder, resume); }; });
 }
@@ -13,7 +13,7 @@ void CommandLine::add_run() {
 void CommandLine::add_bench() {
   auto* bench = app.add_subcommand("bench", "run time against error: methods and settings over views");
   add_common_options(*bench, common, "benchmark (sturm.bench/1)", "bench");
-  bench->add_option("--out", folder, "folder of the report (default: reports/runs/NAME)");
+  bench->add_option("-o,--out", folder, "folder of the report (default: reports/runs/NAME)");
   bench->add_flag("--resume", resume, "take over the rounds that an interrupted run has finished");
   bench->callback([this] { action = [this] { return bench_command(common, folder, resume); }; });
 }

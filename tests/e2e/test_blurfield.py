@@ -78,6 +78,27 @@ class Field(FolderTest):
                 self.assertGreater(summary["directions"]["usable"], 900)
 
 
+class OneLine(FolderTest):
+    WORN = ("--rx", "+1.00 -0.75 x 90", "--pupil", 3, "--age", 50, "--lens", "progressive_regular")
+
+    def test_a_line_is_its_document(self):
+        line = self.succeed("blurfield", *self.WORN, "-o", "line.exr", cwd=self.folder).stdout
+        self.succeed("blurfield", *self.WORN, "--print-config", "-o", "field.json", cwd=self.folder)
+        document = self.succeed("blurfield", "field.json", "-o", "document.exr", cwd=self.folder).stdout
+        fields = [(self.folder / f"{name}.exr").read_bytes() for name in ("line", "document")]
+        self.assertEqual(fields[0], fields[1])
+        results = [{**strict_json(text), "seconds": None} for text in (line, document)]
+        self.assertEqual(results[0], results[1])
+        inputs = [[entry["file"] for entry in strict_json((self.folder / f"{name}.manifest.json").read_text())["provenance"]["inputs"]]
+                  for name in ("line", "document")]
+        self.assertEqual(inputs[1], ["field.json", *inputs[0]])
+
+    def test_no_question(self):
+        process = sturm("blurfield", "-o", "field.exr", cwd=self.folder)
+        self.assertEqual((process.returncode, list(self.folder.iterdir())), (WRONG_INPUT, []))
+        self.assertIn("--rx", process.stderr)
+
+
 class Refusals(FolderTest):
     CASES = [
         ("/field/hfov_deg", 0), ("/field/hfov_deg", 160), ("/field/directions", [1, 8]), ("/field/directions", [8]), ("/field/depths", 1),

@@ -4,10 +4,13 @@ import pty
 import re
 import select
 import shutil
+import struct
 import subprocess
 import time
 import unittest
 
+import documents
+import picture_files
 from sturm_process import RUNTIME_FAILURE, SOURCE, STURM, WRONG_INPUT, FolderTest, sturm
 
 COMMANDS = re.findall(r"(?m)^  ([a-z-]+) {2,}", sturm("--help").stdout.split("Subcommands:")[1])
@@ -35,6 +38,47 @@ class Terminal:
     def close(self):
         os.close(self.file)
         os.waitpid(self.pid, 0)
+
+
+class Examples(FolderTest):
+    """The lines at the end of each command's help, as a user would copy them."""
+
+    # These take minutes, need the page of the browser, or go on until they are stopped: their documents alone are made.
+    DOCUMENT_ALONE = ("run ", "bench ", "render desk --rx", "view ", "serve ")
+
+    def lines(self, command):
+        return re.findall(r"(?m)^  sturm (.*)$", sturm(command, "--help").stdout.split("Examples:\n")[1])
+
+    def run_line(self, line):
+        if line.startswith(self.DOCUMENT_ALONE):
+            line = re.sub(r" -o \S+", "", line) + " --print-config"
+        environment = {**os.environ, "PATH": f"{STURM.parent}:{os.environ['PATH']}"}
+        process = subprocess.run(["bash", "-c", f"set -o pipefail; sturm {line}"], cwd=self.folder, env=environment,
+                                 capture_output=True, text=True, check=False, timeout=120)
+        self.assertEqual(process.returncode, 0, f"{line}: {process.stderr}")
+
+    def prepare(self):
+        for name, rx in (("query", "-1 DS"), ("one", "-2 DS"), ("two", "-3 DS")):
+            self.succeed("ellipse", "--rx", rx, "--print-config", "-o", f"{name}.json", cwd=self.folder)
+        for name in ("photo", "pairs/box/test", "pairs/box/reference"):
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            self.succeed("render", "cornell", "--rx", "-1 DS", "--samples", 1, "-o", f"{name}.png", cwd=self.folder)
+        width, height = struct.unpack(">II", (self.folder / "photo.png").read_bytes()[16:24])
+        self.write("depth.png", picture_files.png([[2000] * width] * height, 16))
+        self.succeed("init", "view", ".", cwd=self.folder)
+        self.write("table.csv", "id,sphere_D,cylinder_D,axis_deg\nA,-2,-0.5,20\n")
+        shutil.copy(SOURCE / "configs/data/shwfs_mshwfs_centroids.csv", self.folder / "spots.csv")
+        self.write("gates.json", documents.gates())
+        self.write("experiment.json", documents.without(documents.experiment(), "/images"))
+        for run in ("before", "after"):
+            self.succeed("run", "experiment.json", "--quiet", "--out", run, cwd=self.folder)
+
+    def test_every_line_works(self):
+        self.prepare()
+        for command in COMMANDS:
+            for line in self.lines(command):
+                with self.subTest(line):
+                    self.run_line(line)
 
 
 class Completion(FolderTest):
