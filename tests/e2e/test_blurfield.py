@@ -93,6 +93,12 @@ class OneLine(FolderTest):
                   for name in ("line", "document")]
         self.assertEqual(inputs[1], ["field.json", *inputs[0]])
 
+    def test_what_a_line_asks_for(self):
+        """As docs/commands/blurfield.md has it."""
+        document = strict_json(self.succeed("blurfield", "--rx", "-1.00 DS", "--print-config").stdout)
+        self.assertEqual(document, {"format": "sturm.blurfield/1", "eye": {"prescription": "-1.00 DS", "pupil_diameter_mm": 4},
+                                    "field": {"hfov_deg": 60, "directions": [32, 32]}})
+
     def test_no_question(self):
         process = sturm("blurfield", "-o", "field.exr", cwd=self.folder)
         self.assertEqual((process.returncode, list(self.folder.iterdir())), (WRONG_INPUT, []))

@@ -61,6 +61,11 @@ class Suite(FolderTest):
         single = strict_json(self.succeed("compare", IMAGES / "blur.exr", IMAGES / "reference.exr", "--noise", IMAGES / "blur.exr", IMAGES / "noise.exr", "--json", "-").stdout)
         largest = max(z for z in single["noise"]["z"].values() if z is not None)
         self.assertIn(f"blurred/beyond_noise {largest!r}", re.sub(" +", " ", process.stdout))
+        # Two seeds of the test alone that do not differ at all: the other picture lies beyond their noise.
+        self.pair("other", "blur", test_seed="blur")
+        process = self.judge("--beyond-noise", "--max-rmse", 10)
+        self.assertEqual(process.returncode, FAILED)
+        self.assertEqual(re.findall(r"(?m)^(pass|FAIL) +(\w+)/beyond_noise", process.stdout), [("pass", "blurred"), ("FAIL", "other"), ("pass", "same")])
 
     def test_what_is_wrong_with_a_suite_is_said_and_nothing_is_written(self):
         self.write("suite/readme.txt", "no pairs")

@@ -122,6 +122,23 @@ class See(FolderTest):
         self.assertIn("--picture-layer", message)
         self.assertIn('"A", "B"', message)
 
+    def test_colours_of_exr_files_are_multiplied_by_their_coverage(self):
+        """A half-covered picture before a layer. A colour where nothing is covered shows that a file's colours are not multiplied."""
+        def seen(level, bare):
+            rows = {"R": level, "G": level, "B": level, "A": 0.5, "Z": 1.0}
+            channels = {channel: [[value] * WIDTH for _ in range(HEIGHT)] for channel, value in rows.items()}
+            channels["A"][0][0], channels["R"][0][0] = 0.0, bare
+            self.photo = self.write("half.exr", exr({**channels, "G": channels["R"], "B": channels["R"]}))
+            return self.see("--pupil", 0, "--layer", self.folder / "behind.exr")
+
+        behind = {**{c: [[0.8] * WIDTH] * HEIGHT for c in "RGB"}, "Z": [[4.0] * WIDTH] * HEIGHT}
+        self.write("behind.exr", exr(behind))
+        multiplied = seen(0.2, 0.0)
+        self.assertEqual(multiplied, seen(0.4, 0.4))
+        self.assertEqual(multiplied[20][20], (203,) * 3)  # 0.2 + 0.5 · 0.8 of linear light
+        self.assertEqual(multiplied[0][0], (231,) * 3)  # 0.8
+        self.assertEqual(seen(0.4, 0.0)[20][20], (231,) * 3)  # 0.4 + 0.4
+
     def test_a_slanted_plane_has_no_steps(self):
         """From 0.3 m at the top to 10 m at the bottom; a ramp of light across the slant stays a ramp. A pixel is 1/28°, so that the kernel
         grows by 13 px on the way."""
