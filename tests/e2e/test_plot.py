@@ -57,6 +57,11 @@ class Eyes(Plot):
         self.rows("blur", eye, "--amplitude", 2)
         self.assertIn("clear from 23.5 cm to 57.1 cm", " ".join(self.texts()[1]))
 
+    def test_the_ends_of_clear_vision_lie_between_the_distances_of_the_table(self):
+        # 1/2.3 m to 1/1.7 m; the nearest rows within are at 2.2917 D and 1.7083 D.
+        self.rows("blur", "--rx", "-2.00 DS VD 0", "--clear-D", 0.3)
+        self.assertIn("clear from 43.5 cm to 58.8 cm", " ".join(self.texts()[1]))
+
     def test_clear_vision_goes_on_beyond_the_plot(self):
         # At the cornea -2 D and 6 D of accommodation: clear to 0.25 D from 1/8.25 m, nearer than the plot's 0.2 m.
         eye = self.write("eye.json", {"format": "sturm.eye/1", "pupil_diameter_mm": 4,
