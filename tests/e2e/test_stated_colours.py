@@ -89,6 +89,15 @@ class Compared(FolderTest):
         self.assertEqual(refused.returncode, WRONG_INPUT)
         self.assertIn("CIELAB", refused.stderr)
 
+    def test_the_first_of_several_pages_is_taken(self):
+        page = files.tiff_bytes(bands())
+        directory = page[struct.unpack("<I", page[4:8])[0]:]
+        second = directory.replace(struct.pack("<HHII", 262, 3, 1, 2), struct.pack("<HHII", 262, 3, 1, 6))  # not RGB
+        self.assertLess(self.compared("a.tif", page[:-4] + struct.pack("<I", len(page)) + second, srgb_to_linear), 1e-6)
+        self.assertEqual(self.notes, ["a.tif: the first of its pictures is taken"])
+        self.compared("a.tif", page, srgb_to_linear)
+        self.assertEqual(self.notes, [])
+
     def test_see_decodes_as_the_file_says(self):
         """A uniform picture stays what it is through any lens: 100/255 as light, not its square or so."""
         self.write("a.png", files.png([[(100, 150, 200)] * 40] * 40, chunks=[(b"gAMA", LINEAR)]))
