@@ -114,6 +114,10 @@ void add_answer_kinds(CLI::App& command, AnswerOptions& answer, const char* what
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "seed of all random numbers");
+  add_work_options(command, options);
+}
+
+void add_work_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
 }

@@ -96,6 +96,9 @@ void add_wearer(CLI::App& command, CommonOptions& options);
 void add_spectacles(CLI::App& command, CommonOptions& options);
 /// --table, --csv and --json of commands that answer a document (`what`: "a query") or a line.
 void add_answer_kinds(CLI::App& command, AnswerOptions& answer, const char* what);
+/// --threads and --quiet.
+void add_work_options(CLI::App& command, CommonOptions& options);
+/// The same, and --seed, for commands that draw at random.
 void add_run_options(CLI::App& command, CommonOptions& options);
 CLI::Option* add_common_options(CLI::App& command, CommonOptions& options, const char* what, const char* schema);
 

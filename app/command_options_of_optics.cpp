@@ -73,7 +73,8 @@ void CommandLine::add_lens() {
 void CommandLine::add_blurfield() {
   auto* b =
       app.add_subcommand("blurfield", "blur ellipses over the whole field of view and all distances: a multi-part EXR");
-  add_common_options(*b, common, "blur field (sturm.blurfield/1)", "blurfield")->required(false);
+  add_document(*b, common, "blur field (sturm.blurfield/1)", "blurfield")->required(false);
+  add_work_options(*b, common);
   add_wearer(*b, common);
   add_spectacles(*b, common);
   auto* output_option = b->add_option("-o,--output", blurfield.output, "EXR file; a manifest appears beside it");

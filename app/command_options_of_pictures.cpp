@@ -65,7 +65,7 @@ void CommandLine::add_see() {
   add_see_view(*s);
   s->add_flag("--explain", see.explain, "print what is done with each tile and layer; nothing is written")
       ->excludes(output_option);
-  add_run_options(*s, common);
+  add_work_options(*s, common);
   s->callback([this, s, output_option] {
     see.disparity = s->count("--disparity") > 0;
     if (!see.explain && !common.print_config && output_option->empty()) throw CLI::RequiredError("--output");

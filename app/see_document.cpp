@@ -80,7 +80,6 @@ void apply_rest(Json& document, const SeeOptions& options) {
 
 CommonOptions with_see_source(const CommonOptions& common, const SeeOptions& options) {
   CommonOptions result = common;
-  result.seed.reset();  // nothing here is drawn
   result.file = is_document(options.picture) ? options.picture : command_line_source;
   if (result.file == command_line_source && common.prescription.empty() && common.worn.eye.empty())
     throw InputError("", "--eye", "nothing", "the file of an eye, or --rx \"-2.00 -1.50 x 30\"");
