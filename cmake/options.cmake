@@ -83,7 +83,9 @@ endfunction()
 
 # sturm_unity_by_folder(TARGET LEAST SOURCE...): with STURM_UNITY the sources of a folder are compiled as one, ten at a time; those of a folder that has
 # fewer than LEAST, with the sources of the folder above. So what a folder keeps to itself in nameless namespaces has different names in its files, and
-# a new file changes no other folder's unit.
+# a new file changes no other folder's unit. Code that computes stays with its folder: what is inlined depends on what else is in the unit.
+set(sturm_text_least 5)
+set(sturm_numeric_least 1)
 function(sturm_unity_by_folder target least)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${STURM_UNITY} UNITY_BUILD_MODE GROUP)
   set(folders ${ARGN})
@@ -143,7 +145,7 @@ function(sturm_module name)
       target_link_libraries(sturm_${name}_${kind} PRIVATE ${ARG_DEPENDS} sturm_options sturm_eigen nlohmann_json::nlohmann_json ${ARG_PRIVATE})
       target_include_directories(sturm_${name}_${kind} PRIVATE ${PROJECT_SOURCE_DIR})
       sturm_precompiled_headers(sturm_${name}_${kind} ${kind} ${ARG_HEADERS})
-      sturm_unity_by_folder(sturm_${name}_${kind} 5 ${${kind}_sources})
+      sturm_unity_by_folder(sturm_${name}_${kind} ${sturm_${kind}_least} ${${kind}_sources})
       target_sources(sturm_${name} PRIVATE $<TARGET_OBJECTS:sturm_${name}_${kind}>)
     endif()
   endforeach()
