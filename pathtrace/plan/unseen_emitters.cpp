@@ -10,7 +10,7 @@ namespace {
 constexpr double in_plane = 1e-6;               // sine of the angle under which a corner is taken to lie in the plane
 constexpr std::size_t most_corners = 20000000;  // looked at by all searches together
 
-using Box = Eigen::AlignedBox3f;
+using EmitterBounds = Eigen::AlignedBox3f;
 
 /// A plane with a front side.
 struct Plane {
@@ -20,9 +20,9 @@ struct Plane {
   bool has_in_front(const Eigen::Vector3f& p) const {
     return height(p) > in_plane * (p.cast<double>() - corner).norm();
   }
-  bool reaches_in_front(const Box& box) const {
+  bool reaches_in_front(const EmitterBounds& box) const {
     for (int k = 0; k < 8; ++k)
-      if (height(box.corner(static_cast<Box::CornerType>(k))) > 0.0) return true;
+      if (height(box.corner(static_cast<EmitterBounds::CornerType>(k))) > 0.0) return true;
     return false;
   }
 };
@@ -41,7 +41,7 @@ class Search {
     if (last_ && plane.has_in_front(*last_)) return true;
     for (const Sphere& sphere : scene_.spheres)
       if (plane.height(sphere.center) > -static_cast<double>(sphere.radius)) return true;
-    for (const Box& box : instance_boxes_)
+    for (const EmitterBounds& box : instance_boxes_)
       if (plane.reaches_in_front(box)) return true;
     for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
       if (!plane.reaches_in_front(mesh_boxes_[i])) continue;
@@ -56,14 +56,14 @@ class Search {
   }
 
  private:
-  static Box box_of(const Mesh& mesh, const Eigen::Affine3f& world_from_mesh) {
-    Box box;
+  static EmitterBounds box_of(const Mesh& mesh, const Eigen::Affine3f& world_from_mesh) {
+    EmitterBounds box;
     for (const Eigen::Vector3f& p : mesh.positions) box.extend(world_from_mesh * p);
     return box;
   }
 
   const SceneDescription& scene_;
-  std::vector<Box> mesh_boxes_, instance_boxes_;
+  std::vector<EmitterBounds> mesh_boxes_, instance_boxes_;
   const Eigen::Vector3f* last_ = nullptr;
   std::size_t looks_ = 0;
 };

@@ -14,7 +14,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int panel_width = 430, panel_height = 470;
+constexpr int field_width = 430, field_height = 470;
 
 double largest_of(std::span<const EllipseField> fields) {
   double largest = 0.0;
@@ -95,8 +95,8 @@ Plot ellipse_field_plot(std::span<const EllipseField> fields, std::optional<doub
   return {script + "unset multiplot\n",
           {.id = "ellipses",
            .label = "Blur ellipses over the field of gaze",
-           .width = panel_width * static_cast<int>(std::max<std::size_t>(1, fields.size())),
-           .height = panel_height},
+           .width = field_width * static_cast<int>(std::max<std::size_t>(1, fields.size())),
+           .height = field_height},
           csv_of(fields)};
 }
 

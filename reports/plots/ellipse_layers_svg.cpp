@@ -12,7 +12,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int panel_width = 380, gap = 26, top = 44, left = 44, bottom = 52;
+constexpr int layer_width = 380, layer_gap = 26, layers_top = 44, layers_left = 44, layers_bottom = 52;
 
 /// Angles [deg] whose tangents fit: steps of 10°, or of 5° or 2° in a narrow field.
 std::vector<int> angle_ticks(double half) {
@@ -39,27 +39,27 @@ std::string title_of(const EllipseLayer& layer) {
 
 std::string ellipse_layers_svg(const std::vector<EllipseLayer>& layers, double half_width, double half_height,
                                double drawn_scale, const std::string& label) {
-  const double scale = 0.5 * panel_width / half_width;  // pixels per tangent
-  const int panel_height = std::max(40, static_cast<int>(std::lround(2.0 * half_height * scale)));
+  const double scale = 0.5 * layer_width / half_width;  // pixels per tangent
+  const int layer_height = std::max(40, static_cast<int>(std::lround(2.0 * half_height * scale)));
   Html body;
   for (std::size_t n = 0; n < layers.size(); ++n) {
-    const double x0 = left + static_cast<double>(n) * (panel_width + gap), cx = x0 + 0.5 * panel_width,
-                 cy = top + 0.5 * panel_height;
+    const double x0 = layers_left + static_cast<double>(n) * (layer_width + layer_gap), cx = x0 + 0.5 * layer_width,
+                 cy = layers_top + 0.5 * layer_height;
     const std::string clip = "layer" + std::to_string(n);
     Attributes frame = {{"x", coordinate(x0)},
-                        {"y", std::to_string(top)},
-                        {"width", std::to_string(panel_width)},
-                        {"height", std::to_string(panel_height)}};
+                        {"y", std::to_string(layers_top)},
+                        {"width", std::to_string(layer_width)},
+                        {"height", std::to_string(layer_height)}};
     body += inline_element("clipPath", {{"id", clip}}, empty_element("rect", frame)) +
-            svg_text(cx, top - 14, title_of(layers[n]), "middle", 15);
+            svg_text(cx, layers_top - 14, title_of(layers[n]), "middle", 15);
     for (const int angle : angle_ticks(half_width)) {
       const double x = cx + scale * std::tan(radians_per_degree * angle);
-      body += grid_line("M" + coordinate(x) + " " + std::to_string(top) + "v" + std::to_string(panel_height)) +
-              svg_text(x, top + panel_height + 17, degrees(angle));
+      body += grid_line("M" + coordinate(x) + " " + std::to_string(layers_top) + "v" + std::to_string(layer_height)) +
+              svg_text(x, layers_top + layer_height + 17, degrees(angle));
     }
     for (const int angle : angle_ticks(half_height)) {
       const double y = cy - scale * std::tan(radians_per_degree * angle);
-      body += grid_line("M" + coordinate(x0) + " " + coordinate(y) + "h" + std::to_string(panel_width));
+      body += grid_line("M" + coordinate(x0) + " " + coordinate(y) + "h" + std::to_string(layer_width));
       if (n == 0) body += svg_text(x0 - 6, y + 4, degrees(angle), "end");
     }
     Html ellipses;
@@ -76,8 +76,8 @@ std::string ellipse_layers_svg(const std::vector<EllipseLayer>& layers, double h
     frame.insert(frame.end(), {{"fill", "none"}, {"stroke", "#555"}});
     body += empty_element("rect", frame);
   }
-  const int width = left + static_cast<int>(layers.size()) * (panel_width + gap) - gap + 14,
-            height = top + panel_height + bottom;
+  const int width = layers_left + static_cast<int>(layers.size()) * (layer_width + layer_gap) - layer_gap + 14,
+            height = layers_top + layer_height + layers_bottom;
   body += svg_text(0.5 * width, height - 12,
                    "field angle; ellipses drawn " + plain_number(drawn_scale) + " times as large as they are");
   return svg_document(width, height, label, body);

@@ -15,7 +15,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int panel_width = 470, panel_height = 450;  // [px]
+constexpr int map_width = 470, map_height = 450;  // [px]
 constexpr double most_contours = 60;
 
 std::string number_text(double value) {
@@ -139,8 +139,8 @@ PlotFrame frame_of(std::span<const LensMap> maps, const std::string& id, std::si
   for (const LensMap& map : maps) label += (label.empty() ? "" : "; ") + one_line(map.title);
   return {.id = id,
           .label = label,
-          .width = panel_width * static_cast<int>(maps.size() / rows),
-          .height = panel_height * static_cast<int>(rows)};
+          .width = map_width * static_cast<int>(maps.size() / rows),
+          .height = map_height * static_cast<int>(rows)};
 }
 
 std::string csv_of(std::span<const LensMap> maps) {

@@ -7,6 +7,7 @@
 #include "io/files/formatted_text.h"
 #include "reports/markup/parts.h"
 #include "reports/plots/gnuplot.h"
+#include "reports/plots/plot_style.h"
 
 namespace sturm {
 
@@ -26,10 +27,6 @@ set bmargin 6
 set xtics ("−1\ncircle of least\nconfusion" -1, "−0.5" -0.5, "0\nfocal line" 0, "0.5" 0.5, "1\nno astigmatism\nin the blur" 1)
 set samples 1001
 )plot";
-
-std::string data_block(const std::string& name, const std::string& rows) {
-  return "$" + name + " << END\n" + rows + "END\n";
-}
 
 std::string point(double x, double y) {
   return plain_number(x, 9) + " " + plain_number(y, 9) + "\n";

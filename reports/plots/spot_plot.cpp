@@ -13,7 +13,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int panel_width = 190, margin_width = 70, height = 280;
+constexpr int spot_width = 190, spots_margin = 70, spot_height = 280;
 
 double range_of(std::span<const SpotDiagram> spots) {
   double largest = 0.0;
@@ -26,9 +26,9 @@ std::string panel(const SpotDiagram& spot, std::size_t number, std::size_t count
   const std::string id = std::to_string(number);
   std::string rows;
   for (const Eigen::Vector2d& p : spot.points) rows += plain_number(p.x(), 6) + " " + plain_number(p.y(), 6) + "\n";
-  const double whole = margin_width + panel_width * double(count) + 10.0,
-               left = (margin_width + panel_width * double(number)) / whole,
-               right = (margin_width + panel_width * double(number + 1) - 24.0) / whole;
+  const double whole = spots_margin + spot_width * double(count) + 10.0,
+               left = (spots_margin + spot_width * double(number)) / whole,
+               right = (spots_margin + spot_width * double(number + 1) - 24.0) / whole;
   return data_block("rays" + id, rows) + data_block("ellipse" + id, ellipse_outline(spot.ellipse, spot.centroid, 1.0)) +
          formatted("set lmargin at screen %.5f\nset rmargin at screen %.5f\n", left, right) + "set title " +
          plot_string(distance_words(spot.distance_m)) + "\n" +
@@ -69,8 +69,8 @@ Plot spot_plot(std::span<const SpotDiagram> spots, std::optional<double> range_a
   return {script + "unset multiplot\n",
           {.id = "spots",
            .label = "Spot diagrams through focus, as the wearer sees a point of light",
-           .width = margin_width + panel_width * static_cast<int>(spots.size()) + 10,
-           .height = height},
+           .width = spots_margin + spot_width * static_cast<int>(spots.size()) + 10,
+           .height = spot_height},
           csv_of(spots)};
 }
 

@@ -15,7 +15,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int width = 900, height = 420, left = 80, right = 60;
+constexpr int conoid_width = 900, conoid_height = 420, conoid_left = 80, conoid_right = 60;
 
 Eigen::Matrix2d map_at(const SturmConoid& c, double distance) {
   return c.offset + distance * c.slope;
@@ -49,7 +49,7 @@ struct View {
   double baseline;
 
   std::string at(double distance, const Eigen::Vector2d& offset) const {
-    return coordinate(left + along * distance - 0.42 * across * offset.x()) + " " +
+    return coordinate(conoid_left + along * distance - 0.42 * across * offset.x()) + " " +
            coordinate(baseline - across * offset.y() + 0.26 * across * offset.x());
   }
 };
@@ -96,7 +96,8 @@ std::string sturm_conoid_svg(const SturmConoid& c, const std::string& label) {
   double largest = c.pupil_radius_m;
   for (const double d : {0.0, c.end_m})
     largest = std::max(largest, Ellipse::image_of_disc(map_at(c, d), c.pupil_radius_m).semi_major);
-  const View view{(width - left - right) / c.end_m, 0.3 * height / largest, 0.46 * height};
+  const View view{(conoid_width - conoid_left - conoid_right) / c.end_m, 0.3 * conoid_height / largest,
+                  0.46 * conoid_height};
   Html body = empty_element("path", {{"d", "M" + view.at(0.0, {0.0, 0.0}) + "L" + view.at(c.end_m, {0.0, 0.0})},
                                      {"stroke", "#888"},
                                      {"stroke-dasharray", "6 4"}}) +
@@ -107,9 +108,9 @@ std::string sturm_conoid_svg(const SturmConoid& c, const std::string& label) {
                     {{"fill", "#2b6cb0"}, {"fill-opacity", "0.07"}, {"stroke", "#2b6cb0"}, {"stroke-width", "0.8"}});
   body += section(c, view, 0.0, {{"fill", "none"}, {"stroke", "#111"}, {"stroke-width", "2.2"}});
 
-  const double text_y = height - 62;
+  const double text_y = conoid_height - 62;
   const auto mark = [&](double distance, const std::string& name, const char* colour, double lift) {
-    const double x = left + view.along * distance;
+    const double x = conoid_left + view.along * distance;
     body += section(c, view, distance,
                     {{"fill", colour}, {"fill-opacity", "0.25"}, {"stroke", colour}, {"stroke-width", "3"}}) +
             empty_element("path", {{"d", "M" + coordinate(x) + " " + coordinate(view.baseline) + "V" +
@@ -119,14 +120,14 @@ std::string sturm_conoid_svg(const SturmConoid& c, const std::string& label) {
             svg_text(x, text_y - lift, name + " " + plain_number(distance, 4) + " m");
   };
   const ConoidPlaces places = places_of(c);
-  body += svg_text(left, text_y, "pupil");
+  body += svg_text(conoid_left, text_y, "pupil");
   if (places.near_line_m) mark(*places.near_line_m, "focal line", "#c0392b", 0);
   if (places.least_confusion_m) mark(*places.least_confusion_m, "least confusion", "#1e8449", 20);
   if (places.far_line_m) mark(*places.far_line_m, "focal line", "#c0392b", 0);
-  body += svg_text(0.5 * width, height - 18,
+  body += svg_text(0.5 * conoid_width, conoid_height - 18,
                    "distance to " + plain_number(c.end_m, 4) + " m; across " +
                        plain_number(view.across / view.along, 3) + " times as large as along");
-  return svg_document(width, height, label, body);
+  return svg_document(conoid_width, conoid_height, label, body);
 }
 
 }  // namespace sturm

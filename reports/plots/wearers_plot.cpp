@@ -10,7 +10,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int panel_width = 430;
+constexpr int shares_width = 430;
 
 /// Percent of the gazes, and percent of the wearers who have at most so many that are blurred.
 std::string steps_of(std::vector<double> shares) {
@@ -62,7 +62,7 @@ Plot wearers_plot(std::span<const SharesAtDistance> distances, double clear_D) {
   return {script + "unset multiplot\n",
           {.id = "wearers",
            .label = "How many wearers have how many blurred gazes",
-           .width = panel_width * static_cast<int>(std::max<std::size_t>(1, distances.size())),
+           .width = shares_width * static_cast<int>(std::max<std::size_t>(1, distances.size())),
            .height = 430},
           csv_of(distances)};
 }

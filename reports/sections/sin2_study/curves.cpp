@@ -2,6 +2,7 @@
 
 #include "io/files/formatted_text.h"
 #include "reports/plots/gnuplot.h"
+#include "reports/plots/plot_style.h"
 #include "reports/sections/sin2_study/figures.h"
 
 namespace sturm {
@@ -27,10 +28,6 @@ Entry of_model(const std::vector<Entry>& list, RayModel model) {
   for (const Entry& entry : list)
     if (entry.ray_model == model) return entry;
   return {};
-}
-
-std::string block(const std::string& name, const std::string& rows) {
-  return "$" + name + " << END\n" + rows + "END\n";
 }
 
 std::string row(double x, double y) {
@@ -69,12 +66,12 @@ std::string view_text(const Sin2StudyFindings& found) {
 std::optional<Figure> sin2_sphere_curves(const Sin2StudyFindings& found) {
   const std::string truth = curve_rows(found, RayModel::power_matrix, 1);
   if (truth.empty()) return std::nullopt;
-  std::string blocks = block("truth", truth),
+  std::string blocks = data_block("truth", truth),
               plots = "plot $truth with lines lw 2 lc rgb '#333333' title 'wavefront theory'";
   for (const Series& s : series) {
     const std::string rows = curve_rows(found, s.model, 2);
     if (rows.empty()) continue;
-    blocks += block(name_of(s.model), rows);
+    blocks += data_block(name_of(s.model), rows);
     plots += ", $" + name_of(s.model) + " with points " + s.points + " lw 1.5 lc rgb '" + s.colour + "' title '" +
              s.title + ", traced'";
   }
@@ -103,7 +100,7 @@ std::optional<Figure> sin2_population_curves(const Sin2StudyFindings& found) {
   for (const Series& s : series) {
     const std::string rows = exceedance_rows(of_model(found.reference_view.cumulative, s.model).error_D, eyes);
     if (rows.empty()) continue;
-    blocks += block(name_of(s.model), rows);
+    blocks += data_block(name_of(s.model), rows);
     plots += (plots.empty() ? "plot $" : ", $") + name_of(s.model) + " with lines lw 2 lc rgb '" + s.colour +
              "' title '" + s.title + "'";
   }

@@ -20,7 +20,7 @@ constexpr std::array<Column, 4> columns{{{"wavefront", "wavefront theory"},
                                          {"repaired", "sin² + tangential term"},
                                          {"metalstigmatism", "focal distances added"}}};
 
-constexpr double left = 250.0, top = 44.0, side = 200.0, gap = 14.0;
+constexpr double gallery_left = 250.0, gallery_top = 44.0, gallery_side = 200.0, gallery_gap = 14.0;
 constexpr double decades = 3.0;
 
 /// Null where a view has no such model.
@@ -47,7 +47,7 @@ std::string prescription_text(const Sin2GalleryEntry& view) {
 }
 
 Html labels(const Sin2GalleryEntry& view, double y) {
-  const double mid = y + 0.5 * side, field = 2.0 * view.half_side_arcmin.value_or(0.0);
+  const double mid = y + 0.5 * gallery_side, field = 2.0 * view.half_side_arcmin.value_or(0.0);
   // A long title takes two lines, broken at its colon.
   const std::string& title = view.title;
   const std::size_t colon = title.find(": ");
@@ -69,25 +69,26 @@ Html row_svg(const Sin2GalleryEntry& view, double y, const std::filesystem::path
   }
   Html svg = labels(view, y);
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const double x = left + (side + gap) * static_cast<double>(i);
+    const double x = gallery_left + (gallery_side + gallery_gap) * static_cast<double>(i);
     if (pictures[i].pixels.empty() || !(peak > 0.0f)) {
-      svg += svg_text(x + 0.5 * side, y + 0.5 * side, "undefined");
+      svg += svg_text(x + 0.5 * gallery_side, y + 0.5 * gallery_side, "undefined");
       continue;
     }
     svg += empty_element("image", {{"x", coordinate(x)},
                                    {"y", coordinate(y)},
-                                   {"width", coordinate(side)},
-                                   {"height", coordinate(side)},
+                                   {"width", coordinate(gallery_side)},
+                                   {"height", coordinate(gallery_side)},
                                    {"href", data_uri(sequential_false_colour(pictures[i], {peak, decades}))}}) +
            "\n"_html;
     const Number distance = of_model(view, columns[i].model)->total_variation;
     if (distance && i > 0) {
       svg += empty_element("rect", {{"x", coordinate(x)},
-                                    {"y", coordinate(y + side - 22.0)},
+                                    {"y", coordinate(y + gallery_side - 22.0)},
                                     {"width", "76"},
                                     {"height", "22"},
                                     {"fill", "#000000"}}) +
-             "\n"_html + svg_text(x + 8.0, y + side - 7.0, "TV " + plain_number(*distance, 2), "start", 12, "#ffffff");
+             "\n"_html +
+             svg_text(x + 8.0, y + gallery_side - 7.0, "TV " + plain_number(*distance, 2), "start", 12, "#ffffff");
     }
   }
   return svg;
@@ -99,12 +100,12 @@ std::optional<Figure> sin2_gallery(const Sin2StudyFindings& found, const std::fi
   if (found.gallery.empty()) return std::nullopt;
   Html body = white_ground();
   for (std::size_t i = 0; i < columns.size(); ++i)
-    body +=
-        svg_text(left + (side + gap) * static_cast<double>(i) + 0.5 * side, top - 14.0, columns[i].title, "middle", 14);
-  double y = top;
+    body += svg_text(gallery_left + (gallery_side + gallery_gap) * static_cast<double>(i) + 0.5 * gallery_side,
+                     gallery_top - 14.0, columns[i].title, "middle", 14);
+  double y = gallery_top;
   for (const Sin2GalleryEntry& view : found.gallery) {
     body += row_svg(view, y, run_folder);
-    y += side + gap;
+    y += gallery_side + gallery_gap;
   }
   Figure figure;
   figure.id = "sin2_study_gallery";
@@ -114,8 +115,8 @@ std::optional<Figure> sin2_gallery(const Sin2StudyFindings& found, const std::fi
       "Density of traced rays, three decades below the densest pixel of each row (black: less). TV: total variation "
       "distance "
       "from wavefront theory, 0 = the same, 1 = apart.";
-  figure.svg = svg_document(static_cast<int>(std::lround(left + 4.0 * (side + gap))), static_cast<int>(std::lround(y)),
-                            figure.title, body);
+  figure.svg = svg_document(static_cast<int>(std::lround(gallery_left + 4.0 * (gallery_side + gallery_gap))),
+                            static_cast<int>(std::lround(y)), figure.title, body);
   return figure;
 }
 
