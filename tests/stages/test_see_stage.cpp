@@ -93,6 +93,29 @@ INSTANTIATE_TEST_SUITE_P(Places, LampsInALayeredPicture,
                                            std::pair(75, 90),     // on the card
                                            std::pair(112, 90)));  // on the wall beside the card
 
+TEST(SeePicture, LampsOnASmoothSurfaceShineNoFartherThanTheirRays) {
+  // The surface goes on smoothly where the lamp is, so what surrounds it is sharpened as ever. The kernels reach the
+  // last pixel that a ray of the lamp's pixel can touch.
+  LayeredPicture dark = card_before_wall();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c)
+        dark.radiance.at(x, y)[c] = static_cast<float>(0.5 + 0.3 * std::sin(0.3 * x + c) * std::cos(0.25 * y));
+  for (const auto& [lamp_x, lamp_y] : {std::pair(180, 90), {75, 90}})
+    for (const int parts : {1, 8}) {
+      LayeredPicture without = dark, with = dark;
+      std::fill_n(with.radiance.at(lamp_x, lamp_y), 3, 1e4f);
+      const SeenPicture expected = see_picture(without, {}, seen_by_a_myope(parts)),
+                        got = see_picture(with, {}, seen_by_a_myope(parts));
+      const int reach = got.radii_px[on_the_card(lamp_x, lamp_y) ? 1 : 0];
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          if (std::max(std::abs(x - lamp_x), std::abs(y - lamp_y)) > reach) {
+            ASSERT_NEAR(got.radiance.at(x, y)[0], expected.radiance.at(x, y)[0], 1e-5) << parts << " " << x << " " << y;
+          }
+    }
+}
+
 TEST(SeePicture, LampsBehindASharpEdgeStayBehindIt) {
   // The card is in focus; the lamp on the wall beside it is blurred by 8 px, half of them behind the card.
   const LayeredPicture dark = card_before_wall();
