@@ -1,5 +1,7 @@
 #include "app/command_options.h"
 
+#include <cmath>
+
 #include "app/command_help.h"
 #include "io/files/build_info.h"
 #include "io/files/sandbox.h"
@@ -123,6 +125,23 @@ CLI::Option* add_common_options(CLI::App& command, CommonOptions& options, const
   return file;
 }
 
+namespace {
+
+/// Ranges let NaN pass, which is neither too small nor too large.
+void refuse_nan(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (option->get_type_name().starts_with("FLOAT"))
+      option->check(
+          [](const std::string& value) {
+            double number = 0.0;
+            return CLI::detail::lexical_cast(value, number) && std::isnan(number) ? "got nan, expected a number"
+                                                                                  : std::string();
+          },
+          "", "number");
+}
+
+}  // namespace
+
 CommandLine::CommandLine() {
   app.require_subcommand(1);
   app.footer(
@@ -161,7 +180,10 @@ CommandLine::CommandLine() {
   add_doctor();
   add_completion();
   add_man();
-  for (CLI::App* command : app.get_subcommands({})) command->fallthrough();
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->fallthrough();
+    refuse_nan(*command);
+  }
 }
 
 void CommandLine::add_validate() {
