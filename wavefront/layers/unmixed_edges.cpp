@@ -238,9 +238,8 @@ class EdgePixels {
     const float alpha = kept + trust * (told - kept);
     if (far.variance > 0.0f && std::abs(alpha - kept) < little) return;
     Vector3f own = near.color.cwiseMin(mixed / std::max(alpha, 1e-6f));  // no more than the pixel has
-    if (near_in_front || far.variance == 0.0f) {
-      if (alpha > little) own = ((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f);
-    }
+    const bool by_far_color = near_in_front || far.variance == 0.0f || near.variance >= unknown;
+    if (by_far_color && alpha > little) own = ((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f);
     if (near_in_front) {
       picture_.coverage[i] = alpha;
       Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) = own;
@@ -248,8 +247,7 @@ class EdgePixels {
       picture_.hidden.push_back(
           {x, y, near.vergence_D, alpha, {own.x(), own.y(), own.z()}, near.slope.x, near.slope.y});
       Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) =
-          far.variance == 0.0f ? behind
-                               : Vector3f(((mixed - alpha * own) / std::max(1.0f - alpha, little)).cwiseMax(0.0f));
+          by_far_color ? behind : Vector3f(((mixed - alpha * own) / std::max(1.0f - alpha, little)).cwiseMax(0.0f));
     }
   }
 
