@@ -1,5 +1,7 @@
 #include "app/command_options.h"
 
+#include <cmath>
+
 #include "app/command_examples.h"
 #include "app/command_help.h"
 #include "io/files/build_info.h"
@@ -128,6 +130,23 @@ CLI::Option* add_common_options(CLI::App& command, CommonOptions& options, const
   return file;
 }
 
+namespace {
+
+/// Ranges let NaN pass, which is neither too small nor too large.
+void refuse_nan(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (option->get_type_name().starts_with("FLOAT"))
+      option->check(
+          [](const std::string& value) {
+            double number = 0.0;
+            return CLI::detail::lexical_cast(value, number) && std::isnan(number) ? "got nan, expected a number"
+                                                                                  : std::string();
+          },
+          "", "number");
+}
+
+}  // namespace
+
 CommandLine::CommandLine() {
   app.require_subcommand(1);
   app.footer(
@@ -169,6 +188,7 @@ CommandLine::CommandLine() {
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
     command->footer(command_examples(command->get_name()));
+    refuse_nan(*command);
   }
 }
 

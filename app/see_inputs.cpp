@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "io/images/picture_file.h"
 #include "lensmodel/units.h"
 #include "stages/picture_view.h"
@@ -20,6 +21,14 @@ struct ColorFile {
   std::optional<Image> depth;
   std::optional<double> pixel_slope;
 };
+
+void require_finite_coverage(const Image& image, const std::string& path) {
+  if (image.channels < 4) return;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (const float a = image.at(x, y)[3]; !std::isfinite(a))
+        throw InputError(path, formatted("pixel (%d, %d)", x, y), formatted("%g in A", a), "a finite coverage");
+}
 
 /// Splits 3 or 4 channels into colours and coverage. Colours of EXR files are multiplied by the coverage, as the format
 /// has it, unless there are colours where the coverage is 0.
@@ -55,6 +64,7 @@ ColorFile read_color_file(const std::string& path, const SeeSpec& spec, std::vec
   const bool layered = has_layers(path);
   PictureFile picture = read_picture_file(path, layered ? spec.picture_layer : std::nullopt);
   require_finite_pixels(picture.image(), path);
+  require_finite_coverage(picture.image(), path);
   ColorFile file;
   make_linear(picture);
   split_channels(picture.image(), layered, file);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "io/files/error.h"
+#include "io/images/depth_edges.h"
 #include "stages/stopwatch.h"
 #include "wavefront/layers/guessed_background.h"
 #include "wavefront/layers/kernel_bank.h"
@@ -49,6 +50,10 @@ bool widens(const KernelBank& bank) {
   for (int plane = 0; plane < static_cast<int>(bank.planes_D().size()); ++plane)
     if (bank.widening_px2(plane) > least_px2) return true;
   return false;
+}
+
+bool has_edges(const LayeredPicture& picture) {
+  return !depth_edges(picture.vergence_D, picture.radiance.width, picture.radiance.height, picture.jump_D).empty();
 }
 
 /// A picture on its way.
@@ -96,14 +101,15 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
   // At one distance the parts of the pupil add up to the whole.
   return seen_through(settings, one_distance(sharp, layers), [&](const KernelModel& model, SeeRun& run) {
     LayeredPicture parted;  // edges and lamps are parted in a copy
-    const bool in_copy = !layers.empty() || may_have_lamps(sharp);
+    sharp.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
+    const bool in_copy = !layers.empty() || may_have_lamps(sharp) || has_edges(sharp);
     if (in_copy) parted = sharp;
     LayeredPicture& picture = in_copy ? parted : sharp;
-    picture.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
     picture.hidden = hidden_by(picture, layers);
     run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
-    unmix_edges(picture, layers);
+    if (!layers.empty()) unmix_edges(picture, layers);
     if (in_copy) take_lamps(picture);
+    if (in_copy && layers.empty()) unmix_edges(picture, layers);  // by colours about them, which no lamp may be among
     const KernelBank bank = run.bank_for(picture, model);
     picture.detail = widens(bank) ? detail_of(picture) : std::vector<Detail>();
     run.blur(picture, bank);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "io/images/depth_edges.h"
+
 namespace sturm {
 namespace {
 
@@ -18,7 +20,7 @@ class HiddenSurface {
       : radiance_(radiance), vergence_(vergence_D), jump_(jump_D), guess_(vergence_D.size(), none) {}
 
   void grow(const std::function<double(double)>& reach_px) {
-    find_edges();
+    edges_ = depth_edges(vergence_, radiance_.width, radiance_.height, jump_);
     mark_mixed_pixels();
     std::vector<std::size_t> front = first_ring();
     for (std::int32_t ring = 2; !front.empty(); ++ring) front = next_ring(front, ring, reach_px);
@@ -55,30 +57,6 @@ class HiddenSurface {
     for (int v = std::max(0, y - distance); v <= std::min(radiance_.height - 1, y + distance); ++v)
       for (int u = std::max(0, x - distance); u <= std::min(radiance_.width - 1, x + distance); ++u)
         if (u != x || v != y) visit(static_cast<std::size_t>(v) * radiance_.width + u);
-  }
-
-  /// Pixels beside which something lies behind or before them; most pictures have few.
-  void find_edges() {
-    const int width = radiance_.width, height = radiance_.height;
-    std::vector<char> edge(vergence_.size(), 0);
-    const auto compare = [&](int x_from, int x_to, int y_end, int dx, int dy) {
-      for (int y = 0; y < y_end; ++y) {
-        const std::size_t row = static_cast<std::size_t>(y) * width;
-        const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(dy) * width + dx;
-        for (int x = x_from; x < x_to; ++x) {
-          const std::size_t i = row + x, j = i + step;
-          const char differs = std::abs(vergence_[i] - vergence_[j]) > jump_;
-          edge[i] |= differs;
-          edge[j] |= differs;
-        }
-      }
-    };
-    compare(0, width - 1, height, 1, 0);
-    compare(0, width, height - 1, 0, 1);
-    compare(0, width - 1, height - 1, 1, 1);
-    compare(1, width, height - 1, -1, 1);
-    for (std::size_t i = 0; i < edge.size(); ++i)
-      if (edge[i]) edges_.push_back(i);
   }
 
   /// A far pixel beside an edge may hold some of the near surface's light (pixels are box filtered): not a source of

@@ -1,5 +1,5 @@
-// How long it takes to see a picture with depth, after loading: the bank of kernels, what lamps and details ask for,
-// the background behind edges, and the blur.
+// How long it takes to see a picture with depth, after loading: the bank of kernels, what lamps, edges and details ask
+// for, the background behind edges, and the blur.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include "wavefront/layers/layer_blur.h"
 #include "wavefront/layers/layer_detail.h"
 #include "wavefront/layers/ray_kernels.h"
+#include "wavefront/layers/unmixed_edges.h"
 
 namespace {
 
@@ -47,6 +48,7 @@ struct Seconds {
 Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, int parts, BlurCounters& work) {
   Seconds seconds{};
   picture.hidden.clear();
+  picture.coverage.clear();
   KernelModel model;
   std::optional<KernelBank> bank;
   seconds.kernels = bench::seconds([&] {
@@ -56,6 +58,7 @@ Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, in
   });
   seconds.detail = bench::seconds([&] {
     take_lamps(picture);
+    unmix_edges(picture, {});
     picture.detail = detail_of(picture);
   });
   seconds.background = bench::seconds([&] { add_guessed_background(picture, *bank); });

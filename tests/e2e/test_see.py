@@ -336,6 +336,7 @@ class See(FolderTest):
     def test_wrong_input_is_refused_and_nothing_is_written(self):
         usual = [self.photo, "--eye", self.eye, "--vfov-deg", "2"]
         good = self.write("good.pfm", pfm(two_distances(0.5, 10.0)))
+        grey, gap = ([[value] * WIDTH] * HEIGHT for value in (0.5, math.nan))
         for expected, arguments in [
             ("40 x 20 pixels", ["--depth", self.write("small.pfm", pfm([[1.0] * 40] * 20))]),
             ("-1", ["--depth", self.write("negative.pfm", pfm(two_distances(-1.0, 1.0)))]),
@@ -348,6 +349,9 @@ class See(FolderTest):
             ("there is no file", ["--depth", self.folder / "none.pfm"]),
             ("break off", ["--depth", self.write("broken.pfm", b"Pf\n48 40\n-1.0\nshort")]),
             ("distance", ["--distance-m", "-3"]),
+            ("--focus-D: got nan", ["--distance-m", "2", "--focus-D", "nan"]),
+            ("--rack-focus-D: got nan", ["--distance-m", "2", "--rack-focus-D", "0", "nan"]),
+            ("nan in A", ["--distance-m", "2", "--layer", self.write("gap.exr", exr({"R": grey, "G": grey, "B": grey, "Z": grey, "A": gap}))]),
         ]:
             with self.subTest(expected=expected):
                 self.assertIn(expected, self.refuse(*usual, *arguments))

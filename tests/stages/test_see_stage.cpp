@@ -93,6 +93,29 @@ INSTANTIATE_TEST_SUITE_P(Places, LampsInALayeredPicture,
                                            std::pair(75, 90),     // on the card
                                            std::pair(112, 90)));  // on the wall beside the card
 
+TEST(SeePicture, LampsOnASmoothSurfaceShineNoFartherThanTheirRays) {
+  // The surface goes on smoothly where the lamp is, so what surrounds it is sharpened as ever. The kernels reach the
+  // last pixel that a ray of the lamp's pixel can touch.
+  LayeredPicture dark = card_before_wall();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c)
+        dark.radiance.at(x, y)[c] = static_cast<float>(0.5 + 0.3 * std::sin(0.3 * x + c) * std::cos(0.25 * y));
+  for (const auto& [lamp_x, lamp_y] : {std::pair(180, 90), {75, 90}})
+    for (const int parts : {1, 8}) {
+      LayeredPicture without = dark, with = dark;
+      std::fill_n(with.radiance.at(lamp_x, lamp_y), 3, 1e4f);
+      const SeenPicture expected = see_picture(without, {}, seen_by_a_myope(parts)),
+                        got = see_picture(with, {}, seen_by_a_myope(parts));
+      const int reach = got.radii_px[on_the_card(lamp_x, lamp_y) ? 1 : 0];
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          if (std::max(std::abs(x - lamp_x), std::abs(y - lamp_y)) > reach) {
+            ASSERT_NEAR(got.radiance.at(x, y)[0], expected.radiance.at(x, y)[0], 1e-5) << parts << " " << x << " " << y;
+          }
+    }
+}
+
 TEST(SeePicture, LampsBehindASharpEdgeStayBehindIt) {
   // The card is in focus; the lamp on the wall beside it is blurred by 8 px, half of them behind the card.
   const LayeredPicture dark = card_before_wall();
@@ -119,7 +142,7 @@ TEST(SeePicture, LampsBesideABlurredEdgeAreNotGuessedOn) {
 
 TEST(SeePicture, MixedPixelsOfASharpEdgeStaySharp) {
   // Plain colours, and a column beside the card that it fills by half. The card is in focus, so the column stays,
-  // though its depth is the wall's.
+  // though its depth is the wall's, whether the wall is known behind the card or not.
   LayeredPicture picture = card_before_wall();
   PictureLayer plain_wall = wall();
   std::fill(plain_wall.radiance.pixels.begin(), plain_wall.radiance.pixels.end(), 0.8f);
@@ -128,8 +151,10 @@ TEST(SeePicture, MixedPixelsOfASharpEdgeStaySharp) {
       const bool half = x == 110 && y >= 40 && y < 140;
       std::fill_n(picture.radiance.at(x, y), 3, on_the_card(x, y) ? 0.2f : half ? 0.5f : 0.8f);
     }
-  const Image seen = see_picture(picture, {&plain_wall, 1}, in_focus_at(near_m, 8)).radiance;
-  for (int y = 60; y < 120; ++y) ASSERT_NEAR(seen.at(110, y)[0], 0.5f, 1e-3) << y;
+  for (const std::size_t known : {1, 0}) {
+    const Image seen = see_picture(picture, {&plain_wall, known}, in_focus_at(near_m, 8)).radiance;
+    for (int y = 60; y < 120; ++y) ASSERT_NEAR(seen.at(110, y)[0], 0.5f, 1e-3) << known << " " << y;
+  }
 }
 
 TEST(SeePicture, StripesKeepTheContrastThatTheBlurLeavesThem) {

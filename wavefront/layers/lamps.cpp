@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "wavefront/layers/brightness.h"
+#include "wavefront/layers/smooth_fill.h"
 
 namespace sturm {
 
@@ -25,8 +26,9 @@ struct SurfacePart {
 struct Found {
   float* rgb;  // of the pixel that it is taken from
   Detail* detail;
-  std::array<float, 3> left;  // the colour without the lamp
-  LampPixel lamp;
+  std::array<float, 3> whole;  // its colour with the lamp
+  HiddenPixel left;            // the pixel without it
+  LampPixel lamp;              // without its light
 };
 
 class LampSearch {
@@ -51,8 +53,15 @@ class LampSearch {
 
   void take() {
     for (const Found& found : found_) {
-      std::copy(found.left.begin(), found.left.end(), found.rgb);
+      std::copy_n(found.left.rgb, 3, found.rgb);
       if (found.detail) *found.detail = {};
+    }
+    smooth_what_is_left();
+    for (Found& found : found_) {
+      for (int c = 0; c < 3; ++c) {
+        found.rgb[c] = std::min(found.rgb[c], found.whole[c]);
+        found.lamp.rgb[c] = found.left.coverage * (found.whole[c] - found.rgb[c]);
+      }
       picture_.lamps.push_back(found.lamp);
     }
     std::stable_sort(picture_.lamps.begin(), picture_.lamps.end(),
@@ -112,6 +121,28 @@ class LampSearch {
     return mean;
   }
 
+  /// The picture's pixels go on smoothly where their lamps were, for what surrounds them is sharpened by them.
+  void smooth_what_is_left() {
+    std::vector<HiddenPixel> left;
+    for (const Found& found : found_)
+      if (!found.detail) left.push_back(found.left);
+    smooth_guesses(picture_, left);
+    auto next = left.begin();
+    for (const Found& found : found_)
+      if (!found.detail) std::copy_n((next++)->rgb, 3, found.rgb);
+  }
+
+  /// The largest brightness about a piece on its surface, of what is neither a lamp nor beside one.
+  float brightest_about(int x, int y, const SurfacePart& piece) const {
+    float brightest = 0.0f;
+    around(x, y, surroundings, [&](int u, int v) {
+      const auto other = piece_of(u, v, piece.vergence_D);
+      if (!other || brightness_of(other->rgb) <= brightest || brightness_of(other->rgb) > level_) return;
+      if (!is_rim(u, v, *other)) brightest = brightness_of(other->rgb);
+    });
+    return brightest;
+  }
+
   /// What a lamp beside it leaves in a pixel: the light that is no brighter than the level.
   bool is_rim(int x, int y, const SurfacePart& piece) const {
     bool beside = false;
@@ -164,14 +195,18 @@ class LampSearch {
 
   void examine(int x, int y, const SurfacePart& piece, Detail* hidden) {
     const float brightness = brightness_of(piece.rgb);
-    const auto dark =
-        dark_about(x, y, piece, brightness > level_ ? std::min(brightness / brighter, level_) : brightness);
+    const bool bright = brightness > level_;
+    const auto dark = dark_about(x, y, piece, bright ? std::min(brightness / brighter, level_) : brightness);
     constexpr float clearly = 2.0f;  // brighter than what lies about it: not its own texture
     if (!dark || brightness <= clearly * brightness_of(dark->data())) return;
+    if (!bright && brightness <= brightest_about(x, y, piece)) return;
     LampPixel lamp{x, y, piece.vergence_D, {}, places_of(x, y, piece, hidden != nullptr, brightness_of(dark->data()))};
-    for (int c = 0; c < 3; ++c) lamp.rgb[c] = piece.coverage * std::max(0.0f, piece.rgb[c] - (*dark)[c]);
     if (!hidden && beside_an_edge(x, y)) give_to_its_surface(lamp);
-    found_.push_back({piece.rgb, hidden, *dark, lamp});
+    found_.push_back({piece.rgb,
+                      hidden,
+                      {piece.rgb[0], piece.rgb[1], piece.rgb[2]},
+                      {x, y, piece.vergence_D, piece.coverage, {(*dark)[0], (*dark)[1], (*dark)[2]}},
+                      lamp});
   }
 
   /// A pixel beside an edge may hold the light of a lamp beyond it: if the unmixed bright pixels about it are there.

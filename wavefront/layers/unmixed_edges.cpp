@@ -6,6 +6,8 @@
 #include <optional>
 #include <tuple>
 
+#include "io/images/depth_edges.h"
+
 namespace sturm {
 
 namespace {
@@ -26,19 +28,26 @@ struct NearSurface {
   float variance;  // of each channel
 };
 
+struct FarSurface {
+  Vector3f color;
+  float variance;  // of each channel
+};
+
 class EdgePixels {
  public:
   EdgePixels(LayeredPicture& picture, std::span<const PictureLayer> layers)
       : picture_(picture), layers_(layers), width_(picture.radiance.width), height_(picture.radiance.height) {}
 
   void unmix() {
+    const auto edges = depth_edges(picture_.vergence_D, width_, height_, picture_.jump_D);
+    if (edges.empty() && layers_.empty()) return;
     if (picture_.coverage.empty()) picture_.coverage.assign(picture_.vergence_D.size(), 1.0f);
-    for (int y = 0; y < height_; ++y)
+    for (int y = 0; y < height_ && !layers_.empty(); ++y)
       for (int x = 0; x < width_; ++x) take_what_is_told(x, y);
     const Image radiance = picture_.radiance;  // as it was: neighbours are asked about it
     mixed_ = &radiance;
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) unmix(x, y);
+    for (const std::size_t i : edges)
+      if (picture_.coverage[i] >= covers_all) unmix(static_cast<int>(i % width_), static_cast<int>(i / width_));
     std::stable_sort(picture_.hidden.begin(), picture_.hidden.end(), [](const HiddenPixel& a, const HiddenPixel& b) {
       return std::tie(a.y, a.x) < std::tie(b.y, b.x);
     });
@@ -152,7 +161,7 @@ class EdgePixels {
 
   /// The colour of the layer that lies where `wanted` says, if one covers the pixel.
   template <class Wanted>
-  std::optional<Vector3f> layer_color(int x, int y, Wanted wanted) const {
+  std::optional<FarSurface> layer_color(int x, int y, Wanted wanted) const {
     const std::size_t i = index(x, y);
     const PictureLayer* nearest = nullptr;
     for (const PictureLayer& layer : layers_)
@@ -160,47 +169,85 @@ class EdgePixels {
           (layer.coverage.empty() || layer.coverage[i] >= covers_all))
         nearest = &layer;
     if (!nearest) return std::nullopt;
-    return Vector3f(nearest->radiance.at(x, y));
+    return FarSurface{Vector3f(nearest->radiance.at(x, y)), 0.0f};
+  }
+
+  /// The same of the picture's unmixed pixels about it.
+  template <class Wanted>
+  std::optional<FarSurface> seen_color(int x, int y, Wanted wanted) const {
+    double nearest = -1.0;
+    const auto usable = [&](int u, int v) { return wanted(vergence(u, v)) && !beside_nearer(u, v); };
+    around(x, y, 2, [&](int u, int v) {
+      if (usable(u, v)) nearest = std::max(nearest, vergence(u, v));
+    });
+    FarSurface mean{Vector3f::Zero(), 0.0f};
+    float weights = 0.0f;
+    around(x, y, 2, [&](int u, int v) {
+      if (!usable(u, v) || nearest - vergence(u, v) > picture_.jump_D) return;
+      const float weight = 1.0f / static_cast<float>(std::max(1, (u - x) * (u - x) + (v - y) * (v - y)));
+      mean.color += weight * color(u, v);
+      mean.variance += weight * color(u, v).squaredNorm() / 3.0f;
+      weights += weight;
+    });
+    if (weights == 0.0f) return std::nullopt;
+    mean.color /= weights;
+    mean.variance = std::max(0.0f, mean.variance / weights - mean.color.squaredNorm() / 3.0f);
+    return mean;
+  }
+
+  template <class Wanted>
+  std::optional<FarSurface> far_surface(int x, int y, Wanted wanted) const {
+    return layers_.empty() ? seen_color(x, y, wanted) : layer_color(x, y, wanted);
   }
 
   void unmix(int x, int y) {
     const double here = vergence(x, y);
     if (beside_nearer(x, y)) {
       if (nearer_is_told(x, y)) return;
-      const auto behind = layer_color(x, y, [&](double v) { return std::abs(v - here) <= picture_.jump_D; });
+      const auto behind = far_surface(x, y, [&](double v) { return std::abs(v - here) <= picture_.jump_D; });
       const auto near = near_surface(x, y, here);
       if (behind && near && near->vergence_D > here) part(x, y, *near, *behind, here, false);
     } else if (beside_farther(x, y) && !own_layer(x, y)) {
-      const auto behind = layer_color(x, y, [&](double v) { return v < here - picture_.jump_D; });
+      const auto behind = far_surface(x, y, [&](double v) { return v < here - picture_.jump_D; });
       const auto near = near_surface(x, y, here);
       if (behind && near) part(x, y, *near, *behind, farthest_beside(x, y), true);
     }
   }
 
   /// Parts the pixel between a near surface and the colour behind it, whose vergence is `behind_D` or less.
-  void part(int x, int y, const NearSurface& near, const Vector3f& behind, double behind_D, bool near_in_front) {
+  void part(int x, int y, const NearSurface& near, const FarSurface& far, double behind_D, bool near_in_front) {
+    const Vector3f& behind = far.color;
     const Vector3f contrast = near.color - behind;
     const float square = std::max(contrast.squaredNorm(), 1e-12f);
-    if (!(square + 3.0f * near.variance > like_colors)) return;
+    const float variance = near.variance + far.variance;
+    if (!(square + 3.0f * variance > like_colors)) return;
     const std::size_t i = index(x, y);
     const Vector3f mixed = color(x, y);
     const float by_color = std::clamp((mixed - behind).dot(contrast) / square, 0.0f, 1.0f);
     // What a mixture of the two colours leaves unexplained says how far the colour of the near surface can be trusted.
     const float unexplained = (mixed - behind - by_color * contrast).squaredNorm() / 3.0f;
-    const float doubt = (near.variance + unexplained) / square;
-    // Less would make the near surface darker than black.
-    const float least = std::clamp(1.0f - (mixed.array() / behind.array().max(1e-12f)).minCoeff(), 0.0f, 1.0f);
-    const float alpha = std::max(
+    const float doubt = (variance + unexplained) / square;
+    // Less would make the near surface darker than black; a colour that varies tells nothing of the kind.
+    const float least = far.variance > 0.0f
+                            ? 0.0f
+                            : std::clamp(1.0f - (mixed.array() / behind.array().max(1e-12f)).minCoeff(), 0.0f, 1.0f);
+    const float told = std::max(
         least, (by_color * doubt_of_place + coverage_by_place(x, y, behind_D) * doubt) / (doubt_of_place + doubt));
+    // What a far surface of many colours leaves in doubt stays where the depth map has it.
+    const float kept = near_in_front ? 1.0f : 0.0f, trust = doubt_of_place / (doubt_of_place + far.variance / square);
+    const float alpha = kept + trust * (told - kept);
+    if (far.variance > 0.0f && std::abs(alpha - kept) < little) return;
     Vector3f own = near.color.cwiseMin(mixed / std::max(alpha, 1e-6f));  // no more than the pixel has
-    if (alpha > little) own = ((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f);
+    const bool by_far_color = near_in_front || far.variance == 0.0f || near.variance >= unknown;
+    if (by_far_color && alpha > little) own = ((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f);
     if (near_in_front) {
       picture_.coverage[i] = alpha;
       Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) = own;
     } else if (alpha > 0.0f) {
       picture_.hidden.push_back(
           {x, y, near.vergence_D, alpha, {own.x(), own.y(), own.z()}, near.slope.x, near.slope.y});
-      Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) = behind;
+      Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) =
+          by_far_color ? behind : Vector3f(((mixed - alpha * own) / std::max(1.0f - alpha, little)).cwiseMax(0.0f));
     }
   }
 
@@ -213,7 +260,7 @@ class EdgePixels {
 }  // namespace
 
 void unmix_edges(LayeredPicture& picture, std::span<const PictureLayer> layers) {
-  if (!layers.empty()) EdgePixels(picture, layers).unmix();
+  EdgePixels(picture, layers).unmix();
 }
 
 }  // namespace sturm

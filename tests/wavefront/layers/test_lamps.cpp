@@ -92,6 +92,34 @@ TEST(Lamps, LieWhereTheirNeighboursAreBright) {
   EXPECT_EQ(found, 2);
 }
 
+TEST(Lamps, LeaveTheTextureBesideThemAlone) {
+  // Every third pixel is five times as bright as the others; the lamp stands among them.
+  LayeredPicture picture = grey(1.0);
+  for (int y = 0; y < side; ++y)
+    for (int x = y % 3; x < side; x += 3) std::fill_n(picture.radiance.at(x, y), 3, 1.0f);
+  const LayeredPicture dark = picture;
+  std::fill_n(picture.radiance.at(50, 40), 3, 1e4f);
+  take_lamps(picture);
+  ASSERT_EQ(picture.lamps.size(), 1u);
+  for (int y = 30; y < 50; ++y)
+    for (int x = 40; x < 60; ++x)
+      if (x != 50 || y != 40) {
+        EXPECT_EQ(picture.radiance.at(x, y)[0], dark.radiance.at(x, y)[0]) << x << " " << y;
+      }
+}
+
+TEST(Lamps, OfAColourLeaveNoOtherColour) {
+  // A red lamp on a grey wall: its pixel has no green light, nor may it get any.
+  LayeredPicture picture = grey(1.0);
+  picture.radiance.at(50, 40)[0] = 1e5f;
+  picture.radiance.at(50, 40)[1] = picture.radiance.at(50, 40)[2] = 0.0f;
+  take_lamps(picture);
+  ASSERT_EQ(picture.lamps.size(), 1u);
+  EXPECT_EQ(picture.lamps[0].rgb[1], 0.0f);
+  EXPECT_EQ(picture.radiance.at(50, 40)[1], 0.0f);
+  EXPECT_NEAR(picture.radiance.at(50, 40)[0], 0.2f, 1e-6);
+}
+
 TEST(Lamps, AChartHasNone) {
   LayeredPicture picture = grey(1.0);
   for (int y = 20; y < 60; ++y)

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "wavefront/layers/ray_kernels.h"
 
 namespace sturm {
@@ -50,6 +52,15 @@ TEST(RayKernels, VarianceIsThatOfTheBlurDiscAndOfLinearInterpolation) {
       ray_kernels(Eye::with(Prescription{-2.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, kernel_pixel, {}).kernel(0.5, 0, 0);
   EXPECT_NEAR(moments(kernel).xx, 7.5 * 7.5 / 4.0 + 1.0 / 6.0, 0.01);
   EXPECT_NEAR(moments(kernel).xy, 0.0, 0.01);
+}
+
+TEST(RayKernels, OfAPupilBelowTheMeasuredOneHaveThePartWithinIt) {
+  // 1 µm of Z4 over a radius of 3 mm bends rays by 4√3 c r/a²; the pupil in use ends at r = 1.5 mm.
+  const std::vector<double> defocus{0.0, 0.0, 0.0, 0.0, 1e-6};
+  const Eye eye = Eye::with(ZernikeWave::from_examiner(defocus, 3e-3), SecondOrder::LeastSquares, std::nullopt, 3e-3);
+  const double radius_px = 4.0 * std::sqrt(3.0) * 1e-6 * 1.5e-3 / 9e-6 / 1e-4;  // 11.5
+  EXPECT_NEAR(moments(ray_kernels(eye, 0.0, 1e-4, {}).kernel(0.0, 0, 0)).xx, radius_px * radius_px / 4.0 + 1.0 / 6.0,
+              0.03);
 }
 
 TEST(RayKernels, AxisThirtyTurnsTheOtherWayThanAxisOneHundredAndFifty) {

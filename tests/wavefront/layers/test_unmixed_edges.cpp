@@ -167,5 +167,44 @@ TEST(UnmixedEdges, HoldNoMoreLightThanTheirPixels) {
   EXPECT_EQ(pieces, height);
 }
 
+/// A near surface of grey 0.9 up to column 50 before a wall of `far`, of which the picture tells all that is known; the
+/// mixed column holds `share` of the surface.
+template <class Far>
+LayeredPicture edge_in_a_picture(int mixed, float share, const Far& far) {
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  picture.jump_D = 0.2;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float covered = x == mixed ? share : x < 50 ? 1.0f : 0.0f;
+      picture.vergence_D.push_back(x < 50 ? near_D : far_D);
+      std::fill_n(picture.radiance.at(x, y), 3, covered * 0.9f + (1.0f - covered) * far(x, y));
+    }
+  unmix_edges(picture, {});
+  return picture;
+}
+
+TEST(UnmixedEdges, OfAPictureAloneHaveTheirCoverage) {
+  const auto plain = [](int, int) { return 0.5f; };
+  EXPECT_NEAR(edge_in_a_picture(49, 0.8f, plain).coverage[10 * width + 49], 0.8f, 1e-4);
+  const LayeredPicture far = edge_in_a_picture(50, 0.3f, plain);
+  ASSERT_EQ(far.hidden.size(), static_cast<std::size_t>(height));
+  for (const HiddenPixel& piece : far.hidden) {
+    EXPECT_EQ(piece.x, 50);
+    EXPECT_EQ(piece.vergence_D, near_D);
+    EXPECT_NEAR(piece.coverage, 0.3f, 1e-4);
+    EXPECT_NEAR(piece.rgb[0], 0.9f, 1e-4);
+    EXPECT_NEAR(far.radiance.at(50, piece.y)[0], 0.5f, 1e-4);
+  }
+}
+
+TEST(UnmixedEdges, BeforeAFarSurfaceOfManyColoursStayWhereTheirDepthIs) {
+  // Stripes as bright as the near surface, and black ones: no colour tells how much of a pixel the surface covers.
+  const auto stripes = [](int x, int y) { return (x + y) % 2 == 0 ? 0.9f : 0.0f; };
+  const LayeredPicture picture = edge_in_a_picture(-1, 0.0f, stripes);
+  EXPECT_TRUE(picture.hidden.empty());
+  for (const float coverage : picture.coverage) EXPECT_EQ(coverage, 1.0f);
+}
+
 }  // namespace
 }  // namespace sturm

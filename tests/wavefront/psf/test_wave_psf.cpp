@@ -58,6 +58,21 @@ TEST(WavePsf, WithoutAberrationIsAirys) {
   EXPECT_NEAR(visual_strehl(psf, pupil, light), 1.0, 1e-3);  // the grid's samples at small frequencies
 }
 
+TEST(WavePsf, CellsOnThePupilsRimCountByTheirPartWithinIt) {
+  // Without aberration the density at X = 0 is (∫ dp)²/(λ² ∫ dp) = πa²/λ² on every grid, however coarse: cells on the
+  // rim that count whole, not at all, or by their middle miss some thousandths of the disc.
+  for (const auto& [pupil_mm, grid] : {std::pair(4.0, 128), {4.0, 150}, {3.1, 216}, {5.7, 256}}) {
+    const PupilWave pupil = examiner_wave({0.0}, pupil_mm, pupil_mm);
+    const Light light = {{480, 0.25}, {555, 0.75}};
+    double expected = 0.0;
+    for (const SpectralLine& line : light)
+      expected += line.weight * pi * std::pow(0.5e-3 * pupil_mm / (1e-9 * line.wavelength_nm), 2);
+    const PupilWave focused{pupil.wave, pupil.radius_m, 0.0, 555};
+    const WavePsf psf = wave_psf(focused, light, 0.0, wave_sampling(focused, light, 0.0, grid));
+    EXPECT_NEAR(psf.reference_peak / expected, 1.0, 1e-8) << pupil_mm << " " << grid;  // cells below 1e-9 are left out
+  }
+}
+
 TEST(WavePsf, WithoutAberrationHasTheClosedTransferFunction) {
   const PupilWave pupil = examiner_wave({0.0}, 4.0, 4.0);
   const Light light = monochromatic_light(555);
