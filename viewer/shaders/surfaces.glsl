@@ -53,16 +53,14 @@ vec3 mapped(int material, int texel, int number, vec2 coordinate) {
   return texture_at(number, vec2(dot(upper.xyz, at), dot(lower.xyz, at)), ivec2(upper.w, lower.w), material_texel(material, 2).w > 0.5);
 }
 
-vec3 albedo_of(int material, vec2 coordinate) {
-  vec3 albedo = material_texel(material, 0).rgb;
+vec3 albedo_map(int material, vec2 coordinate) {
   int number = int(material_texel(material, 3).w);
-  return number < 0 ? albedo : albedo * mapped(material, 5, number, coordinate);
+  return number < 0 ? vec3(1.0) : mapped(material, 5, number, coordinate);
 }
 
-vec3 emission_of(int material, vec2 coordinate) {
-  vec3 emission = material_texel(material, 1).rgb;
+vec3 emission_map(int material, vec2 coordinate) {
   int number = int(material_texel(material, 4).w);
-  return number < 0 ? emission : emission * mapped(material, 7, number, coordinate);
+  return number < 0 ? vec3(1.0) : mapped(material, 7, number, coordinate);
 }
 
 Surface sphere_surface(Hit hit, vec3 origin, vec3 direction) {
@@ -92,8 +90,8 @@ Surface surface_at(Hit hit, vec3 origin, vec3 direction) {
     of_emission = vec2(dot(fetch_line(u_attributes, first + 4).xyz, weights), dot(fetch_line(u_attributes, first + 5).xyz, weights));
     colour = mat3(fetch_line(u_attributes, first + 6).xyz, fetch_line(u_attributes, first + 7).xyz, fetch_line(u_attributes, first + 8).xyz) * weights;
   }
-  at.albedo = albedo_of(material, coordinate) * colour;
-  at.emission = emission_of(material, of_emission);
+  at.albedo = material_texel(material, 0).rgb * albedo_map(material, coordinate) * colour;
+  at.emission = material_texel(material, 1).rgb * emission_map(material, of_emission);
   return at;
 }
 

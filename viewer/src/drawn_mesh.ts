@@ -1,9 +1,9 @@
 /** The scene as triangles for the rasteriser, cut so small that the field and the light are linear within each. */
 import { Numbering } from './numbering';
-import type { SceneData, Vec3 } from './scene_file';
+import type { MaterialFacts, SceneData, Vec3 } from './scene_file';
 
 export interface DrawnMesh {
-  /** 9 floats a vertex: position, material, texture coordinate, colour. */
+  /** 13 floats a vertex: position, the material whose textures are laid on (−1: none), texture coordinate, reflectance, emission, 1: it shines behind. */
   vertices: Float32Array;
   /** 8 floats a vertex: position, material, normal on the side of the eye, 0: where light is gathered. */
   places: Float32Array;
@@ -34,7 +34,7 @@ class MeshBuilder {
   readonly places: number[] = [];
   readonly index: number[] = [];
 
-  constructor(private readonly eye: Vec3) {}
+  constructor(private readonly eye: Vec3, private readonly materials: readonly MaterialFacts[]) {}
 
   add(corners: Three, material: number): void {
     const [a, b, c] = corners;
@@ -50,7 +50,8 @@ class MeshBuilder {
     const n: Vec3 = smooth > 0 ? [corner.normal[0] * scale, corner.normal[1] * scale, corner.normal[2] * scale] : flat;
     const before = this.numbers.count, number = this.numbers.numberOf([p[0], p[1], p[2], material, Math.round(4 * n[0]), Math.round(4 * n[1]), Math.round(4 * n[2]), c[0], c[1]]);
     if (number === before) {
-      this.vertices.push(p[0], p[1], p[2], material, c[0], c[1], colour[0], colour[1], colour[2]);
+      const m = this.materials[material], albedo = m?.albedo ?? [0, 0, 0], emission = m?.emission ?? [0, 0, 0], mapped = m?.albedo_map || m?.emission_map ? material : -1;
+      this.vertices.push(p[0], p[1], p[2], mapped, c[0], c[1], albedo[0] * colour[0], albedo[1] * colour[1], albedo[2] * colour[2], ...emission, m?.emits_behind ? 1 : 0);
       this.places.push(p[0], p[1], p[2], material, n[0], n[1], n[2], 0);
     }
     return number;
@@ -127,7 +128,7 @@ export function drawnMesh(scene: SceneData, eye: Vec3, angle_rad: number): Drawn
   const most = mostTriangles + corners.length;
   let pieces = piecesOf(scene, corners, eye, angle_rad, most);
   for (let angle = 1.5 * angle_rad; !pieces; angle *= 1.5) pieces = piecesOf(scene, corners, eye, angle, most);
-  const into = new MeshBuilder(eye);
+  const into = new MeshBuilder(eye, scene.materials);
   for (const piece of pieces) into.add(piece.corners, piece.material);
   for (const ball of scene.spheres)
     for (const face of ballTriangles(3)) {
@@ -136,7 +137,7 @@ export function drawnMesh(scene: SceneData, eye: Vec3, angle_rad: number): Drawn
       })) as Three;
       into.add(three, ball.material);
     }
-  return { vertices: new Float32Array(into.vertices), places: new Float32Array(into.places), index: new Uint32Array(into.index), vertexCount: into.vertices.length / 9 };
+  return { vertices: new Float32Array(into.vertices), places: new Float32Array(into.places), index: new Uint32Array(into.index), vertexCount: into.places.length / 8 };
 }
 
 /** Up to 8 vertices that share an edge with each; −1 where there are fewer. */
