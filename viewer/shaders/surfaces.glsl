@@ -32,11 +32,8 @@ int shown(int i, int n, int wrap) {
   return clamp(i, 0, n - 1);
 }
 
-/// `uv`: (0, 0) is the lower left corner.
-vec3 texture_at(int number, vec2 uv, ivec2 wrap, bool nearest) {
-  vec4 facts = fetch_line(u_textures, number);
-  int first = int(facts.x);
-  ivec2 size = ivec2(facts.yz);
+/// `first`: texel of the table. `uv`: (0, 0) is the lower left corner.
+vec3 texture_at(int first, ivec2 size, vec2 uv, ivec2 wrap, bool nearest) {
   vec2 at = vec2(within(uv.x, wrap.x), 1.0 - within(uv.y, wrap.y)) * vec2(size);
   if (nearest) return fetch_line(u_texels, first + shown(int(at.y), size.y, wrap.y) * size.x + shown(int(at.x), size.x, wrap.x)).rgb;
   vec2 corner = floor(at - 0.5), f = at - 0.5 - corner;
@@ -49,8 +46,8 @@ vec3 texture_at(int number, vec2 uv, ivec2 wrap, bool nearest) {
 /// A map of a material: its texels 5, 6 (albedo) or 7, 8 (emission), `number` its texture.
 vec3 mapped(int material, int texel, int number, vec2 coordinate) {
   vec4 upper = material_texel(material, texel), lower = material_texel(material, texel + 1);
-  vec3 at = vec3(coordinate, 1.0);
-  return texture_at(number, vec2(dot(upper.xyz, at), dot(lower.xyz, at)), ivec2(upper.w, lower.w), material_texel(material, 2).w > 0.5);
+  vec3 at = vec3(coordinate, 1.0), facts = fetch_line(u_textures, number).xyz;
+  return texture_at(int(facts.x), ivec2(facts.yz), vec2(dot(upper.xyz, at), dot(lower.xyz, at)), ivec2(upper.w, lower.w), material_texel(material, 2).w > 0.5);
 }
 
 vec3 albedo_map(int material, vec2 coordinate) {

@@ -1,6 +1,6 @@
 /** A scene on the graphics card: tables for rays, a mesh for the rasteriser, and the light at its vertices. */
 import { luminance } from './colour';
-import { drawnMesh, neighboursOf, type DrawnMesh } from './drawn_mesh';
+import { drawnMesh, neighboursOf, vertexParts, type DrawnMesh } from './drawn_mesh';
 import type { Gpu, Program, Target, Uniform } from './gpu';
 import type { Programs } from './programs';
 import type { SceneData, Vec3 } from './scene_file';
@@ -10,7 +10,7 @@ import { indexWithin, type Planes } from './view_volume';
 
 /** Largest edge of the drawn mesh, as seen from the eye: chief rays through strong spectacles bend by 2e-4 rad within it. */
 const edge_rad = 0.06;
-const bakeWidth = 1024, floatsOfVertex = 13;
+const bakeWidth = 1024, floatsOfVertex = vertexParts.reduce((sum, size) => sum + size);
 export const bakeGoal = 64;
 
 /** How often light is averaged over neighbours after so many samples. */
@@ -81,9 +81,9 @@ export class GpuScene {
     this.buffers.push(gl.createBuffer(), gl.createBuffer());
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[0] ?? null);
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
-    [4, 2, 3, 4].forEach((size, k) => {
+    vertexParts.forEach((size, k) => {
       gl.enableVertexAttribArray(k);
-      gl.vertexAttribPointer(k, size, gl.FLOAT, false, 4 * floatsOfVertex, [0, 16, 24, 36][k] ?? 0);
+      gl.vertexAttribPointer(k, size, gl.FLOAT, false, 4 * floatsOfVertex, 4 * vertexParts.slice(0, k).reduce((sum, before) => sum + before, 0));
     });
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.buffers[1] ?? null);
     gl.bindVertexArray(null);
