@@ -76,8 +76,10 @@ vec3 light_by_lobe(vec3 origin, vec3 normal, mat3 frame, vec3 outgoing, int mate
     if (facts.x != lamp_point && weight > 0.0) density = 1.0 / weight;
   }
   float of_lobe;
-  radiance *= lobe_towards(material, lobe, outgoing, direction * frame, of_lobe);
+  vec3 incoming = direction * frame;
+  radiance *= lobe_towards(material, lobe, outgoing, incoming, of_lobe);
   if (!(max(radiance.x, max(radiance.y, radiance.z)) > 0.0) || !(dot(normal, direction) > 0.0)) return vec3(0.0);
+  if (lobe == matt) radiance *= through_coat(material, incoming.z);
   if (facts.x != lamp_point) radiance *= way_share(density, of_lobe);
   Hit between = first_hit(origin, direction, distance_to * 0.9999, true);
   return between.triangle >= 0 || between.sphere >= 0 ? vec3(0.0) : radiance;

@@ -1,13 +1,16 @@
-in vec2 v_coordinate;
-in vec3 v_light, v_colour;
-flat in int v_material;
+in vec4 v_coordinates;    // on the textures of reflectance and emission
+in vec3 v_light, v_reflectance;
+flat in vec4 v_emission;  // and whether it shines behind
+flat in ivec4 v_reflectance_map, v_emission_map;  // first texel, −1: none; width; height; how it is read
 in float v_lost;
 out vec4 result;
 
+vec3 painted(ivec4 map, vec2 uv) {
+  return map.x < 0 ? vec3(1.0) : texture_at(map.x, map.yz, uv, ivec2(map.w & 3, (map.w >> 2) & 3), map.w >= 16);
+}
+
 void main() {
-  // The rim cuts where the middle of a pixel is beyond it, as `sturm render` has it.
-  if (v_lost > 0.0 || !within_rim(vec2(gl_FragCoord.x, u_size.y - gl_FragCoord.y))) discard;
-  bool shines = gl_FrontFacing || material_texel(v_material, 1).w > 0.5;
-  vec3 emission = shines ? emission_of(v_material, v_coordinate) : vec3(0.0);
-  result = vec4(emission + albedo_of(v_material, v_coordinate) * v_colour * v_light, 1.0);
+  if (v_lost > 0.0) discard;
+  vec3 emission = gl_FrontFacing || v_emission.w > 0.5 ? v_emission.rgb : vec3(0.0);
+  result = vec4(emission * painted(v_emission_map, v_coordinates.zw) + v_reflectance * painted(v_reflectance_map, v_coordinates.xy) * v_light, 1.0);
 }

@@ -72,7 +72,7 @@ Scattered scatter_plastic(vec3 outgoing, vec3 albedo, float roughness, float ind
     vec3 incoming = reflected_at_facets(outgoing, roughness, random2(), cosine, shadowing);
     return Scattered(incoming, vec3(fresnel(cosine, index, far) * shadowing / share), gloss(roughness), vec3(1.0 / share));
   }
-  // The base: what passes the coat both ways. The way in is counted for each direction by `lobe_towards`.
+  // The base: what passes the coat both ways. The way in is counted for each direction by `through_coat`.
   vec3 base = albedo / (1.0 - internal_reflectance * albedo) * ((1.0 - coat) / (index * index * (1.0 - share)));
   return Scattered(cosine_direction(random2()), base, matt, base);
 }
@@ -104,14 +104,14 @@ float through_coat(int material, float cosine) {
   return 1.0 - fresnel(cosine, material_texel(material, 2).y, far);
 }
 
-/// What a lobe reflects of the radiance from a direction, times its cosine (of the base, for albedo 1), and the density [1/sr] with
-/// which it scatters there: 0 where lamps are not chosen.
+/// What a lobe reflects of the radiance from a direction, times its cosine (of the base, for albedo 1 and without its coat), and the
+/// density [1/sr] with which it scatters there: 0 where lamps are not chosen.
 vec3 lobe_towards(int material, int lobe, vec3 outgoing, vec3 incoming, out float density) {
   density = 0.0;
   if (lobe == sharp || incoming.z <= 0.0) return vec3(0.0);
   if (lobe == matt) {
     density = incoming.z / pi;
-    return vec3(density * through_coat(material, incoming.z));
+    return vec3(density);
   }
   vec4 numbers = material_texel(material, 2);
   float alpha = numbers.x * numbers.x, far;

@@ -32,11 +32,8 @@ int shown(int i, int n, int wrap) {
   return clamp(i, 0, n - 1);
 }
 
-/// `uv`: (0, 0) is the lower left corner.
-vec3 texture_at(int number, vec2 uv, ivec2 wrap, bool nearest) {
-  vec4 facts = fetch_line(u_textures, number);
-  int first = int(facts.x);
-  ivec2 size = ivec2(facts.yz);
+/// `first`: texel of the table. `uv`: (0, 0) is the lower left corner.
+vec3 texture_at(int first, ivec2 size, vec2 uv, ivec2 wrap, bool nearest) {
   vec2 at = vec2(within(uv.x, wrap.x), 1.0 - within(uv.y, wrap.y)) * vec2(size);
   if (nearest) return fetch_line(u_texels, first + shown(int(at.y), size.y, wrap.y) * size.x + shown(int(at.x), size.x, wrap.x)).rgb;
   vec2 corner = floor(at - 0.5), f = at - 0.5 - corner;
@@ -49,20 +46,18 @@ vec3 texture_at(int number, vec2 uv, ivec2 wrap, bool nearest) {
 /// A map of a material: its texels 5, 6 (albedo) or 7, 8 (emission), `number` its texture.
 vec3 mapped(int material, int texel, int number, vec2 coordinate) {
   vec4 upper = material_texel(material, texel), lower = material_texel(material, texel + 1);
-  vec3 at = vec3(coordinate, 1.0);
-  return texture_at(number, vec2(dot(upper.xyz, at), dot(lower.xyz, at)), ivec2(upper.w, lower.w), material_texel(material, 2).w > 0.5);
+  vec3 at = vec3(coordinate, 1.0), facts = fetch_line(u_textures, number).xyz;
+  return texture_at(int(facts.x), ivec2(facts.yz), vec2(dot(upper.xyz, at), dot(lower.xyz, at)), ivec2(upper.w, lower.w), material_texel(material, 2).w > 0.5);
 }
 
-vec3 albedo_of(int material, vec2 coordinate) {
-  vec3 albedo = material_texel(material, 0).rgb;
+vec3 albedo_map(int material, vec2 coordinate) {
   int number = int(material_texel(material, 3).w);
-  return number < 0 ? albedo : albedo * mapped(material, 5, number, coordinate);
+  return number < 0 ? vec3(1.0) : mapped(material, 5, number, coordinate);
 }
 
-vec3 emission_of(int material, vec2 coordinate) {
-  vec3 emission = material_texel(material, 1).rgb;
+vec3 emission_map(int material, vec2 coordinate) {
   int number = int(material_texel(material, 4).w);
-  return number < 0 ? emission : emission * mapped(material, 7, number, coordinate);
+  return number < 0 ? vec3(1.0) : mapped(material, 7, number, coordinate);
 }
 
 Surface sphere_surface(Hit hit, vec3 origin, vec3 direction) {
@@ -92,8 +87,8 @@ Surface surface_at(Hit hit, vec3 origin, vec3 direction) {
     of_emission = vec2(dot(fetch_line(u_attributes, first + 4).xyz, weights), dot(fetch_line(u_attributes, first + 5).xyz, weights));
     colour = mat3(fetch_line(u_attributes, first + 6).xyz, fetch_line(u_attributes, first + 7).xyz, fetch_line(u_attributes, first + 8).xyz) * weights;
   }
-  at.albedo = albedo_of(material, coordinate) * colour;
-  at.emission = emission_of(material, of_emission);
+  at.albedo = material_texel(material, 0).rgb * albedo_map(material, coordinate) * colour;
+  at.emission = material_texel(material, 1).rgb * emission_map(material, of_emission);
   return at;
 }
 

@@ -8,5 +8,5 @@ void main() {
   Sight sight = sight_at(place - u_shift);
   vec3 origin, direction;
   bent_ray(sight, p, matrix_slope(p, accommodation_at(place, 0.0)), origin, direction);
-  result = vec4(within_rim(place) ? environment_along(direction) : vec3(0.0), 1.0);
+  result = vec4(environment_along(direction), 1.0);
 }

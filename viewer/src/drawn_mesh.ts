@@ -1,9 +1,16 @@
 /** The scene as triangles for the rasteriser, cut so small that the field and the light are linear within each. */
 import { Numbering } from './numbering';
-import type { SceneData, Vec3 } from './scene_file';
+import type { MaterialFacts, SceneData, TextureMap, Vec3 } from './scene_file';
+import { wraps } from './scene_tables';
+
+/**
+ * Position; coordinates on the textures of reflectance and emission; of each its number (−1: none) and how it is read (wraps in bits 0–1 and 2–3, 16:
+ * no mixing of texels); reflectance; emission and 1 where it shines behind.
+ */
+export const vertexParts = [3, 4, 4, 3, 4];
 
 export interface DrawnMesh {
-  /** 9 floats a vertex: position, material, texture coordinate, colour. */
+  /** 18 floats a vertex: `vertexParts`. */
   vertices: Float32Array;
   /** 8 floats a vertex: position, material, normal on the side of the eye, 0: where light is gathered. */
   places: Float32Array;
@@ -11,7 +18,8 @@ export interface DrawnMesh {
   vertexCount: number;
 }
 
-interface Corner { position: Vec3; normal: Vec3; coordinate: [number, number]; colour: Vec3 }
+type Vec2 = [number, number];
+interface Corner { position: Vec3; normal: Vec3; coordinate: Vec2; emissionCoordinate: Vec2; colour: Vec3 }
 type Three = [Corner, Corner, Corner];
 
 const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -19,22 +27,33 @@ const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a: Vec3, b: Vec3): Vec3 => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const length = (a: Vec3) => Math.sqrt(dot(a, a));
 const middle = (a: Vec3, b: Vec3): Vec3 => [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])];
+const halfway2 = (a: Vec2, b: Vec2): Vec2 => [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+
+/** Where a texture has a coordinate. */
+function on(map: TextureMap | null, [u, v]: Vec2): Vec2 {
+  const [xu = 1, xv = 0, x = 0, yu = 0, yv = 1, y = 0] = map?.matrix ?? [];
+  return [xu * u + xv * v + x, yu * u + yv * v + y];
+}
+
+function reading(material: MaterialFacts, map: TextureMap | null): Vec2 {
+  return map ? [map.texture, wraps[map.wrap[0]] + 4 * wraps[map.wrap[1]] + (material.nearest ? 16 : 0)] : [-1, 0];
+}
 
 function halfway(a: Corner, b: Corner): Corner {
   return {
     position: middle(a.position, b.position), normal: middle(a.normal, b.normal), colour: middle(a.colour, b.colour),
-    coordinate: [0.5 * (a.coordinate[0] + b.coordinate[0]), 0.5 * (a.coordinate[1] + b.coordinate[1])],
+    coordinate: halfway2(a.coordinate, b.coordinate), emissionCoordinate: halfway2(a.emissionCoordinate, b.emissionCoordinate),
   };
 }
 
 /** Collects triangles; equal corners of one material whose surfaces face nearly alike become one vertex. */
 class MeshBuilder {
-  private readonly numbers = new Numbering(9);
+  private readonly numbers = new Numbering(11);
   readonly vertices: number[] = [];
   readonly places: number[] = [];
   readonly index: number[] = [];
 
-  constructor(private readonly eye: Vec3) {}
+  constructor(private readonly eye: Vec3, private readonly materials: readonly MaterialFacts[]) {}
 
   add(corners: Three, material: number): void {
     const [a, b, c] = corners;
@@ -48,9 +67,11 @@ class MeshBuilder {
   private numberOf(corner: Corner, flat: Vec3, material: number): number {
     const { position: p, coordinate: c, colour } = corner, smooth = length(corner.normal), scale = (dot(corner.normal, flat) < 0 ? -1 : 1) / smooth;
     const n: Vec3 = smooth > 0 ? [corner.normal[0] * scale, corner.normal[1] * scale, corner.normal[2] * scale] : flat;
-    const before = this.numbers.count, number = this.numbers.numberOf([p[0], p[1], p[2], material, Math.round(4 * n[0]), Math.round(4 * n[1]), Math.round(4 * n[2]), c[0], c[1]]);
+    const before = this.numbers.count, number = this.numbers.numberOf([p[0], p[1], p[2], material, Math.round(4 * n[0]), Math.round(4 * n[1]), Math.round(4 * n[2]), c[0], c[1], ...corner.emissionCoordinate]);
     if (number === before) {
-      this.vertices.push(p[0], p[1], p[2], material, c[0], c[1], colour[0], colour[1], colour[2]);
+      const m = this.materials[material] as MaterialFacts, { albedo: a } = m;
+      this.vertices.push(p[0], p[1], p[2], ...on(m.albedo_map, c), ...on(m.emission_map, corner.emissionCoordinate), ...reading(m, m.albedo_map), ...reading(m, m.emission_map),
+        a[0] * colour[0], a[1] * colour[1], a[2] * colour[2], ...m.emission, m.emits_behind ? 1 : 0);
       this.places.push(p[0], p[1], p[2], material, n[0], n[1], n[2], 0);
     }
     return number;
@@ -80,10 +101,11 @@ function cut(corners: Three, isLong: (a: Corner, b: Corner) => boolean, depth: n
 }
 
 function cornerOf(scene: SceneData, v: number): Corner {
+  const two = (from: Float32Array | null): Vec2 => (from ? [from[2 * v] ?? 0, from[2 * v + 1] ?? 0] : [0, 0]);
   const three = (from: Float32Array | null, stride: number, otherwise: Vec3): Vec3 => (from ? [from[stride * v] ?? 0, from[stride * v + 1] ?? 0, from[stride * v + 2] ?? 0] : otherwise);
   return {
     position: three(scene.positions, 3, [0, 0, 0]), normal: three(scene.normals, 3, [0, 0, 0]),
-    coordinate: scene.coordinates ? [scene.coordinates[2 * v] ?? 0, scene.coordinates[2 * v + 1] ?? 0] : [0, 0],
+    coordinate: two(scene.coordinates), emissionCoordinate: two(scene.emissionCoordinates ?? scene.coordinates),
     colour: three(scene.colours, 4, [1, 1, 1]),
   };
 }
@@ -127,16 +149,16 @@ export function drawnMesh(scene: SceneData, eye: Vec3, angle_rad: number): Drawn
   const most = mostTriangles + corners.length;
   let pieces = piecesOf(scene, corners, eye, angle_rad, most);
   for (let angle = 1.5 * angle_rad; !pieces; angle *= 1.5) pieces = piecesOf(scene, corners, eye, angle, most);
-  const into = new MeshBuilder(eye);
+  const into = new MeshBuilder(eye, scene.materials);
   for (const piece of pieces) into.add(piece.corners, piece.material);
   for (const ball of scene.spheres)
     for (const face of ballTriangles(3)) {
       const three = face.map((p): Corner => ({
-        position: p.map((x, k) => (ball.center_m[k] ?? 0) + ball.radius_m * x) as Vec3, normal: p, coordinate: [0, 0], colour: [1, 1, 1],
+        position: p.map((x, k) => (ball.center_m[k] ?? 0) + ball.radius_m * x) as Vec3, normal: p, coordinate: [0, 0], emissionCoordinate: [0, 0], colour: [1, 1, 1],
       })) as Three;
       into.add(three, ball.material);
     }
-  return { vertices: new Float32Array(into.vertices), places: new Float32Array(into.places), index: new Uint32Array(into.index), vertexCount: into.vertices.length / 9 };
+  return { vertices: new Float32Array(into.vertices), places: new Float32Array(into.places), index: new Uint32Array(into.index), vertexCount: into.places.length / 8 };
 }
 
 /** Up to 8 vertices that share an edge with each; −1 where there are fewer. */

@@ -1,10 +1,11 @@
 /** The C++ core's answers for one eye and what it wears, as the shaders take them. */
-import type { Core, EyeNumbers, LensNumbers, Optics, PrescriptionNumbers } from './core_module';
+import type { Core, EyeNumbers, LensNumbers, Optics, PrescriptionNumbers, SlopeGrid } from './core_module';
 import { edgesOf, type Pose } from './camera';
 import type { Uniform } from './gpu';
 import type { LensMaker } from './lens_maker';
 import { rayModels, type EyeState, type GlassesState, type Side, type State } from './state';
 import type { ViewData } from './view_data';
+import type { RayLimits } from './view_volume';
 
 const waveTerms = 66, focusVergences = 64, lastVergence_D = 10, sightStep = 0.02;
 
@@ -38,7 +39,8 @@ export function lensNumbers(side: Side, glasses: GlassesState, eye: EyeState, of
   };
 }
 
-export interface SightTable { data: Float32Array; columns: number; rows: number; first: [number, number]; step: [number, number] }
+/** Rays over a picture. */
+export interface Sights { grid: SlopeGrid; data: Float32Array; limits: RayLimits; /** Whether spectacles stop some. */ meetRim: boolean }
 
 /** Accommodation by vergence (columns) and height in the picture (rows, upper first); RGBA. */
 export interface FocusTable { data: Float32Array; width: number; height: number }
@@ -78,16 +80,20 @@ export class EyeOptics {
     return true;
   }
 
-  /** The rays of the grid over a picture, one step wider on each side; null for a naked eye. */
-  sights(state: State, pose: Pose): SightTable | null {
-    if (!this.lens) return null;
-    const [left, right, lower, upper] = edgesOf(pose), sizes: [number, number] = [right - left, upper - lower];
+  /** The rays of a grid over a picture, one step wider on each side; of a naked eye, whose rays the shaders know, a few. */
+  sights(state: State, pose: Pose): Sights {
+    const [left, right, lower, upper] = edgesOf(pose), sizes: [number, number] = [right - left, upper - lower], most = this.lens ? 48 : 4;
     // Even, as the core traces every second node and the first and the last of a line should be such.
-    const cells = sizes.map((size) => 2 * Math.min(48, Math.ceil(size / (2 * sightStep)))) as [number, number];
-    const step: [number, number] = [sizes[0] / cells[0], sizes[1] / cells[1]], first: [number, number] = [left - step[0], lower - step[1]];
-    const columns = cells[0] + 3, rows = cells[1] + 3;
-    const data = this.optics.sights({ gaze: state.camera.gaze, first_x: first[0], first_y: first[1], step_x: step[0], step_y: step[1], columns, rows });
-    return { data, columns, rows, first, step };
+    const cells = sizes.map((size) => 2 * Math.min(most, Math.ceil(size / (2 * sightStep)))) as [number, number];
+    const step: [number, number] = [sizes[0] / cells[0], sizes[1] / cells[1]];
+    const grid: SlopeGrid = { gaze: state.camera.gaze, first_x: left - step[0], first_y: lower - step[1], step_x: step[0], step_y: step[1], columns: cells[0] + 3, rows: cells[1] + 3 };
+    const data = this.optics.sights(grid);
+    return { grid, data, limits: this.rayLimits(state), meetRim: this.lens && data.some((x, k) => k % 40 === 3 && x <= 0) };
+  }
+
+  private rayLimits(state: State): RayLimits {
+    const eye = state.eyes[state.side], pupil = eye.pupil_mm / 2e3, [xx, xy, yy] = this.optics.correction() as [number, number, number];
+    return { pupil, slope: pupil * (Math.hypot(xx, xy, xy, yy) + Math.max(eye.focus_D, eye.amplitude_D)) };
   }
 
   /** Of an eye that seeks focus. */

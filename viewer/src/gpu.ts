@@ -143,6 +143,15 @@ export class Gpu {
     return texture;
   }
 
+  /** One byte a texel; `width` is a multiple of 4. */
+  bytes(data: Uint8Array, width: number, height: number): WebGLTexture {
+    const { gl } = this, texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, width, height, 0, gl.RED, gl.UNSIGNED_BYTE, data);
+    this.nearest();
+    return texture;
+  }
+
   private nearest(): void {
     const { gl } = this;
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);

@@ -1,7 +1,7 @@
 /** The picture in a headset: passes for each eye with its own prescription, from where the headset says that it is, and a panel of controls. */
 import type { App } from './app';
 import type { Pose } from './camera';
-import { EyeOptics, type FocusTable, type SightTable } from './eye_optics';
+import { EyeOptics, type FocusTable, type Sights } from './eye_optics';
 import type { Uniform } from './gpu';
 import { HeadsetPanel } from './headset_panel';
 import { PanelPlace, PanelPointing } from './headset_pointing';
@@ -13,7 +13,7 @@ const passes = 8;
 /** Of the headset's own resolution along each side. */
 const scale = 0.7;
 
-interface EyeView { optics: EyeOptics; panel: Panel | null; state: State; uniforms: Record<string, Uniform>; sights: SightTable | null; focus: FocusTable | null; edges: string; pose: Pose | null }
+interface EyeView { optics: EyeOptics; panel: Panel | null; state: State; uniforms: Record<string, Uniform>; sights: Sights | null; focus: FocusTable | null; edges: string; pose: Pose | null }
 
 export async function headsetIsThere(): Promise<boolean> {
   try {
@@ -167,7 +167,7 @@ export class Headset {
   /** Pictures are those of this eye from now on, as it was when it was drawn last; its pose, null before the first frame. */
   lookThrough(side: Side): Pose | null {
     const { uniforms, sights, focus, pose } = this.eyes[side], { pictures } = this.app;
-    if (!pose) return null;
+    if (!pose || !sights) return null;
     pictures.setEye({ ...uniforms }, sights, focus);
     pictures.setPose(pose);
     return pose;

@@ -1,12 +1,13 @@
 /** Pictures in the making: each mode adds passes to a sum until it has enough. */
 import type { Core } from './core_module';
 import type { Pose } from './camera';
-import type { FocusTable, SightTable } from './eye_optics';
+import type { FocusTable, Sights } from './eye_optics';
 import type { Gpu, Target, Uniform } from './gpu';
 import type { GpuScene } from './gpu_scene';
 import { NoiseFilter } from './noise_filter';
 import { Programs } from './programs';
 import { isTraced, type Mode } from './state';
+import { viewVolume } from './view_volume';
 
 export interface Panel {
   mode: Mode;
@@ -43,6 +44,9 @@ export class Pictures {
   private passTable: WebGLTexture;
   private passPoints: Float32Array = new Float32Array(4);
   private order: number[] = [0];
+  private rays: Sights | null = null;
+  /** Whether the scene's vertices are where this eye, so placed, sees them. */
+  private isPlaced = false;
 
   constructor(readonly gpu: Gpu, private readonly core: Core, private scene: GpuScene, private maxBounces: number) {
     this.programs = new Programs(gpu);
@@ -53,7 +57,7 @@ export class Pictures {
   }
 
   showScene(scene: GpuScene, maxBounces: number): void {
-    [this.scene, this.maxBounces] = [scene, maxBounces];
+    [this.scene, this.maxBounces, this.isPlaced] = [scene, maxBounces, false];
   }
 
   setPasses(count: number): void {
@@ -64,14 +68,14 @@ export class Pictures {
     this.order = spreadOrder(count);
   }
 
-  setEye(uniforms: Record<string, Uniform>, sights: SightTable | null, focus: FocusTable | null): void {
-    const { gl } = this.gpu;
-    this.eye = uniforms;
-    if (sights) {
-      gl.deleteTexture(this.sights);
-      this.sights = this.gpu.floats(sights.data, 10 * sights.columns, sights.rows);
-      Object.assign(this.eye, { u_sight_nodes: [sights.columns, sights.rows], u_sight_first: sights.first, u_sight_step: sights.step });
-    }
+  setEye(uniforms: Record<string, Uniform>, rays: Sights, focus: FocusTable | null): void {
+    const { gl } = this.gpu, { grid } = rays;
+    [this.eye, this.rays, this.isPlaced] = [uniforms, rays, false];
+    gl.deleteTexture(this.sights);
+    this.sights = this.gpu.floats(rays.data, 10 * grid.columns, grid.rows);
+    Object.assign(this.eye, {
+      u_sight_nodes: [grid.columns, grid.rows], u_sight_first: [grid.first_x, grid.first_y], u_sight_step: [grid.step_x, grid.step_y], u_rim_shows: rays.meetRim,
+    });
     if (focus) {
       gl.deleteTexture(this.focus);
       this.focus = this.gpu.floats(focus.data, focus.width, focus.height);
@@ -79,7 +83,7 @@ export class Pictures {
   }
 
   setPose(pose: Pose): void {
-    this.pose = pose;
+    [this.pose, this.isPlaced] = [pose, false];
     if (this.pass && (this.pass.width !== pose.width || this.pass.height !== pose.height)) {
       this.gpu.release(this.pass);
       this.pass = null;
@@ -141,23 +145,36 @@ export class Pictures {
     gl.disable(gl.SCISSOR_TEST);
   }
 
+  /** Vertices for this eye: those that it can see, and where it sees them. */
+  private place(): void {
+    if (this.isPlaced) return;
+    this.isPlaced = true;
+    const pose = this.pose as Pose, rays = this.rays as Sights;
+    this.scene.showWithin(viewVolume(rays.data, pose, rays.limits));
+    if (this.displaces) this.scene.displace(this.programs.use('displace').set(this.seeing()).texture('u_sights', this.sights).texture('u_focus', this.focus));
+  }
+
+  /** Else places are linear in space, and found for each pass. */
+  private get displaces(): boolean {
+    return this.eye.u_lens === true || this.eye.u_foveal === true || this.eye.u_seeks_focus === true;
+  }
+
   /** One rasterised pass: a point of the pupil from one of the 16 sets, added to all pixels or to those of the set. */
   drawn(panel: Panel, pass: number, set: number, onlyItsPixels: boolean): void {
-    const { gl } = this.gpu, target = this.pass as Target, at = 4 * (set * this.order.length + pass);
+    const target = this.pass as Target, at = 4 * (set * this.order.length + pass);
     const sharp = panel.mode === 'sharp', [px, py, fx, fy] = this.passPoints.subarray(at, at + 4) as unknown as [number, number, number, number];
     const places: Record<string, Uniform> = {
-      ...this.seeing(), u_pupil_point: sharp ? [0, 0] : [px, py], u_shift: [0.5 - fx, 0.5 - fy], u_nearest: this.scene.nearest, u_farthest: this.scene.farthest,
+      ...this.seeing(), u_pupil_point: sharp ? [0, 0] : [px, py], u_shift: [0.5 - fx, 0.5 - fy], u_nearest: this.scene.nearest, u_farthest: this.scene.farthest, u_is_displaced: this.displaces,
     };
+    this.place();
     this.gpu.clear(target);
     if (this.scene.hasSurroundings) {
       this.scene.bind(this.programs.use('surroundings').set(places)).texture('u_sights', this.sights).texture('u_focus', this.focus);
       this.gpu.fill(false);
     }
-    this.scene.bind(this.programs.use('mesh').set(places)).texture('u_sights', this.sights).texture('u_focus', this.focus).texture('u_baked', this.scene.light);
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LESS);
-    this.scene.draw();
-    this.programs.use('add').texture('u_picture', target.texture).set({ u_set: onlyItsPixels ? set : -1, u_height: target.height });
+    this.gpu.into(target);
+    this.scene.draw(this.scene.bind(this.programs.use('mesh').set(places)));
+    this.programs.use('add').set(places).texture('u_picture', target.texture).texture('u_sights', this.sights).set({ u_set: onlyItsPixels ? set : -1 });
     this.gpu.into(panel.sum);
     this.gpu.fill(true);
   }

@@ -3,6 +3,7 @@ import aTrous from '../shaders/a_trous.frag.glsl';
 import add from '../shaders/add.frag.glsl';
 import bake from '../shaders/bake.frag.glsl';
 import common from '../shaders/common.glsl';
+import displace from '../shaders/displace.frag.glsl';
 import environment from '../shaders/environment.glsl';
 import eye from '../shaders/eye.frag.glsl';
 import fill from '../shaders/fill.vert.glsl';
@@ -32,9 +33,10 @@ const sources = {
   eye: [[fill], [...seeing, ...tracing, eye]],
   bake: [[fill], [...tracing, bake]],
   smooth: [[fill], [smooth]],
-  mesh: [[...seeing, meshVertex], [sight, intersect, surfaces, meshFragment]],
+  displace: [[fill], [...seeing, displace]],
+  mesh: [[...seeing, meshVertex], [intersect, surfaces, meshFragment]],
   surroundings: [[fill], [...seeing, intersect, surfaces, environment, surroundings]],
-  add: [[fill], [add]],
+  add: [[fill], [sight, add]],
   illumination: [[fill], [illumination]],
   a_trous: [[fill], [aTrous]],
   show: [[fill], [show]],

@@ -25,7 +25,7 @@ export interface SceneTables {
 interface Light { kind: 0 | 1 | 2 | 3; power: number; behind: boolean; a: number[]; radius: number; b: number[]; c: number[]; radiance: Vec3 }
 
 const types: Record<string, number> = { diffuse: 0, conductor: 1, dielectric: 2, plastic: 3 };
-const wraps: Record<string, number> = { clamp: 0, repeat: 1, mirror: 2 };
+export const wraps: Record<TextureMap['wrap'][0], number> = { clamp: 0, repeat: 1, mirror: 2 };
 
 /** 2 ∫ F(μ) μ dμ of a dielectric, and from it what a coat sends back to its base (pathtrace/materials/plastic.cpp). */
 export function internalReflectance(index: number): number {
@@ -42,7 +42,7 @@ export function internalReflectance(index: number): number {
 function mapTexels(map: TextureMap | null): number[] {
   if (!map) return [1, 0, 0, 0, 0, 1, 0, 0];
   const m = map.matrix;
-  return [m[0] ?? 1, m[1] ?? 0, m[2] ?? 0, wraps[map.wrap[0]] ?? 0, m[3] ?? 0, m[4] ?? 1, m[5] ?? 0, wraps[map.wrap[1]] ?? 0];
+  return [m[0] ?? 1, m[1] ?? 0, m[2] ?? 0, wraps[map.wrap[0]], m[3] ?? 0, m[4] ?? 1, m[5] ?? 0, wraps[map.wrap[1]]];
 }
 
 function materialTexels(m: MaterialFacts): number[] {
