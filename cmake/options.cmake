@@ -7,7 +7,7 @@ if(STURM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     add_compile_options(-fpch-preprocess)
   endif()
 endif()
-# GCC looks for memory to free less often: a twelfth of the time of large units, for a tenth more memory.
+# GCC looks for memory to free less often: a tenth to a fifth of the time of large units, for up to a fifth more memory (app: 0.94 GB in place of 0.79).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-heapsize=700000)
 endif()
