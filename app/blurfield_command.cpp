@@ -11,7 +11,6 @@
 #include "io/files/plain_file.h"
 #include "io/json/json_text.h"
 #include "io/json/manifest.h"
-#include "io/json/named_file.h"
 #include "stages/blur_field_stage.h"
 #include "stages/stopwatch.h"
 
@@ -46,8 +45,7 @@ int blurfield_command(const CommonOptions& given, const BlurFieldOptions& files)
   facts.threads = thread_count(options);
   facts.started_utc = utc_now();
   facts.input_files = spec.input_files;
-  if (options.file != "-" && options.file != command_line_source)
-    facts.input_files.insert(facts.input_files.begin(), options.file);
+  if (is_in_file(options)) facts.input_files.insert(facts.input_files.begin(), options.file);
   BlurField field = compute_blur_field(spec);
   Stopwatch writing;
   write_blur_field(exr, field.grid, field.directions, field.analytic ? &*field.analytic : nullptr,

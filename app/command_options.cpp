@@ -119,8 +119,12 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
   add_work_options(command, options);
 }
 
-void add_work_options(CLI::App& command, CommonOptions& options) {
+void add_threads(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
+}
+
+void add_work_options(CLI::App& command, CommonOptions& options) {
+  add_threads(command, options);
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
 }
 

@@ -96,6 +96,7 @@ void add_wearer(CLI::App& command, CommonOptions& options);
 void add_spectacles(CLI::App& command, CommonOptions& options);
 /// --table, --csv and --json of commands that answer a document (`what`: "a query") or a line.
 void add_answer_kinds(CLI::App& command, AnswerOptions& answer, const char* what);
+void add_threads(CLI::App& command, CommonOptions& options);
 /// --threads and --quiet.
 void add_work_options(CLI::App& command, CommonOptions& options);
 /// The same, and --seed, for commands that draw at random.

@@ -92,7 +92,7 @@ void CommandLine::add_psf() {
   p->add_option("--distance", psf.distances_m, "of point sources [m], with commas between; inf = far away")
       ->delimiter(',')
       ->allow_extra_args(false);
-  p->add_option("--threads", common.threads, "threads to use; 0 = one per processor")->check(CLI::Range(0, 1024));
+  add_threads(*p, common);
   add_answer_kinds(*p, psf.answer, "a document");
   p->add_option("-o,--output", psf.output,
                 "file instead of standard output (.csv, .json, or .txt for a table); of several documents' JSON a "

@@ -43,6 +43,10 @@ Json load_configuration(const CommonOptions& options, const Json& otherwise) {
   return document;
 }
 
+bool is_in_file(const CommonOptions& options) {
+  return options.file != "-" && options.file != command_line_source;
+}
+
 CommonOptions with_source(const CommonOptions& options) {
   if (!options.file.empty()) return options;
   if (options.prescription.empty() && options.worn.eye.empty())

@@ -10,6 +10,9 @@ namespace sturm {
 /// but it is no document of another known kind. `otherwise` stands in place of a file that was not given.
 Json load_configuration(const CommonOptions& options, const Json& otherwise = nullptr);
 
+/// Whether the document stands in a file: neither on standard input nor in the command line.
+bool is_in_file(const CommonOptions& options);
+
 /// The same options with `command_line_source` in place of a file that was not given. Throws InputError where there is
 /// no prescription either.
 CommonOptions with_source(const CommonOptions& options);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/configuration.h"
 #include "app/option_values.h"
 #include "app/prescription_option.h"
 #include "io/files/error.h"
@@ -57,7 +58,7 @@ bool apply_to_lens(Json& document, const WearerOptions& w) {
 
 std::string path_in_document(const CommonOptions& options, const std::string& path) {
   std::error_code code;
-  if (options.file == command_line_source || options.file == "-" || !std::filesystem::exists(path, code)) return path;
+  if (!is_in_file(options) || !std::filesystem::exists(path, code)) return path;
   return std::filesystem::absolute(path).string();
 }
 

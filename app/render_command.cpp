@@ -69,7 +69,7 @@ int render_one(const CommonOptions& options, const PreviewOptions& preview_optio
   facts.seed = spec.seed;
   facts.started_utc = utc_now();
   facts.input_files = spec.input_files;
-  if (options.file != "-") facts.input_files.insert(facts.input_files.begin(), options.file);
+  if (is_in_file(options)) facts.input_files.insert(facts.input_files.begin(), options.file);
   const double samples =
       static_cast<double>(spec.camera.width) * spec.camera.height * static_cast<double>(spec.samples_per_pixel);
   Progress progress("rendering", samples, "samples", options.quiet);

@@ -55,8 +55,7 @@ class SeeRun {
     facts_.threads = thread_count(common);
     facts_.started_utc = utc_now();
     facts_.input_files = spec.input_files;
-    if (common.file != command_line_source && common.file != "-")
-      facts_.input_files.insert(facts_.input_files.begin(), common.file);
+    if (is_in_file(common)) facts_.input_files.insert(facts_.input_files.begin(), common.file);
     inputs_.notes.insert(inputs_.notes.end(), spec.notes.begin(), spec.notes.end());
   }
 

@@ -14,7 +14,7 @@ namespace sturm {
 
 namespace {
 
-constexpr double label_width = 190.0, heading_height = 34.0, caption_height = 22.0, row_gap = 8.0;  // [px]
+constexpr double label_width = 190.0, heading_height = 34.0, caption_height = 22.0, sheet_gap = 8.0;  // [px]
 constexpr double picture_width = 240.0;
 
 /// The values of one member in the order in which they appear, as words.
@@ -81,7 +81,7 @@ class Sheet {
         if (const SamplingEntry* entry = find(row, columns_[c])) body += cell(*entry, left(c), y, height);
       body += label(row, y, height);
       width = std::max(width, left(columns_.size()));
-      y += height + caption_height + row_gap;
+      y += height + caption_height + sheet_gap;
     }
     return element("svg",
                    {{"xmlns", "http://www.w3.org/2000/svg"},
@@ -97,7 +97,7 @@ class Sheet {
 
  private:
   static double left(std::size_t column) {
-    return label_width + static_cast<double>(column) * (picture_width + row_gap);
+    return label_width + static_cast<double>(column) * (picture_width + sheet_gap);
   }
 
   const SamplingEntry* find(const std::string& configuration, const std::string& sampling) const {

@@ -4,13 +4,13 @@ import pty
 import re
 import select
 import shutil
-import struct
 import subprocess
 import time
 import unittest
 
 import documents
 import picture_files
+import png_pixels
 from sturm_process import RUNTIME_FAILURE, SOURCE, STURM, WRONG_INPUT, FolderTest, sturm
 
 COMMANDS = re.findall(r"(?m)^  ([a-z-]+) {2,}", sturm("--help").stdout.split("Subcommands:")[1])
@@ -63,7 +63,7 @@ class Examples(FolderTest):
         for name in ("photo", "pairs/box/test", "pairs/box/reference"):
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             self.succeed("render", "cornell", "--rx", "-1 DS", "--samples", 1, "-o", f"{name}.png", cwd=self.folder)
-        width, height = struct.unpack(">II", (self.folder / "photo.png").read_bytes()[16:24])
+        width, height = png_pixels.size((self.folder / "photo.png").read_bytes())
         self.write("depth.png", picture_files.png([[2000] * width] * height, 16))
         self.succeed("init", "view", ".", cwd=self.folder)
         self.write("table.csv", "id,sphere_D,cylinder_D,axis_deg\nA,-2,-0.5,20\n")
