@@ -50,23 +50,27 @@ build_preset() {
   }
 }
 
+# Libraries of the viewer's page, in viewer/node_modules. Returns 1 where npm could not fetch them.
+install_page_libraries() {
+  command -v npm >/dev/null || install_packages npm
+  [ ! viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ] || return 0
+  local log=build/viewer/setup.log
+  mkdir -p build/viewer
+  (cd viewer && npm ci --no-audit --no-fund) >"$log" 2>&1 || {
+    tail -n 20 "$log" >&2
+    echo "warning: npm could not fetch the libraries of the viewer's page; the whole log is in $log" >&2
+    return 1
+  }
+}
+
 # The viewer's core as WebAssembly and its page without data, build/viewer/viewer.html. Returns 1 where npm could not fetch the page's libraries.
 build_viewer() {
   install_dependencies scripts/dependencies_of_viewer.txt
-  command -v npm >/dev/null || install_packages npm
   build_preset wasm
+  install_page_libraries || return 1
   echo "== building the viewer's page"
-  local log=build/viewer/setup.log
-  mkdir -p build/viewer
-  if [ ! viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ]; then
-    (cd viewer && npm ci --no-audit --no-fund) >"$log" 2>&1 || {
-      tail -n 20 "$log" >&2
-      echo "warning: npm could not fetch the libraries of the viewer's page; the whole log is in $log" >&2
-      return 1
-    }
-  fi
-  node viewer/build.mjs >"$log" 2>&1 || {
-    tail -n 40 "$log" >&2
-    fail "the viewer's page could not be built; the whole log is in $log"
+  node viewer/build.mjs >build/viewer/setup.log 2>&1 || {
+    tail -n 40 build/viewer/setup.log >&2
+    fail "the viewer's page could not be built; the whole log is in build/viewer/setup.log"
   }
 }

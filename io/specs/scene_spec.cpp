@@ -61,10 +61,8 @@ void refuse_usd(const std::filesystem::path& file, const Json& value, const Sour
   const std::string extension = lower_case(file.extension().string());
   for (const char* usd : {".usd", ".usda", ".usdc", ".usdz"})
     if (extension == usd)
-      where.fail(value,
-                 "OBJ, glTF or another model file; scripts/convert_usd.py makes a .glb of a USD scene: blender -b "
-                 "--factory-startup -P scripts/convert_usd.py -- SCENE" +
-                     extension + " SCENE.glb");
+      where.fail(value, "OBJ, glTF or another model file; a USD scene becomes a .glb by scripts/convert_usd SCENE" +
+                            extension + " SCENE.glb");
 }
 
 ModelSpec read_model(const Json& value, const Source& where, const std::vector<MaterialSpec>& materials) {

@@ -128,7 +128,7 @@ class Messages(FolderTest):
                 view["scene"] = scene
                 process = sturm("render", self.write("view.json", view), "-o", self.folder / "a.exr")
                 self.assertEqual(process.returncode, WRONG_INPUT, name)
-                self.assertIn("scripts/convert_usd.py", process.stderr)
+                self.assertIn("scripts/convert_usd SCENE", process.stderr)
                 self.assertFalse((self.folder / "a.exr").exists())
 
 

@@ -71,13 +71,30 @@ def Xform "Room"
         int[] faceVertexCounts = [4]
         int[] faceVertexIndices = [0, 1, 2, 3]
         point3f[] points = [(0, 0, 0), (200, 0, 0), (200, 100, 0), (0, 100, 50)]
+        rel material:binding = </Room/Paint>
+    }
+    def Mesh "Card"
+    {
+        int[] faceVertexCounts = [3]
+        int[] faceVertexIndices = [0, 1, 2]
+        point3f[] points = [(0, 0, 0), (200, 0, 0), (200, 100, 0)]
+    }
+    def Material "Paint"
+    {
+        token outputs:surface.connect = </Room/Paint/Surface.outputs:surface>
+        def Shader "Surface"
+        {
+            uniform token info:id = "UsdPreviewSurface"
+            color3f inputs:diffuseColor = (0.75, 0.25, 0.125)
+            token outputs:surface
+        }
     }
 }
 """
 
 
 def usdz(path, packed=False):
-    """In centimetres with z up: a floor of 2 m by 1 m whose fourth corner is half a metre high."""
+    """In centimetres with z up: a floor of 2 m by 1 m whose fourth corner is half a metre high, with a material, and a card without one."""
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED if packed else zipfile.ZIP_STORED) as archive:
         archive.writestr("room.usda", USD)

@@ -42,7 +42,10 @@ class Models(OpeningTest):
         right = {(0, 0, 0), (2, 0, 0), (2, 0, -1), (0, 0.5, -1)}
         self.assertEqual({tuple(round(x, 6) + 0.0 for x in corner) for corner in corners}, right)
         self.assertEqual(self.saved()["scene"]["models"], [{"file": "room.glb"}])
-        self.assertIn("scripts/convert_usd.py", " ".join(self.app("app.view.notDrawn")))
+        # Materials and colours of objects arrive; a surface without either is grey as everywhere.
+        self.assertEqual(self.app("app.data.materials.map((m) => [m.name, m.type, m.albedo.map((x) => Math.round(1000 * x) / 1000)])"),
+                         [["Paint", "plastic", [0.75, 0.25, 0.125]], ["material 1", "diffuse", [0.6, 0.6, 0.6]]])
+        self.assertIn("scripts/convert_usd ", " ".join(self.app("app.view.notDrawn")))
         self.assertIn("compressed", self.open(*opened_files.usdz(self.folder / "packed.usdz", packed=True)))
         self.assertIn("room.usdz", self.app("app.view.title"))  # what was there stays
 

@@ -46,7 +46,7 @@ export function modelShown(view: ViewData, name: string, model: OpenedModel, sur
     format: 'sturm.scene/1', models: [model.document], lights: light.lights.map((l) => ({ type: 'point', ...l })),
     environment: surroundings ? { file: surroundings.name } : { radiance: light.environment?.radiance },
   };
-  const noUsd = model.document.file === name ? [] : [`sturm render reads no USD: view.json names ${model.document.file}, which scripts/convert_usd.py makes of this file.`];
+  const noUsd = model.document.file === name ? [] : [`sturm render reads no USD: view.json names ${model.document.file}, which scripts/convert_usd makes of this file.`];
   return { scene, view: { ...view, title: name, document: { ...view.document, scene: document }, camera, notDrawn: [...model.notDrawn, ...noUsd] } };
 }
 

@@ -1,16 +1,16 @@
 /** A model file of any kind that is read, as a scene. */
 import { type AnimationClip, type Object3D, type PerspectiveCamera, Vector3 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
-import { USDLoader } from 'three/examples/jsm/loaders/USDLoader.js';
 import type { Vec3 } from '../scene_file';
 import { checkGltf } from './gltf_check';
-import { MaterialsOfModel, unstated, type StatedColours } from './materials_of_model';
+import { MaterialsOfModel, type StatedColours } from './materials_of_model';
 import { ModelFiles, suffixOf } from './model_files';
 import type { OpenedFile, OpenedModel } from './opening_api';
 import { PicturesOfModel } from './pictures_of_model';
 import { said } from './said';
 import { sceneOfModel } from './scene_of_model';
 import { readObj } from './obj_file';
+import { readUsd } from './usd/usd_file';
 
 interface Loaded { root: Object3D; animations: AnimationClip[]; notes: string[]; colours?: (name: string) => StatedColours | null }
 
@@ -20,20 +20,11 @@ async function loadGltf(main: OpenedFile, files: ModelFiles): Promise<Loaded> {
   return { root: scene, animations, notes: [] };
 }
 
-/** Entries of a USDZ archive are stored as they are; one that is packed could unfold to any size. */
-function refusePacked(bytes: ArrayBuffer): void {
-  const view = new DataView(bytes);
-  for (let at = 0; at + 30 <= bytes.byteLength && view.getUint32(at, true) === 0x04034b50; at += 30 + view.getUint32(at + 18, true) + view.getUint16(at + 26, true) + view.getUint16(at + 28, true))
-    if (view.getUint16(at + 8, true) !== 0 || view.getUint32(at + 18, true) !== view.getUint32(at + 22, true)) throw new Error('its archive is compressed, which USDZ does not allow');
-}
-
-function loadUsd(main: OpenedFile, files: ModelFiles): Promise<Loaded> {
-  const isText = suffixOf(main.name) === 'usda' || new TextDecoder().decode(main.bytes.slice(0, 5)) === '#usda', isArchive = suffixOf(main.name) === 'usdz';
-  if (isArchive) refusePacked(main.bytes);
-  return new Promise((resolve, reject) => {
-    const loaded = (root: Object3D) => resolve({ root, animations: root.animations, notes: [], colours: (name) => (name === '' ? unstated : null) });
-    new USDLoader(files.manager).parse(isText ? new TextDecoder().decode(main.bytes) : main.bytes, '', loaded, reject);
-  });
+async function loadUsd(main: OpenedFile, files: ModelFiles): Promise<Loaded> {
+  const { root, settled, missing, notes } = readUsd(main.name, main.bytes, (key) => files.find(key)?.bytes ?? null, files.manager);
+  for (const name of missing) files.missing.add(name);
+  await settled;
+  return { root, animations: root.animations, notes };
 }
 
 function load(main: OpenedFile, files: ModelFiles): Promise<Loaded> | Loaded {

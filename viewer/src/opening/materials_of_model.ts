@@ -49,12 +49,10 @@ export class MaterialsOfModel {
   /** Metallic-roughness: a metal, a coat over a matt base, or a matt surface. */
   private withSurface(facts: MaterialFacts, m: Known): MaterialFacts {
     let metalness = m.metalness ?? 0, roughness = m.roughness ?? 1;
-    const texture = m.roughnessMap ?? m.metalnessMap ?? null;
-    if (texture) {
-      const mean = meanOf(texture, false);
-      [roughness, metalness] = [roughness * mean[1], metalness * mean[2]];
-      this.notes.add(`Of the metallic-roughness texture of "${facts.name}" only the mean counts.`);
-    }
+    const { roughnessChannel = 1, metalnessChannel = 2 } = (m.userData ?? {}) as { roughnessChannel?: 0 | 1 | 2; metalnessChannel?: 0 | 1 | 2 };
+    if (m.roughnessMap) roughness *= meanOf(m.roughnessMap, false)[roughnessChannel];
+    if (m.metalnessMap) metalness *= meanOf(m.metalnessMap, false)[metalnessChannel];
+    if (m.roughnessMap ?? m.metalnessMap) this.notes.add(`Of the metallic-roughness texture of "${facts.name}" only the mean counts.`);
     if (metalness > 0 && metalness < 1) this.notes.add(`"${facts.name}" is a mixture of metal and dielectric, drawn as the nearer of the two.`);
     if (roughness < leastRoughness) roughness = 0;
     if (metalness < 0.5) return roughness >= 1 ? facts : { ...facts, type: 'plastic', roughness, index: m.ior ?? 1.5 };

@@ -9,7 +9,7 @@ interface Part { positions: Float32Array; normals: Float32Array; coordinates: Fl
 const nameOf = (object: Object3D) => object.name || 'without a name';
 
 /** Positions where skins and morph targets put them. */
-function posed(mesh: Mesh): BufferGeometry {
+export function posed(mesh: Mesh): BufferGeometry {
   const geometry = mesh.geometry;
   if (!(mesh as SkinnedMesh).isSkinnedMesh && !geometry.morphAttributes.position) return geometry;
   const still = geometry.clone(), place = still.getAttribute('position'), at = new Vector3();
@@ -29,7 +29,7 @@ function coordinatesOf(geometry: BufferGeometry, channel: number, flipped: boole
 }
 
 /** Three vertices a triangle, and the number of its material in the mesh. */
-function facesOf(mesh: Mesh, geometry: BufferGeometry): { triangles: number[]; materials: number[] } {
+export function facesOf(mesh: Mesh, geometry: BufferGeometry): { triangles: number[]; materials: number[] } {
   const count = geometry.getAttribute('position').count, index = geometry.getIndex(), corners = index ? index.count : count;
   const groups = Array.isArray(mesh.material) ? geometry.groups : [{ start: 0, count: corners, materialIndex: 0 }];
   const triangles: number[] = [], materials: number[] = [];
