@@ -127,6 +127,8 @@ class ConvertUsd(ModelTest):
         crowded = self.convert('#usda 1.0 # a remark\n(metersPerUnit=1;upAxis="Y") /* and\nanother */ def Xform"Room"{def Mesh "Card"(kind="x"){int[] faceVertexCounts=[4] int[]faceVertexIndices=[0,1,2,3,]'
                                'point3f[] points=[(0,0,0),(2,0,0),\n(2,1,0),(0,1,1e0)] token subdivisionScheme="none" texCoord2f[] primvars:st=[(0,0),(1,0),(1,1),(0,1)](interpolation="vertex")}}')
         self.assertEqual(crowded.corners("Card"), tidy.corners("Card"))
+        spread = self.convert(HEAD + " \n" * 2_000_000 + "# a line\n" * 100_000 + 'def Xform "Room" (doc = "' + "x" * 1_000_000 + '") {' + card() + "}")
+        self.assertEqual(spread.corners("Card"), tidy.corners("Card"))
 
     def test_all_operations_that_move_a_prim(self):
         def turn(axis, degrees):

@@ -1,13 +1,13 @@
 /** Words of a USD text. */
 export type Word = { kind: 'end' | 'string' | 'file' | 'path' | 'name' | 'sign'; text: string } | { kind: 'number'; text: string; value: number };
 
-const pattern = /(?:\s|#[^\n]*|\/\*[^]*?\*\/)*(?:("""[^]*?"""|'''[^]*?'''|"(?:\\[^]|[^"\\\n])*"|'(?:\\[^]|[^'\\\n])*')|(@@@[^]*?@@@|@[^@\n]*@)|(<[^>\n]*>)|([-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|inf\b|nan\b))|([\p{L}_][\p{L}\p{N}_:.]*)|([()[\]{}=,;:&]))/uy;
-const blank = /(?:\s|#[^\n]*|\/\*[^]*?\*\/)*/uy;
+// Each repeats one class of characters: a repeated choice would take room for each character of a long text.
+const blanks = /\s+/y, number = /[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|inf\b|nan\b)/y, name = /[\p{L}_][\p{L}\p{N}_:.]*/uy;
+const quotes = ['"""', "'''", '"', "'", '@@@', '@', '<'], signs = '()[]{}=,;:&';
 const escapes: Record<string, string> = { n: '\n', t: '\t', r: '\r' };
 
-function unquoted(text: string): string {
-  const quotes = /^("""|''')/.test(text) ? 3 : 1;
-  return text.slice(quotes, -quotes).replace(/\\([^])/g, (_, c: string) => escapes[c] ?? c);
+function unescaped(text: string): string {
+  return text.replace(/\\([^])/g, (_, c: string) => escapes[c] ?? c);
 }
 
 function numberOf(text: string): number {
@@ -56,23 +56,50 @@ export class UsdaWords {
   }
 
   private read(): Word {
+    this.skip();
+    if (this.at >= this.text.length) return { kind: 'end', text: 'the end' };
+    const quote = quotes.find((own) => this.text.startsWith(own, this.at));
+    if (quote) return this.quoted(quote);
+    const digits = this.match(number);
+    if (digits !== null) return { kind: 'number', text: digits, value: numberOf(digits) };
+    const letters = this.match(name), sign = this.text[this.at] ?? '';
+    if (letters !== null) return { kind: 'name', text: letters };
+    if (!signs.includes(sign)) this.fail('a word of a USD text', { kind: 'sign', text: sign });
+    ++this.at;
+    return { kind: 'sign', text: sign };
+  }
+
+  /** What matches here, which is passed by. */
+  private match(pattern: RegExp): string | null {
     pattern.lastIndex = this.at;
-    const found = pattern.exec(this.text);
-    if (!found) {
-      blank.lastIndex = this.at;
-      blank.exec(this.text);
-      if (blank.lastIndex < this.text.length) {
-        this.at = blank.lastIndex;
-        this.fail('a word of a USD text', { kind: 'sign', text: this.text[this.at] ?? '' });
-      }
-      return { kind: 'end', text: 'the end' };
+    const found = pattern.exec(this.text)?.[0] ?? null;
+    if (found !== null) this.at = pattern.lastIndex;
+    return found;
+  }
+
+  /** Passes by spaces and remarks. */
+  private skip(): void {
+    for (let before = -1; before !== this.at;) {
+      before = this.at;
+      this.match(blanks);
+      const end = this.text[this.at] === '#' ? '\n' : this.text.startsWith('/*', this.at) ? '*/' : null;
+      if (end === null) continue;
+      const found = this.text.indexOf(end, this.at + 1);
+      this.at = found < 0 ? this.text.length : found + end.length;
     }
-    this.at = pattern.lastIndex;
-    const [, string, file, path, number, name, sign] = found;
-    if (number !== undefined) return { kind: 'number', text: number, value: numberOf(number) };
-    if (string !== undefined) return { kind: 'string', text: unquoted(string) };
-    if (file !== undefined) return { kind: 'file', text: file.replace(/^@+|@+$/g, '') };
-    if (path !== undefined) return { kind: 'path', text: path.slice(1, -1) };
-    return name !== undefined ? { kind: 'name', text: name } : { kind: 'sign', text: sign ?? '' };
+  }
+
+  private quoted(quote: string): Word {
+    const end = quote === '<' ? '>' : quote, isString = quote.startsWith('"') || quote.startsWith("'");
+    let close = this.at + quote.length;
+    for (; close < this.text.length && !this.text.startsWith(end, close); ++close) {
+      if (quote.length === 1 && this.text[close] === '\n') break;
+      if (isString && this.text[close] === '\\') ++close;
+    }
+    const inside = this.text.slice(this.at + quote.length, close);
+    if (!this.text.startsWith(end, close)) this.fail(`${end} at its end`, { kind: 'sign', text: `${quote}${inside.slice(0, 30)}` });
+    this.at = close + end.length;
+    if (isString) return { kind: 'string', text: unescaped(inside) };
+    return { kind: quote === '<' ? 'path' : 'file', text: inside };
   }
 }
