@@ -282,6 +282,14 @@ def Xform "Room" (
         view = glb.json["bufferViews"][glb.json["images"][0]["bufferView"]]
         self.assertEqual(glb.data[view["byteOffset"]:view["byteOffset"] + view["byteLength"]], png(TEXELS))  # as it was
 
+    def test_names_within_an_archive_are_relative_to_the_layer(self):
+        archive = self.folder / "room.usdz"
+        with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as package:
+            package.writestr("room.usda", room('    def "A" (references = @./parts/card.usda@) { }'))
+            package.writestr("parts/card.usda", room(card("rel material:binding = </Room/M>") + material("M", "color3f inputs:diffuseColor.connect = </Room/M/T.outputs:rgb>", texture("M", "T", "../pictures/a.png"))))
+            package.writestr("pictures/a.png", png(TEXELS))
+        self.assertIn("baseColorTexture", self.converted(archive).base("Card"))
+
     def test_the_program_draws_it(self):
         """A square of four colours, each seen where the file has it."""
         self.write("quarters.png", QUARTERS)
