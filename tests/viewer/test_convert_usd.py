@@ -166,7 +166,7 @@ class ConvertUsd(ModelTest):
 
     def test_layers_references_and_variants(self):
         chair = room(card("rel material:binding = </Room/Red>") + material("Red", "color3f inputs:diffuseColor = (1, 0, 0)")).replace('"Room"', '"Chair"').replace("/Room/", "/Chair/")
-        other = room(card(), HEAD) + 'def Xform "Stool"\n{\n' + card("color3f[] primvars:displayColor = [(0, 1, 0)]", "Seat") + "}\n"
+        other = room(card()) + 'class "_leg" {' + card(name="Leg") + '}\ndef Xform "Stool"\n{\n    def "L" (references = </_leg>) { }\n' + card("color3f[] primvars:displayColor = [(0, 1, 0)]", "Seat") + "}\n"
         moved = 'double3 xformOp:translate = (10, 0, 0) uniform token[] xformOpOrder = ["xformOp:translate"]'
         glb = self.convert(HEAD.replace("(\n", "(\n    subLayers = [@./below.usda@]\n", 1) + f"""
 class "_kind" {{ {card(name="Kind")} }}
@@ -186,7 +186,7 @@ def Xform "Room" (
     }}
 }}
 """, chair=chair, other=other, below=HEAD + f'over "Room" {{ {card(name="Below")} }}\n')
-        self.assertEqual(sorted(glb.meshes), ["Below", "Card", "Kind", "Seat"])  # Card stands there twice
+        self.assertEqual(sorted(glb.meshes), ["Below", "Card", "Kind", "Leg", "Seat"])  # Card stands there twice
         places = [min(glb.corners(name)) for name in ("Below", "Kind", "Seat")]
         self.assertEqual(places, [(0, 0, 0), (0, 0, 0), (0, 5, 0)])
         self.assertEqual(glb.base("Card")["baseColorFactor"][:3], [1, 0, 0])  # bound within the file that is referenced

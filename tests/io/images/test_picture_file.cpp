@@ -33,6 +33,9 @@ TEST(ExrChannels, RolesAndLayers) {
   EXPECT_THAT(layers_of_channels({"R", "G", "B", "r", "depth.Z", ".y"}),
               UnorderedElementsAre(Pair("", ElementsAre("R", "G", "B")), Pair("r", ElementsAre("r")),
                                    Pair("depth", ElementsAre("depth.Z")), Pair("y", ElementsAre(".y"))));
+  // The exact name is the colour, whatever stands before it.
+  EXPECT_THAT(layers_of_channels({"r", "R", "G", "B"}),
+              UnorderedElementsAre(Pair("", ElementsAre("R", "G", "B")), Pair("r", ElementsAre("r"))));
 }
 
 TEST(PictureFile, TilesAndMipmapsAreRead) {
@@ -68,6 +71,22 @@ TEST(PictureFile, LuminanceAndChromaAreDecoded) {
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(read.image().at(16, 16)[c], 0.5 / (1 << c), 0.5 / 64);  // OpenEXR keeps 5 bits of chroma
   EXPECT_THAT(read.notes, ElementsAre(HasSubstr("luminance and chroma")));
+}
+
+TEST(PictureFile, LuminanceAndChromaStandWhereTheirWindowIs) {
+  const TemporaryFolder folder;
+  const Imath::Box2i display({0, 0}, {31, 31}), data({8, 16}, {31, 31});
+  const std::vector<Imf::Rgba> pixels(24 * 16, Imf::Rgba(0.5f, 0.5f, 0.5f));
+  {
+    Imf::RgbaOutputFile file((folder / "yc.exr").c_str(), display, data, Imf::WRITE_YC);
+    file.setFrameBuffer(pixels.data() - 8 - 16 * 24, 1, 24);
+    file.writePixels(16);
+  }
+  const Image image = read_picture_file(folder / "yc.exr").image();
+  ASSERT_EQ(image.width, 32);
+  ASSERT_EQ(image.height, 32);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) EXPECT_NEAR(image.at(x, y)[1], x >= 8 && y >= 16 ? 0.5 : 0.0, 0.5 / 64);
 }
 
 TEST(PictureFile, WhatTheProgramWritesKeepsItsDepth) {
