@@ -85,6 +85,7 @@ TEST(CsvDialect, IsToldFromTheHeading) {
   EXPECT_EQ(csv_dialect_of("x_mm  y_mm z_mm\n").separator, ' ');
   EXPECT_EQ(csv_dialect_of("alone\n").separator, ',');
   EXPECT_EQ(csv_dialect_of("\xEF\xBB\xBFsep=;\r\na,b\n").separator, ';');
+  EXPECT_EQ(csv_dialect_of("sep=|\na,x|b\n").separator, '|');
   EXPECT_EQ(csv_dialect_of("").separator, ',');
 }
 
