@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "io/images/depth_map.h"
@@ -113,6 +115,35 @@ TEST(SeePicture, LampsOnASmoothSurfaceShineNoFartherThanTheirRays) {
           if (std::max(std::abs(x - lamp_x), std::abs(y - lamp_y)) > reach) {
             ASSERT_NEAR(got.radiance.at(x, y)[0], expected.radiance.at(x, y)[0], 1e-5) << parts << " " << x << " " << y;
           }
+    }
+}
+
+TEST(SeePicture, LampsOfAWideBlurShineNoFartherThanTheirRays) {
+  // A lamp's disc of 8 px on the wall and on the card, whose textures are rough and have nothing to do with what is
+  // guessed in a lamp's place. Its pixel is 0.5 px wide on either side of the disc's rays, and so is the pixel that it
+  // lights; along a diagonal both have their corners there.
+  constexpr double radius = 8.0, corners = std::numbers::sqrt2;
+  const LayeredPicture dark = card_before_wall();
+  for (const auto& [lamp_x, lamp_y, size] :
+       {std::array{180, 90, 1}, {180, 90, 3}, {75, 90, 1}, {75, 90, 3}, {130, 30, 2}})
+    for (const int parts : {1, 8}) {
+      const double vergence_D = on_the_card(lamp_x, lamp_y) ? 1.0 / near_m : 1.0 / far_m;
+      const double error_D = radius * 6e-4 / 2.5e-3;
+      const SeeSettings settings = seen_by({error_D - vergence_D, 0.0, 0.0, 0.0}, parts);
+      LayeredPicture without = dark, with = dark;
+      for (int y = lamp_y; y < lamp_y + size; ++y)
+        for (int x = lamp_x; x < lamp_x + size; ++x) std::fill_n(with.radiance.at(x, y), 3, 1e4f);
+      const Image expected = see_picture(without, {}, settings).radiance,
+                  got = see_picture(with, {}, settings).radiance;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          const int dx = x - std::clamp(x, lamp_x, lamp_x + size - 1),
+                    dy = y - std::clamp(y, lamp_y, lamp_y + size - 1);
+          if (std::hypot(dx, dy) > radius + corners) {
+            ASSERT_NEAR(got.at(x, y)[0], expected.at(x, y)[0], 1e-5) << parts << " " << x << " " << y;
+          }
+        }
+      EXPECT_GT(got.at(lamp_x, lamp_y)[0], 5.0f);
     }
 }
 

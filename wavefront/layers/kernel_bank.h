@@ -31,8 +31,12 @@ class KernelBank {
   int radius_px(int plane) const { return radii_[plane]; }  ///< the largest of all parts and channels
   int largest_radius_px() const;
 
-  /// Variance that a plane's kernels add by sharing light out among pixels [px²], the mean of all parts and channels.
-  double widening_px2(int plane) const;
+  /// The share, 0 … 1, of a surface's detail (layer_detail.h) that makes up for what a plane's kernels in a channel
+  /// lose of it by sharing light out among pixels. None where the blur is so wide and even that it leaves nothing of
+  /// detail.
+  float detail_share(int plane, int channel) const {
+    return detail_shares_[static_cast<std::size_t>(plane) * channels_ + channel];
+  }
 
   /// The largest radius at a vergence between the planes.
   int radius_at(double vergence_D) const;
@@ -52,6 +56,7 @@ class KernelBank {
   KernelModel::PointKernel point_kernel_;
   std::vector<SpreadKernel> kernels_;
   std::vector<int> radii_;
+  std::vector<float> detail_shares_;  // of each plane and channel
   bool uniform_;
 };
 

@@ -23,11 +23,6 @@ CellBox box_of(std::span<const LayerEntry> entries, int side) {
   return box;
 }
 
-/// How much of the detail of layers makes up for the width that kernels have gained: all of it for 1/6 px².
-float detail_share_of(double widening_px2) {
-  return static_cast<float>(std::min(1.0, 6.0 * widening_px2));
-}
-
 /// How much larger the picture of a pixel of a slanted surface is through a part of the pupil: 1 + c·∇V.
 float stretch(const LayerEntry& entry, const PupilPart& part) {
   return 1.0f + entry.slope_x * static_cast<float>(part.shift_px_per_D.x()) +
@@ -107,7 +102,8 @@ void TileBlur::fill_source(int plane, std::span<const LayerEntry> entries, int p
   source_.clear();
   lamps_.clear();
   const int side = source_.side();
-  const float detail_share = detail_share_of(scene_.bank.widening_px2(plane));
+  float detail_shares[3];
+  for (int c = 0; c < 3; ++c) detail_shares[c] = scene_.bank.detail_share(plane, source_.kernel_of(c));
   float* planes[6];
   for (int i = 0; i < source_.count(); ++i) planes[i] = source_.planes[i].pixels.data();
   for (const LayerEntry& entry : entries) {
@@ -121,7 +117,7 @@ void TileBlur::fill_source(int plane, std::span<const LayerEntry> entries, int p
       lamps_.push_back(lamp);
     }
     for (int c = 0; c < 3; ++c)
-      planes[c][entry.cell] += kept * (entry.rgb[c] + (entry.detail ? detail_share * (*entry.detail)[c] : 0.0f));
+      planes[c][entry.cell] += kept * (entry.rgb[c] + (entry.detail ? detail_shares[c] * (*entry.detail)[c] : 0.0f));
     for (int i = 3; i < source_.count(); ++i) planes[i][entry.cell] += weight;
   }
 }
