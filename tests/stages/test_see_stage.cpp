@@ -162,6 +162,52 @@ TEST(SeePicture, LampsBehindASharpEdgeStayBehindIt) {
   }
 }
 
+/// What one pixel's lamp on the wall gives to pixels when a card that ends at its left hides part of the pupil: by
+/// points of the pixel and of the pupil. A target at u is seen at u − a e p through the point p of a unit disc, a being
+/// the pupil's radius in pixels per dioptre and e the vergence error. So a ray comes past the card where u − a (e − e₀)
+/// p, e₀ being the card's error, is not on it.
+Image lamp_past_the_card(int lamp_x, int lamp_y, float light, double wall_error_D) {
+  constexpr double a = 2.5e-3 / 6e-4, between_D = 1.0 / near_m - 1.0 / far_m, edge = 109.5;
+  constexpr int points = 400000;
+  Image expected(width, height, 1);
+  for (int i = 1; i <= points; ++i) {
+    const auto sequence = [&](double step) { return std::fmod(i * step, 1.0); };  // [Roberts2018], four dimensions
+    const double r = std::sqrt(sequence(0.8566748838545029)),
+                 angle = 2.0 * std::numbers::pi * sequence(0.733891856627126);
+    const double x = r * std::cos(angle), y = r * std::sin(angle);
+    const double u = lamp_x - 0.5 + sequence(0.6287067210378087), v = lamp_y - 0.5 + sequence(0.5385972572236101);
+    if (u + a * between_D * x < edge) continue;
+    const auto column = static_cast<int>(std::floor(u - a * wall_error_D * x + 0.5)),
+               row = static_cast<int>(std::floor(v - a * wall_error_D * y + 0.5));
+    *expected.at(column, row) += light / points;
+  }
+  return expected;
+}
+
+TEST(SeePicture, LampsBehindABlurredEdgeShinePastItAsFarAsTheirRays) {
+  // Neither the wall nor the card is in focus, so coverage and the lamp's light move together over the pupil.
+  constexpr double focus_m = 0.8;
+  constexpr float lamp = 300.0f;
+  const LayeredPicture dark = card_before_wall();
+  for (const int lamp_x : {111, 114})
+    for (const int parts : {1, 8}) {
+      LayeredPicture without = dark, with = dark;
+      std::fill_n(with.radiance.at(lamp_x, 90), 3, lamp);
+      const Image expected =
+          lamp_past_the_card(lamp_x, 90, lamp - dark.radiance.at(lamp_x, 90)[0], 1.0 / far_m - 1.0 / focus_m);
+      const Image before = see_picture(without, {}, in_focus_at(focus_m, parts)).radiance,
+                  got = see_picture(with, {}, in_focus_at(focus_m, parts)).radiance;
+      double wrong = 0.0, all = 0.0;
+      for (int y = 70; y < 110; ++y)
+        for (int x = 80; x < 140; ++x) {
+          wrong += std::abs(got.at(x, y)[0] - before.at(x, y)[0] - *expected.at(x, y));
+          all += *expected.at(x, y);
+        }
+      EXPECT_LT(wrong / all, 0.05) << lamp_x << " "
+                                   << parts;  // 32768 rays on some thirty pixels, a few per cent on each
+    }
+}
+
 TEST(SeePicture, LampsBesideABlurredEdgeAreNotGuessedOn) {
   // The wall is in focus and the card is blurred by 8 px: what the card's rim lets through of the wall is no lamp.
   LayeredPicture picture = card_before_wall();

@@ -58,6 +58,7 @@ KernelBank::KernelBank(const KernelModel& model, std::vector<double> planes_D)
       channels_(model.channels),
       reach_px_per_D_(model.reach_px_per_D),
       point_kernel_(model.point_kernel),
+      rays_(model.rays),
       kernels_(planes_D_.size() * parts_.size() * static_cast<std::size_t>(channels_)),
       radii_(planes_D_.size(), 0),
       detail_shares_(planes_D_.size() * static_cast<std::size_t>(channels_)),

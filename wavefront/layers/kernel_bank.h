@@ -24,6 +24,8 @@ class KernelBank {
   double reach_px_per_D() const { return reach_px_per_D_; }
   const KernelModel::PointKernel& point_kernel() const { return point_kernel_; }  ///< may be empty
 
+  const std::vector<std::vector<PictureRay>>& rays() const { return rays_; }  ///< may be empty
+
   const SpreadKernel& kernel(int plane, int part, int channel) const {
     return kernels_[(static_cast<std::size_t>(plane) * parts_.size() + part) * channels_ + channel];
   }
@@ -54,6 +56,7 @@ class KernelBank {
   int channels_;
   double reach_px_per_D_;
   KernelModel::PointKernel point_kernel_;
+  std::vector<std::vector<PictureRay>> rays_;
   std::vector<SpreadKernel> kernels_;
   std::vector<int> radii_;
   std::vector<float> detail_shares_;  // of each plane and channel
