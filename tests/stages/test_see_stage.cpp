@@ -168,7 +168,7 @@ TEST(SeePicture, LampsBehindASharpEdgeStayBehindIt) {
 /// p, e₀ being the card's error, is not on it.
 Image lamp_past_the_card(int lamp_x, int lamp_y, float light, double wall_error_D) {
   constexpr double a = 2.5e-3 / 6e-4, between_D = 1.0 / near_m - 1.0 / far_m, edge = 109.5;
-  constexpr int points = 400000;
+  constexpr int points = 200000;
   Image expected(width, height, 1);
   for (int i = 1; i <= points; ++i) {
     const auto sequence = [&](double step) { return std::fmod(i * step, 1.0); };  // [Roberts2018], four dimensions

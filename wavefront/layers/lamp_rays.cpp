@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "wavefront/layers/lamp_kernels.h"
 
@@ -47,7 +48,7 @@ void LampRays::follow(const SplitWindow& window) {
   light_ = Image();
   if (picture_.lamps.empty() || bank_.rays().empty()) return;
   find_surfaces(window);
-  for (int plane = 0; plane < static_cast<int>(bank_.planes_D().size()); ++plane)
+  for (int plane = 0; plane < planes(); ++plane)
     for (const LampEntry& entry : window.lamps_of(plane)) {
       const bool once = bank_.place_of(entry.lamp->vergence_D).plane == plane;  // it may be on two planes
       if (once && may_be_stopped(entry)) follow(entry);
@@ -60,14 +61,14 @@ bool LampRays::followed(const LampPixel& lamp) const {
 }
 
 void LampRays::find_surfaces(const SplitWindow& window) {
-  for (int plane = 0; plane < static_cast<int>(bank_.planes_D().size()); ++plane) {
+  double farthest_D = std::numeric_limits<double>::infinity();
+  for (int plane = 0; plane < planes(); ++plane)
+    for (const LampEntry& entry : window.lamps_of(plane)) farthest_D = std::min(farthest_D, entry.lamp->vergence_D);
+  for (int plane = 0; plane < planes(); ++plane) {
     const std::span<const LayerEntry> entries = window.entries_of(plane);
-    const auto before = [&](const LampPixel& lamp) {
-      return bank_.planes_D()[static_cast<std::size_t>(plane)] > lamp.vergence_D + picture_.jump_D;
-    };
-    if (entries.empty() || std::none_of(picture_.lamps.begin(), picture_.lamps.end(), before)) continue;
-    Surface surface{bank_.planes_D()[static_cast<std::size_t>(plane)], bank_.radius_px(plane), box_of(entries, side_),
-                    Image(side_, side_, 1)};
+    const double vergence_D = bank_.planes_D()[static_cast<std::size_t>(plane)];
+    if (entries.empty() || !(vergence_D > farthest_D + picture_.jump_D)) continue;
+    Surface surface{vergence_D, bank_.radius_px(plane), box_of(entries, side_), Image(side_, side_, 1)};
     for (const LayerEntry& entry : entries) surface.coverage.pixels[entry.cell] += entry.weight;
     surfaces_.push_back(std::move(surface));
   }

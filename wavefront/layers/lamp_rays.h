@@ -33,6 +33,8 @@ class LampRays {
     Image coverage;
   };
 
+  int planes() const { return static_cast<int>(bank_.planes_D().size()); }
+  /// The surfaces that are nearer than the farthest lamp of a window.
   void find_surfaces(const SplitWindow& window);
   bool may_be_stopped(const LampEntry& entry) const;
   void follow(const LampEntry& entry);
@@ -46,7 +48,7 @@ class LampRays {
   int side_;
   CellBox kept_;
   std::size_t rays_of_a_lamp_;
-  std::vector<Surface> surfaces_;           // of the planes of the window that hold something
+  std::vector<Surface> surfaces_;           // of one window, by plane
   std::vector<const LampPixel*> followed_;  // ascending
   Image light_;
 };
