@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "io/files/error.h"
-#include "io/images/depth_edges.h"
 #include "stages/stopwatch.h"
 #include "wavefront/layers/guessed_background.h"
 #include "wavefront/layers/kernel_bank.h"
@@ -42,18 +41,14 @@ std::vector<double> all_vergences(const LayeredPicture& picture) {
   return all;
 }
 
-/// Whether a kernel is so much wider than its rays that detail shows. Its share is 6 times the widening
-/// (wavefront/layers/layer_detail.h), and it is no more than the colour that it is added to: from a widening of 2⁻²⁸
-/// px² down, single precision drops the sum.
-bool widens(const KernelBank& bank) {
-  constexpr double least_px2 = 0x1p-28;
+/// Whether any blur shows detail. That is no more than the colour that it is added to: from a share of 2⁻²⁵ down,
+/// single precision drops the sum.
+bool shows_detail(const KernelBank& bank) {
+  constexpr float least = 0x1p-25f;
   for (int plane = 0; plane < static_cast<int>(bank.planes_D().size()); ++plane)
-    if (bank.widening_px2(plane) > least_px2) return true;
+    for (int channel = 0; channel < bank.channels(); ++channel)
+      if (bank.detail_share(plane, channel) > least) return true;
   return false;
-}
-
-bool has_edges(const LayeredPicture& picture) {
-  return !depth_edges(picture.vergence_D, picture.radiance.width, picture.radiance.height, picture.jump_D).empty();
 }
 
 /// A picture on its way.
@@ -71,8 +66,8 @@ struct SeeRun {
   }
 
   /// `picture.hidden` has what is known.
-  void blur(LayeredPicture& picture, const KernelBank& bank) {
-    seen.hidden_guessed = add_guessed_background(picture, bank);
+  void blur(LayeredPicture& picture, const KernelBank& bank, std::span<const std::size_t> edges) {
+    seen.hidden_guessed = add_guessed_background(picture, bank, edges);
     seen.seconds["hidden_surfaces"] = watch.lap();
     seen.radiance = blur_layers(picture, bank, seen.work, progress);
     seen.seconds["blur"] = watch.lap();
@@ -102,24 +97,25 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
   return seen_through(settings, one_distance(sharp, layers), [&](const KernelModel& model, SeeRun& run) {
     LayeredPicture parted;  // edges and lamps are parted in a copy
     sharp.jump_D = model.reach_px_per_D > 0.0 ? 1.0 / model.reach_px_per_D : std::numeric_limits<double>::infinity();
-    const bool in_copy = !layers.empty() || may_have_lamps(sharp) || has_edges(sharp);
+    const std::vector<std::size_t> edges = edges_of(sharp);
+    const bool in_copy = !layers.empty() || !edges.empty() || may_have_lamps(sharp);
     if (in_copy) parted = sharp;
     LayeredPicture& picture = in_copy ? parted : sharp;
     picture.hidden = hidden_by(picture, layers);
     run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
-    if (!layers.empty()) unmix_edges(picture, layers);
+    if (!layers.empty()) unmix_edges(picture, layers, edges);
     if (in_copy) take_lamps(picture);
-    if (in_copy && layers.empty()) unmix_edges(picture, layers);  // by colours about them, which no lamp may be among
+    if (in_copy && layers.empty()) unmix_edges(picture, layers, edges);  // by colours, which no lamp may be among
     const KernelBank bank = run.bank_for(picture, model);
-    picture.detail = widens(bank) ? detail_of(picture) : std::vector<Detail>();
-    run.blur(picture, bank);
+    picture.detail = shows_detail(bank) ? detail_of(picture) : std::vector<Detail>();
+    run.blur(picture, bank, edges);
   });
 }
 
 SeenPicture see_surfaces(LayeredPicture& picture, const SeeSettings& settings) {
   return seen_through(settings, false, [&](const KernelModel& model, SeeRun& run) {
     run.seen.hidden_given = static_cast<long long>(picture.hidden.size());
-    run.blur(picture, run.bank_for(picture, model));
+    run.blur(picture, run.bank_for(picture, model), edges_of(picture));
   });
 }
 

@@ -33,11 +33,16 @@ std::vector<Place> worst_places(const PredictionFinding& prediction, Number Caus
   return places;
 }
 
+/// Two digits, and three of a hundred.
+std::string percent_of(double share) {
+  return formatted(share < 0.995 ? "%.2g" : "%.0f", 100.0 * share);
+}
+
 std::string by_place(const PredictionFinding& prediction, Number CauseShares::*share) {
   std::string list;
   for (const Place& p : worst_places(prediction, share))
-    list += formatted("%s%.0f %% %s (%.2g %% of the pixels)", list.empty() ? "" : ", ", 100.0 * p.share,
-                      cause_in_words(p.name).c_str(), 100.0 * p.pixels);
+    list += formatted("%s%.0f %% %s (%s %% of the pixels)", list.empty() ? "" : ", ", 100.0 * p.share,
+                      cause_in_words(p.name).c_str(), percent_of(p.pixels).c_str());
   return list;
 }
 

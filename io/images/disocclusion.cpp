@@ -16,11 +16,11 @@ struct Guess {
 
 class HiddenSurface {
  public:
-  HiddenSurface(const Image& radiance, const std::vector<double>& vergence_D, double jump_D)
-      : radiance_(radiance), vergence_(vergence_D), jump_(jump_D), guess_(vergence_D.size(), none) {}
+  HiddenSurface(const Image& radiance, const std::vector<double>& vergence_D, double jump_D,
+                std::span<const std::size_t> edges)
+      : radiance_(radiance), vergence_(vergence_D), jump_(jump_D), guess_(vergence_D.size(), none), edges_(edges) {}
 
   void grow(const std::function<double(double)>& reach_px) {
-    edges_ = depth_edges(vergence_, radiance_.width, radiance_.height, jump_);
     mark_mixed_pixels();
     std::vector<std::size_t> front = first_ring();
     for (std::int32_t ring = 2; !front.empty(); ++ring) front = next_ring(front, ring, reach_px);
@@ -146,7 +146,7 @@ class HiddenSurface {
   static constexpr std::int32_t none = -1;
   std::vector<std::int32_t> guess_;  // of each pixel, which of the guesses
   std::vector<Guess> guesses_;
-  std::vector<std::size_t> edges_;
+  std::span<const std::size_t> edges_;
   std::vector<bool> mixed_;
 };
 
@@ -154,7 +154,14 @@ class HiddenSurface {
 
 std::vector<HiddenSample> extrapolate_hidden(const Image& radiance, const std::vector<double>& vergence_D,
                                              double jump_D, const std::function<double(double)>& reach_px) {
-  HiddenSurface surface(radiance, vergence_D, jump_D);
+  return extrapolate_hidden(radiance, vergence_D, jump_D,
+                            depth_edges(vergence_D, radiance.width, radiance.height, jump_D), reach_px);
+}
+
+std::vector<HiddenSample> extrapolate_hidden(const Image& radiance, const std::vector<double>& vergence_D,
+                                             double jump_D, std::span<const std::size_t> edges,
+                                             const std::function<double(double)>& reach_px) {
+  HiddenSurface surface(radiance, vergence_D, jump_D, edges);
   surface.grow(reach_px);
   return surface.samples();
 }

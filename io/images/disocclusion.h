@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "io/images/image.h"
@@ -25,5 +26,10 @@ struct HiddenSample {
 /// one value per pixel of `radiance`, row by row.
 std::vector<HiddenSample> extrapolate_hidden(const Image& radiance, const std::vector<double>& vergence_D,
                                              double jump_D, const std::function<double(double)>& reach_px);
+
+/// The same where the edges are known already: `edges` is what `depth_edges` (depth_edges.h) finds.
+std::vector<HiddenSample> extrapolate_hidden(const Image& radiance, const std::vector<double>& vergence_D,
+                                             double jump_D, std::span<const std::size_t> edges,
+                                             const std::function<double(double)>& reach_px);
 
 }  // namespace sturm

@@ -49,11 +49,13 @@ Html cell_html(const NoticedMutation& mutation, const std::string& gate) {
 }
 
 Html matrix(const std::vector<NoticedMutation>& mutations) {
+  const std::vector<GateThatNoticed> gates = gates_that_noticed(mutations);
+  if (gates.empty()) return {};
   std::vector<Column> columns = {{"Gate"_html, false}, {"Bound"_html}, {"Nothing wrong"_html}};
   for (const NoticedMutation& mutation : mutations)
     columns.push_back({inline_element("code", breakable_html(mutation.id))});
   HtmlTable table("Values beyond the bound, by gate and error", "", columns);
-  for (const GateThatNoticed& gate : gates_that_noticed(mutations)) {
+  for (const GateThatNoticed& gate : gates) {
     std::vector<Cell> cells = {code_html(gate.gate), exact_html(gate.bound) + unit_html(gate.unit),
                                number_html(gate.honest_value, 3)};
     for (const NoticedMutation& mutation : mutations) cells.push_back(cell_html(mutation, gate.gate));

@@ -51,6 +51,7 @@ Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, in
   picture.coverage.clear();
   KernelModel model;
   std::optional<KernelBank> bank;
+  std::vector<std::size_t> edges;
   seconds.kernels = bench::seconds([&] {
     model = ray_kernels(eye, 0.0, pixel_slope, {parts, false});
     picture.jump_D = 1.0 / model.reach_px_per_D;
@@ -58,10 +59,11 @@ Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, in
   });
   seconds.detail = bench::seconds([&] {
     take_lamps(picture);
-    unmix_edges(picture, {});
+    edges = edges_of(picture);
+    unmix_edges(picture, {}, edges);
     picture.detail = detail_of(picture);
   });
-  seconds.background = bench::seconds([&] { add_guessed_background(picture, *bank); });
+  seconds.background = bench::seconds([&] { add_guessed_background(picture, *bank, edges); });
   seconds.blur = bench::seconds([&] { blur_layers(picture, *bank, work); });
   return seconds;
 }

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "io/images/depth_map.h"
@@ -116,6 +118,35 @@ TEST(SeePicture, LampsOnASmoothSurfaceShineNoFartherThanTheirRays) {
     }
 }
 
+TEST(SeePicture, LampsOfAWideBlurShineNoFartherThanTheirRays) {
+  // A lamp's disc of 8 px on the wall and on the card, whose textures are rough and have nothing to do with what is
+  // guessed in a lamp's place. Its pixel is 0.5 px wide on either side of the disc's rays, and so is the pixel that it
+  // lights; along a diagonal both have their corners there.
+  constexpr double radius = 8.0, corners = std::numbers::sqrt2;
+  const LayeredPicture dark = card_before_wall();
+  for (const auto& [lamp_x, lamp_y, size] :
+       {std::array{180, 90, 1}, {180, 90, 3}, {75, 90, 1}, {75, 90, 3}, {130, 30, 2}})
+    for (const int parts : {1, 8}) {
+      const double vergence_D = on_the_card(lamp_x, lamp_y) ? 1.0 / near_m : 1.0 / far_m;
+      const double error_D = radius * 6e-4 / 2.5e-3;
+      const SeeSettings settings = seen_by({error_D - vergence_D, 0.0, 0.0, 0.0}, parts);
+      LayeredPicture without = dark, with = dark;
+      for (int y = lamp_y; y < lamp_y + size; ++y)
+        for (int x = lamp_x; x < lamp_x + size; ++x) std::fill_n(with.radiance.at(x, y), 3, 1e4f);
+      const Image expected = see_picture(without, {}, settings).radiance,
+                  got = see_picture(with, {}, settings).radiance;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          const int dx = x - std::clamp(x, lamp_x, lamp_x + size - 1),
+                    dy = y - std::clamp(y, lamp_y, lamp_y + size - 1);
+          if (std::hypot(dx, dy) > radius + corners) {
+            ASSERT_NEAR(got.at(x, y)[0], expected.at(x, y)[0], 1e-5) << parts << " " << x << " " << y;
+          }
+        }
+      EXPECT_GT(got.at(lamp_x, lamp_y)[0], 5.0f);
+    }
+}
+
 TEST(SeePicture, LampsBehindASharpEdgeStayBehindIt) {
   // The card is in focus; the lamp on the wall beside it is blurred by 8 px, half of them behind the card.
   const LayeredPicture dark = card_before_wall();
@@ -129,6 +160,52 @@ TEST(SeePicture, LampsBehindASharpEdgeStayBehindIt) {
       for (int x = 90; x < 110; ++x) ASSERT_NEAR(got.at(x, y)[0], expected.at(x, y)[0], 1e-5) << parts << " " << x;
     EXPECT_GT(got.at(111, 90)[0], 5.0f);
   }
+}
+
+/// What one pixel's lamp on the wall gives to pixels when a card that ends at its left hides part of the pupil: by
+/// points of the pixel and of the pupil. A target at u is seen at u − a e p through the point p of a unit disc, a being
+/// the pupil's radius in pixels per dioptre and e the vergence error. So a ray comes past the card where u − a (e − e₀)
+/// p, e₀ being the card's error, is not on it.
+Image lamp_past_the_card(int lamp_x, int lamp_y, float light, double wall_error_D) {
+  constexpr double a = 2.5e-3 / 6e-4, between_D = 1.0 / near_m - 1.0 / far_m, edge = 109.5;
+  constexpr int points = 200000;
+  Image expected(width, height, 1);
+  for (int i = 1; i <= points; ++i) {
+    const auto sequence = [&](double step) { return std::fmod(i * step, 1.0); };  // [Roberts2018], four dimensions
+    const double r = std::sqrt(sequence(0.8566748838545029)),
+                 angle = 2.0 * std::numbers::pi * sequence(0.733891856627126);
+    const double x = r * std::cos(angle), y = r * std::sin(angle);
+    const double u = lamp_x - 0.5 + sequence(0.6287067210378087), v = lamp_y - 0.5 + sequence(0.5385972572236101);
+    if (u + a * between_D * x < edge) continue;
+    const auto column = static_cast<int>(std::floor(u - a * wall_error_D * x + 0.5)),
+               row = static_cast<int>(std::floor(v - a * wall_error_D * y + 0.5));
+    *expected.at(column, row) += light / points;
+  }
+  return expected;
+}
+
+TEST(SeePicture, LampsBehindABlurredEdgeShinePastItAsFarAsTheirRays) {
+  // Neither the wall nor the card is in focus, so coverage and the lamp's light move together over the pupil.
+  constexpr double focus_m = 0.8;
+  constexpr float lamp = 300.0f;
+  const LayeredPicture dark = card_before_wall();
+  for (const int lamp_x : {111, 114})
+    for (const int parts : {1, 8}) {
+      LayeredPicture without = dark, with = dark;
+      std::fill_n(with.radiance.at(lamp_x, 90), 3, lamp);
+      const Image expected =
+          lamp_past_the_card(lamp_x, 90, lamp - dark.radiance.at(lamp_x, 90)[0], 1.0 / far_m - 1.0 / focus_m);
+      const Image before = see_picture(without, {}, in_focus_at(focus_m, parts)).radiance,
+                  got = see_picture(with, {}, in_focus_at(focus_m, parts)).radiance;
+      double wrong = 0.0, all = 0.0;
+      for (int y = 70; y < 110; ++y)
+        for (int x = 80; x < 140; ++x) {
+          wrong += std::abs(got.at(x, y)[0] - before.at(x, y)[0] - *expected.at(x, y));
+          all += *expected.at(x, y);
+        }
+      EXPECT_LT(wrong / all, 0.05) << lamp_x << " "
+                                   << parts;  // 32768 rays on some thirty pixels, a few per cent on each
+    }
 }
 
 TEST(SeePicture, LampsBesideABlurredEdgeAreNotGuessedOn) {

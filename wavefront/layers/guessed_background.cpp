@@ -17,9 +17,14 @@ bool comes_before(const HiddenPixel& a, const HiddenPixel& b) {
 }  // namespace
 
 long long add_guessed_background(LayeredPicture& picture, const KernelBank& bank) {
+  return add_guessed_background(picture, bank, edges_of(picture));
+}
+
+long long add_guessed_background(LayeredPicture& picture, const KernelBank& bank, std::span<const std::size_t> edges) {
   const auto reach = [&](double vergence_D) { return static_cast<double>(bank.radius_at(vergence_D)); };
   std::vector<HiddenPixel> guessed;
-  for (const HiddenSample& sample : extrapolate_hidden(picture.radiance, picture.vergence_D, picture.jump_D, reach)) {
+  for (const HiddenSample& sample :
+       extrapolate_hidden(picture.radiance, picture.vergence_D, picture.jump_D, edges, reach)) {
     const HiddenPixel pixel{sample.x, sample.y, sample.vergence_D, 1.0f, {sample.rgb[0], sample.rgb[1], sample.rgb[2]}};
     if (!std::binary_search(picture.hidden.begin(), picture.hidden.end(), pixel, comes_before))
       guessed.push_back(pixel);

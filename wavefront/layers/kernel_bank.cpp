@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "wavefront/layers/detail_share.h"
+
 namespace sturm {
 
 namespace {
@@ -56,8 +58,10 @@ KernelBank::KernelBank(const KernelModel& model, std::vector<double> planes_D)
       channels_(model.channels),
       reach_px_per_D_(model.reach_px_per_D),
       point_kernel_(model.point_kernel),
+      rays_(model.rays),
       kernels_(planes_D_.size() * parts_.size() * static_cast<std::size_t>(channels_)),
       radii_(planes_D_.size(), 0),
+      detail_shares_(planes_D_.size() * static_cast<std::size_t>(channels_)),
       uniform_(evenly_spaced(planes_D_)) {
   tbb::parallel_for(std::size_t{0}, kernels_.size(), [&](std::size_t i) {
     const auto channel = static_cast<int>(i % channels_), part = static_cast<int>(i / channels_ % parts_.size());
@@ -67,18 +71,18 @@ KernelBank::KernelBank(const KernelModel& model, std::vector<double> planes_D)
     int& radius = radii_[i / channels_ / parts_.size()];
     radius = std::max(radius, kernels_[i].radius_px);
   }
+  tbb::parallel_for(std::size_t{0}, detail_shares_.size(), [&](std::size_t i) {
+    std::vector<WeightedKernel> of_parts;
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+      of_parts.push_back(
+          {&kernel(static_cast<int>(i / channels_), static_cast<int>(part), static_cast<int>(i % channels_)),
+           parts_[part].weight});
+    detail_shares_[i] = detail_share_of(of_parts);
+  });
 }
 
 int KernelBank::largest_radius_px() const {
   return *std::max_element(radii_.begin(), radii_.end());
-}
-
-double KernelBank::widening_px2(int plane) const {
-  double sum = 0.0;
-  for (int part = 0; part < static_cast<int>(parts_.size()); ++part)
-    for (int channel = 0; channel < channels_; ++channel)
-      sum += parts_[static_cast<std::size_t>(part)].weight * kernel(plane, part, channel).widening_px2 / channels_;
-  return sum;
 }
 
 int KernelBank::radius_at(double vergence_D) const {

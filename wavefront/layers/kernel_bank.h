@@ -24,6 +24,8 @@ class KernelBank {
   double reach_px_per_D() const { return reach_px_per_D_; }
   const KernelModel::PointKernel& point_kernel() const { return point_kernel_; }  ///< may be empty
 
+  const std::vector<std::vector<PictureRay>>& rays() const { return rays_; }  ///< may be empty
+
   const SpreadKernel& kernel(int plane, int part, int channel) const {
     return kernels_[(static_cast<std::size_t>(plane) * parts_.size() + part) * channels_ + channel];
   }
@@ -31,8 +33,12 @@ class KernelBank {
   int radius_px(int plane) const { return radii_[plane]; }  ///< the largest of all parts and channels
   int largest_radius_px() const;
 
-  /// Variance that a plane's kernels add by sharing light out among pixels [px²], the mean of all parts and channels.
-  double widening_px2(int plane) const;
+  /// The share, 0 … 1, of a surface's detail (layer_detail.h) that makes up for what a plane's kernels in a channel
+  /// lose of it by sharing light out among pixels. None where the blur is so wide and even that it leaves nothing of
+  /// detail.
+  float detail_share(int plane, int channel) const {
+    return detail_shares_[static_cast<std::size_t>(plane) * channels_ + channel];
+  }
 
   /// The largest radius at a vergence between the planes.
   int radius_at(double vergence_D) const;
@@ -50,8 +56,10 @@ class KernelBank {
   int channels_;
   double reach_px_per_D_;
   KernelModel::PointKernel point_kernel_;
+  std::vector<std::vector<PictureRay>> rays_;
   std::vector<SpreadKernel> kernels_;
   std::vector<int> radii_;
+  std::vector<float> detail_shares_;  // of each plane and channel
   bool uniform_;
 };
 

@@ -14,6 +14,15 @@ struct PupilPart {
                                                              ///< point's vergence: to the right, down
 };
 
+/// A ray through a point of the pupil on the pixels of a picture.
+struct PictureRay {
+  Eigen::Vector2f at_0_D, per_D;  ///< where the ray of a target at 0 D lands, from the target's own place [px, to the
+                                  ///< right and down], and how that changes with its vergence
+  float weight;                   ///< share of the light
+
+  Eigen::Vector2f landing(float vergence_D) const { return at_0_D + vergence_D * per_D; }
+};
+
 /// Where the kernels of an eye come from: rays or waves, on the pixels of one picture.
 struct KernelModel {
   std::vector<PupilPart> parts;  ///< at least one
@@ -26,6 +35,8 @@ struct KernelModel {
   using PointKernel =
       std::function<SpreadKernel(double vergence_D, int part, int channel, const Eigen::Vector2d& from)>;
   PointKernel point_kernel = {};
+  /// Of each channel: rays of all parts in turn, so that the first ones are spread over the pupil. May be empty.
+  std::vector<std::vector<PictureRay>> rays = {};
 };
 
 }  // namespace sturm

@@ -8,11 +8,6 @@ namespace sturm {
 
 namespace {
 
-/// The middle of one of 4 × 4 places, from that of the pixel [px].
-Eigen::Vector2d middle_of(std::size_t place) {
-  return {(static_cast<double>(place % 4) - 1.5) / 4.0, (static_cast<double>(place / 4) - 1.5) / 4.0};
-}
-
 std::vector<char> planes_of(const KernelBank& bank, std::span<const LampPixel> lamps) {
   std::vector<char> used(bank.planes_D().size(), 0);
   for (const LampPixel& lamp : lamps) {
@@ -36,8 +31,9 @@ LampKernels::LampKernels(const KernelBank& bank, std::span<const LampPixel> lamp
     if (!used[plane]) continue;
     kernels_[plane].resize(bank.parts().size() * channels_ * 16);
     tbb::parallel_for(std::size_t{0}, kernels_[plane].size(), [&](std::size_t i) {
-      kernels_[plane][i] = bank.point_kernel()(bank.planes_D()[plane], static_cast<int>(i / 16 / channels_),
-                                               static_cast<int>(i / 16 % channels_), middle_of(i % 16));
+      kernels_[plane][i] =
+          bank.point_kernel()(bank.planes_D()[plane], static_cast<int>(i / 16 / channels_),
+                              static_cast<int>(i / 16 % channels_), middle_of_place(static_cast<int>(i % 16)));
     });
   }
 }

@@ -7,6 +7,12 @@
 
 namespace sturm {
 
+/// The middle of one of the 4 × 4 places of a pixel (`LampPixel::places`), from the pixel's own [px, to the right and
+/// down].
+inline Eigen::Vector2d middle_of_place(int place) {
+  return {(place % 4 - 1.5) / 4.0, (place / 4 - 1.5) / 4.0};
+}
+
 /// The kernels of lamps: of light that lies in some of the 4 × 4 places of its pixel, for the planes on which the lamps
 /// of a picture are. Immutable.
 class LampKernels {

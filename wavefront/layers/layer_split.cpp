@@ -71,6 +71,15 @@ class WindowPieces {
 
 }  // namespace
 
+CellBox box_of(std::span<const LayerEntry> entries, int side) {
+  CellBox box{side, side, 0, 0};
+  for (const LayerEntry& entry : entries) {
+    const int x = static_cast<int>(entry.cell) % side, y = static_cast<int>(entry.cell) / side;
+    box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
+  }
+  return box;
+}
+
 SplitWindow::SplitWindow(const LayeredPicture& picture, const KernelBank& bank, const TileWindow& window)
     : first_(bank.planes_D().size() + 1, 0) {
   const WindowPieces window_pieces(picture, bank, window);

@@ -5,6 +5,7 @@
 
 #include "wavefront/layers/kernel_bank.h"
 #include "wavefront/layers/layered_picture.h"
+#include "wavefront/layers/spatial_blur.h"
 
 namespace sturm {
 
@@ -28,6 +29,9 @@ struct LampEntry {
   float weight;        ///< share of its light
   const LampPixel* lamp;
 };
+
+/// The least box about entries of a window.
+CellBox box_of(std::span<const LayerEntry> entries, int side);
 
 /// What a window of a picture gives to every plane: each pixel is shared out between the two planes about its vergence
 /// by linear weights, so that slanted surfaces have no steps.

@@ -2,9 +2,14 @@
 
 #include <cmath>
 
+#include "io/images/depth_edges.h"
 #include "wavefront/layers/layer_detail.h"
 
 namespace sturm {
+
+std::vector<std::size_t> edges_of(const LayeredPicture& picture) {
+  return depth_edges(picture.vergence_D, picture.radiance.width, picture.radiance.height, picture.jump_D);
+}
 
 SurfaceSlope surface_slope(const std::vector<double>& vergence_D, int width, int height, int x, int y, double jump_D) {
   const auto at = [&](int u, int v) { return vergence_D[static_cast<std::size_t>(v) * width + u]; };

@@ -42,6 +42,9 @@ struct LayeredPicture {
   double jump_D = 0.0;
 };
 
+/// Pixels of a picture beside which another surface lies, ascending (io/images/depth_edges.h).
+std::vector<std::size_t> edges_of(const LayeredPicture& picture);
+
 /// Coverage from which on a surface leaves nothing of its pixel to others.
 inline constexpr float covers_all = 0.999f;
 

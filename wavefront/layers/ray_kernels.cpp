@@ -18,6 +18,7 @@ using Eigen::Vector2d;
 
 constexpr std::size_t rays_at_most = std::size_t{1} << 17;   // of the whole pupil
 constexpr std::size_t rays_at_least = std::size_t{1} << 12;  // of a part
+constexpr std::size_t single_rays = std::size_t{1} << 15;    // of the whole pupil, to be followed one by one
 constexpr double rays_per_pixel = 128.0;                     // of a kernel, so that its density shows no noise
 
 /// The rays of a part of the pupil on the pixels of a picture.
@@ -40,6 +41,14 @@ class PartRays {
     return deposited(landed, largest_kernel_radius_px, share);
   }
 
+  std::size_t count() const { return fan_.points(); }
+
+  /// One of the rays, where the vergence error is that of the target and `more_D` besides.
+  PictureRay ray(std::size_t i, double more_D, double weight) const {
+    const Vector2d at_0_D = on_picture(fan_.landing(i, more_D)), at_1_D = on_picture(fan_.landing(i, more_D + 1.0));
+    return {at_0_D.cast<float>(), (at_1_D - at_0_D).cast<float>(), static_cast<float>(weight)};
+  }
+
  private:
   /// Rows of a picture go down.
   Vector2d on_picture(const Vector2d& landing) const { return Vector2d(landing.x(), -landing.y()) / pixel_slope_; }
@@ -59,6 +68,18 @@ class PartRays {
   RayFan fan_;
   double pixel_slope_;
 };
+
+/// Rays of all parts in turn.
+std::vector<PictureRay> single_rays_of(const std::vector<PartRays>& rays, const std::vector<PupilPart>& parts,
+                                       double more_D) {
+  std::vector<PictureRay> single;
+  const std::size_t of_each = single_rays / parts.size();
+  for (std::size_t i = 0; i < of_each; ++i)
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      single.push_back(
+          rays[part].ray(i % rays[part].count(), more_D, parts[part].weight / static_cast<double>(of_each)));
+  return single;
+}
 
 /// The wave of an eye's pupil; a pinhole counts as one of no account.
 PupilWave wave_of(Eye eye) {
@@ -85,6 +106,8 @@ KernelModel ray_kernels(const Eye& eye, double accommodation_D, double pixel_slo
     return vergence_D - accommodation_D +
            (chromatic ? chromatic_vergence_D(primary_wavelengths_nm[channel], focus_wavelength_nm) : 0.0);
   };
+  for (int channel = 0; channel < model.channels; ++channel)
+    model.rays.push_back(single_rays_of(*parts, model.parts, error_D(0.0, channel)));
   model.kernel = [=](double vergence_D, int part, int channel) {
     return (*parts)[part].kernel(error_D(vergence_D, channel), Vector2d::Zero(), RayShare::FourPixels);
   };

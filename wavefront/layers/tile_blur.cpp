@@ -14,20 +14,6 @@ namespace {
 
 constexpr float flat = 1e-4f;  // change of a surface's size on the picture that counts as none
 
-CellBox box_of(std::span<const LayerEntry> entries, int side) {
-  CellBox box{side, side, 0, 0};
-  for (const LayerEntry& entry : entries) {
-    const int x = static_cast<int>(entry.cell) % side, y = static_cast<int>(entry.cell) / side;
-    box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
-  }
-  return box;
-}
-
-/// How much of the detail of layers makes up for the width that kernels have gained: all of it for 1/6 px².
-float detail_share_of(double widening_px2) {
-  return static_cast<float>(std::min(1.0, 6.0 * widening_px2));
-}
-
 /// How much larger the picture of a pixel of a slanted surface is through a part of the pupil: 1 + c·∇V.
 float stretch(const LayerEntry& entry, const PupilPart& part) {
   return 1.0f + entry.slope_x * static_cast<float>(part.shift_px_per_D.x()) +
@@ -42,12 +28,15 @@ TileBlur::TileBlur(const BlurScene& scene)
       spectrum_(source_),
       blurred_(source_),
       product_(source_.planes[0]),
-      totals_(scene.bank.parts().size(), source_) {}
+      totals_(scene.bank.parts().size(), source_),
+      lamp_rays_(scene.picture, scene.bank, scene.plan) {}
 
 void TileBlur::blur(TileWork& tile, Image& seen) {
   const int rim = scene_.plan.rim(), side = scene_.plan.side();
   const SplitWindow window(scene_.picture, scene_.bank, {tile.left - rim, tile.top - rim, side});
   for (TileLight& total : totals_) total.clear();
+  lamp_rays_.follow(window);
+  lamp_pixels_ += lamp_rays_.lamps();
   tile.layers.clear();
   bool covered = false;
   for (int plane = static_cast<int>(scene_.bank.planes_D().size()) - 1; plane >= 0; --plane) {
@@ -107,7 +96,8 @@ void TileBlur::fill_source(int plane, std::span<const LayerEntry> entries, int p
   source_.clear();
   lamps_.clear();
   const int side = source_.side();
-  const float detail_share = detail_share_of(scene_.bank.widening_px2(plane));
+  float detail_shares[3];
+  for (int c = 0; c < 3; ++c) detail_shares[c] = scene_.bank.detail_share(plane, source_.kernel_of(c));
   float* planes[6];
   for (int i = 0; i < source_.count(); ++i) planes[i] = source_.planes[i].pixels.data();
   for (const LayerEntry& entry : entries) {
@@ -121,7 +111,7 @@ void TileBlur::fill_source(int plane, std::span<const LayerEntry> entries, int p
       lamps_.push_back(lamp);
     }
     for (int c = 0; c < 3; ++c)
-      planes[c][entry.cell] += kept * (entry.rgb[c] + (entry.detail ? detail_share * (*entry.detail)[c] : 0.0f));
+      planes[c][entry.cell] += kept * (entry.rgb[c] + (entry.detail ? detail_shares[c] * (*entry.detail)[c] : 0.0f));
     for (int i = 3; i < source_.count(); ++i) planes[i][entry.cell] += weight;
   }
 }
@@ -129,6 +119,7 @@ void TileBlur::fill_source(int plane, std::span<const LayerEntry> entries, int p
 void TileBlur::take_lamps(std::span<const LampEntry> lamps) {
   const int side = source_.side();
   for (const LampEntry& entry : lamps) {
+    if (lamp_rays_.followed(*entry.lamp)) continue;
     Lamp lamp{static_cast<int>(entry.cell) % side, static_cast<int>(entry.cell) / side, {}, entry.lamp->places};
     for (int c = 0; c < 3; ++c) lamp.rgb[c] = entry.weight * entry.lamp->rgb[c];
     lamps_.push_back(lamp);
@@ -194,8 +185,10 @@ void TileBlur::write(int left, int top, Image& seen) const {
           covered += weight * *totals_[part].planes[3 + (coverages == 1 ? 0 : c)].at(kept.left + x, kept.top + y);
         }
         // Where no light from within the picture arrives at all, the pixel's own is the best guess.
-        seen.at(left + x, top + y)[c] =
-            covered > 0.0 ? static_cast<float>(light / covered) : scene_.picture.radiance.at(left + x, top + y)[c];
+        const float past_edges =
+            lamp_rays_.light().pixels.empty() ? 0.0f : lamp_rays_.light().at(kept.left + x, kept.top + y)[c];
+        seen.at(left + x, top + y)[c] = past_edges + (covered > 0.0 ? static_cast<float>(light / covered)
+                                                                    : scene_.picture.radiance.at(left + x, top + y)[c]);
       }
 }
 

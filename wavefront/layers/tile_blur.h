@@ -6,6 +6,7 @@
 #include "wavefront/layers/blur_plan.h"
 #include "wavefront/layers/kernel_spectra.h"
 #include "wavefront/layers/lamp_kernels.h"
+#include "wavefront/layers/lamp_rays.h"
 #include "wavefront/layers/layer_blur.h"
 #include "wavefront/layers/layer_split.h"
 #include "wavefront/layers/tile_light.h"
@@ -60,6 +61,7 @@ class TileBlur {
   std::vector<TileLight> totals_;  // of each part of the pupil
   std::vector<Lamp> lamps_;
   CellBox lit_;
+  LampRays lamp_rays_;
   long long lamp_pixels_ = 0;
 };
 

@@ -6,8 +6,6 @@
 #include <optional>
 #include <tuple>
 
-#include "io/images/depth_edges.h"
-
 namespace sturm {
 
 namespace {
@@ -38,8 +36,7 @@ class EdgePixels {
   EdgePixels(LayeredPicture& picture, std::span<const PictureLayer> layers)
       : picture_(picture), layers_(layers), width_(picture.radiance.width), height_(picture.radiance.height) {}
 
-  void unmix() {
-    const auto edges = depth_edges(picture_.vergence_D, width_, height_, picture_.jump_D);
+  void unmix(std::span<const std::size_t> edges) {
     if (edges.empty() && layers_.empty()) return;
     if (picture_.coverage.empty()) picture_.coverage.assign(picture_.vergence_D.size(), 1.0f);
     for (int y = 0; y < height_ && !layers_.empty(); ++y)
@@ -260,7 +257,11 @@ class EdgePixels {
 }  // namespace
 
 void unmix_edges(LayeredPicture& picture, std::span<const PictureLayer> layers) {
-  EdgePixels(picture, layers).unmix();
+  unmix_edges(picture, layers, edges_of(picture));
+}
+
+void unmix_edges(LayeredPicture& picture, std::span<const PictureLayer> layers, std::span<const std::size_t> edges) {
+  EdgePixels(picture, layers).unmix(edges);
 }
 
 }  // namespace sturm

@@ -13,4 +13,7 @@ namespace sturm {
 /// the near surface itself is among them, it tells both α and N. `picture.hidden` must be that of the layers.
 void unmix_edges(LayeredPicture& picture, std::span<const PictureLayer> layers);
 
+/// The same where the picture's edges are known already: `edges` is `edges_of` it.
+void unmix_edges(LayeredPicture& picture, std::span<const PictureLayer> layers, std::span<const std::size_t> edges);
+
 }  // namespace sturm

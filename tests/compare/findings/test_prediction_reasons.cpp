@@ -65,6 +65,13 @@ TEST(PredictionReasons, SayWhatIsMissingAndWhere) {
       std::string::npos);
 }
 
+TEST(PredictionReasons, NameAPlaceThatIsAllOfThePicture) {
+  PredictionFinding everywhere = prediction(0.97, 8.0);
+  everywhere.causes = {{.name = "blurred", .pixels = 10000, .squared_error = 1.0, .similarity_loss = 1.0}};
+  EXPECT_NE(prediction_reasons(sampled_view(), everywhere)[0].find("100 % elsewhere in blur (100 % of the pixels)."),
+            std::string::npos);
+}
+
 TEST(PredictionReasons, AreSilentWithoutNumbers) {
   EXPECT_TRUE(prediction_reasons({}, {}).empty());
 }

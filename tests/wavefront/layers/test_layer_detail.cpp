@@ -81,5 +81,35 @@ TEST(LayerDetail, DoesNothingInFocus) {
   EXPECT_EQ(blur_layers(picture, KernelBank(model, {1.0}), work).pixels, picture.radiance.pixels);
 }
 
+/// The share of detail that a disc of so many pixels shows through the parts of a pupil.
+float share_of_disc(double radius_px, int parts) {
+  constexpr double pixel = 4e-4;
+  const Eye eye = Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 2.0 * radius_px * pixel);
+  return KernelBank(ray_kernels(eye, 0.0, pixel, {parts, false}), {1.0}).detail_share(0, 0);
+}
+
+TEST(LayerDetail, BelongsToNarrowBlurOnly) {
+  // The flank of a disc of radius r is 2πr px long and 1/(πr²) high, spread over two pixels by the shares of its rays:
+  // a steepness of about 1/(πr³), 0.0025 at 5 px and 0.0009 at 7 px. Parts of the pupil make up the same disc.
+  for (const int parts : {1, 8}) {
+    EXPECT_NEAR(share_of_disc(2.0, parts), 1.0f, 0.02f) << parts;
+    EXPECT_NEAR(share_of_disc(4.0, parts), 1.0f, 0.02f) << parts;
+    EXPECT_GT(share_of_disc(5.5, parts), 0.3f) << parts;
+    EXPECT_LT(share_of_disc(5.5, parts), 0.8f) << parts;
+    for (const double radius : {7.3, 9.0, 14.0}) EXPECT_EQ(share_of_disc(radius, parts), 0.0f) << parts;
+  }
+}
+
+TEST(LayerDetail, BelongsToEachColourByItsOwnBlur) {
+  // By chromatic aberration the errors of red, green and blue are 0.27, -0.03 and -0.68 D beyond those 0.3 D of the
+  // target. At 10 px/D their discs are 5.7, 2.7 and 3.8 px.
+  constexpr double pixel = 4e-4;
+  const Eye eye = Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 20.0 * pixel);
+  const KernelBank bank(ray_kernels(eye, 0.7, pixel, {8, true}), {1.0});
+  EXPECT_LT(bank.detail_share(0, 0), 0.8f);
+  EXPECT_NEAR(bank.detail_share(0, 1), 1.0f, 0.02f);
+  EXPECT_NEAR(bank.detail_share(0, 2), 1.0f, 0.02f);
+}
+
 }  // namespace
 }  // namespace sturm
