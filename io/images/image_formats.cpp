@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -34,7 +32,6 @@ using namespace std::string_view_literals;
 struct Module {
   decltype(&sturm_imageformats_read) read;
   decltype(&sturm_imageformats_read_memory) read_memory;
-  decltype(&sturm_imageformats_encode_png) encode_png;
   decltype(&sturm_imageformats_free) free;
 };
 
@@ -53,9 +50,8 @@ Module open_module() {
     const Module module{
         reinterpret_cast<decltype(Module::read)>(dlsym(library, "sturm_imageformats_read")),
         reinterpret_cast<decltype(Module::read_memory)>(dlsym(library, "sturm_imageformats_read_memory")),
-        reinterpret_cast<decltype(Module::encode_png)>(dlsym(library, "sturm_imageformats_encode_png")),
         reinterpret_cast<decltype(Module::free)>(dlsym(library, "sturm_imageformats_free"))};
-    if (!module.read || !module.read_memory || !module.encode_png || !module.free)
+    if (!module.read || !module.read_memory || !module.free)
       throw RuntimeFailure(file.string() + " is not the image format module of this program");
     return module;
   }
@@ -155,25 +151,6 @@ std::uint64_t admitted_pixels(const PictureFormat& format, const BytesAt& bytes_
   return most;
 }
 
-template <class Integer>
-std::vector<unsigned char> encoded_png(const Image& display) {
-  constexpr auto largest = static_cast<float>(std::numeric_limits<Integer>::max());
-  std::vector<Integer> rounded(display.pixels.size());
-  std::transform(display.pixels.begin(), display.pixels.end(), rounded.begin(), [](float value) {
-    if (!std::isfinite(value)) throw std::invalid_argument("a PNG cannot hold a value that is not finite");
-    return static_cast<Integer>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
-  });
-  const Module& formats = module();
-  unsigned char* bytes = nullptr;
-  std::size_t size = 0;
-  std::array<char, 1024> error{};
-  if (formats.encode_png(rounded.data(), std::numeric_limits<Integer>::digits, display.width, display.height,
-                         display.channels, &bytes, &size, error.data(), error.size()))
-    throw RuntimeFailure(std::string("PNG encoding failed: ") + error.data());
-  const std::unique_ptr<unsigned char, decltype(Module::free)> owner(bytes, formats.free);
-  return {bytes, bytes + size};
-}
-
 }  // namespace
 
 StoredImage read_stored_image(const std::filesystem::path& path) {
@@ -216,14 +193,6 @@ StoredImage read_embedded_image(std::span<const unsigned char> bytes, const std:
   });
   follow_bytes(*format, bytes_at, bytes.size(), name, stored);
   return stored;
-}
-
-std::vector<unsigned char> encode_png(const Image& display, int bits) {
-  if (display.width < 1 || display.height < 1 || (display.channels != 1 && display.channels != 3))
-    throw std::invalid_argument("a PNG is made of an image with 1 or 3 channels");
-  if (bits == 8) return encoded_png<std::uint8_t>(display);
-  if (bits == 16) return encoded_png<std::uint16_t>(display);
-  throw std::invalid_argument("a PNG has 8 or 16 bits");
 }
 
 }  // namespace sturm

@@ -34,9 +34,4 @@ Image read_image(const std::filesystem::path& path);
 /// The same of a file that stands in memory: a PNG or JPEG embedded in another file. `name` is for messages.
 StoredImage read_embedded_image(std::span<const unsigned char> bytes, const std::string& name);
 
-/// PNG of a display-referred image (0…1, 1 or 3 channels; values are clamped and rounded to nearest) with 8 or 16 bits.
-/// Throws std::invalid_argument for other channel counts and bits, empty images and non-finite values, RuntimeFailure
-/// if encoding fails.
-std::vector<unsigned char> encode_png(const Image& display, int bits = 8);
-
 }  // namespace sturm
