@@ -13,7 +13,6 @@
 #include "io/files/machine.h"
 #include "io/files/shipped_files.h"
 #include "io/images/image_formats.h"
-#include "io/images/png_output.h"
 #include "io/json/manifest.h"
 #include "io/json/named_file.h"
 
@@ -73,7 +72,7 @@ void examine_data(Examination& examination) {
 
 void examine_pictures(Examination& examination) {
   try {
-    read_embedded_image(encode_png(Image(1, 1, 3)), "a PNG of this program");
+    require_image_formats();
     examination.found("PNG, JPEG, TIFF", "readable and writable");
   } catch (const RuntimeFailure& error) {
     examination.broken("PNG, JPEG, TIFF", error.what());

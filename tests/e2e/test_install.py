@@ -42,8 +42,9 @@ class Installed(unittest.TestCase):
         (work / "view.json").write_text(json.dumps(documents.changed(view, "/scene", str(installed_box))))
         self.sturm("render", "view.json", "-o", "a.exr", "--quiet", cwd=work)
         self.assertEqual((work / "a.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
-        # To read the PNG takes the image format module, found beside the installed program and not in the build tree.
-        mapped = subprocess.run([str(self.prefix / "bin/sturm"), "compare", "a.png", "a.png"], cwd=work, check=False,
+        # To read a TGA takes the image format module, found beside the installed program and not in the build tree.
+        (work / "a.tga").write_bytes(bytes([0, 0, 2, *[0] * 9, 16, 0, 12, 0, 24, 32, *range(16 * 12), *[128] * (2 * 16 * 12)]))
+        mapped = subprocess.run([str(self.prefix / "bin/sturm"), "compare", "a.tga", "a.tga"], cwd=work, check=False,
                                 env={**os.environ, "LD_DEBUG": "files", "LD_DEBUG_OUTPUT": str(work / "loader")}, capture_output=True, text=True)
         self.assertEqual(mapped.returncode, 0, mapped.stderr)
         loaded = "".join(path.read_text(errors="replace") for path in work.glob("loader.*"))
