@@ -4,7 +4,7 @@
 
 #include "app/comparison.h"
 #include "io/files/atomic_file.h"
-#include "io/images/image_formats.h"
+#include "io/images/png_output.h"
 #include "io/json/json_text.h"
 #include "reports/markup/false_colour.h"
 

@@ -72,7 +72,7 @@ void examine_data(Examination& examination) {
 
 void examine_pictures(Examination& examination) {
   try {
-    encode_png(Image(1, 1, 3));
+    require_image_formats();
     examination.found("PNG, JPEG, TIFF", "readable and writable");
   } catch (const RuntimeFailure& error) {
     examination.broken("PNG, JPEG, TIFF", error.what());

@@ -12,6 +12,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(sturm_httplib REQUIRED IMPORTED_TARGET cpp-httplib)  # its header must be compiled as Debian's library was
 add_library(sturm_httplib INTERFACE)
 target_link_libraries(sturm_httplib INTERFACE PkgConfig::sturm_httplib)
+find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 include(cmake/opencv.cmake)
 

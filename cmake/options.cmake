@@ -81,12 +81,13 @@ function(sturm_precompiled_headers target kind)
   target_precompile_headers(${target} REUSE_FROM sturm_precompiled_${kind})
 endfunction()
 
-# sturm_unity_by_folder(TARGET LEAST SOURCE...): with STURM_UNITY the sources of a folder are compiled as one, ten at a time; those of a folder that has
+# sturm_unity_by_folder(TARGET LEAST MOST SOURCE...): with STURM_UNITY the sources of a folder are compiled as one, MOST at a time; those of a folder that has
 # fewer than LEAST, with the sources of the folder above. So what a folder keeps to itself in nameless namespaces has different names in its files, and
 # a new file changes no other folder's unit. Code that computes stays with its folder: what is inlined depends on what else is in the unit.
 set(sturm_text_least 5)
 set(sturm_numeric_least 1)
-function(sturm_unity_by_folder target least)
+set(sturm_most 10)
+function(sturm_unity_by_folder target least most)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${STURM_UNITY} UNITY_BUILD_MODE GROUP)
   set(folders ${ARGN})
   list(TRANSFORM folders REPLACE "/[^/]*$" "")
@@ -104,18 +105,18 @@ function(sturm_unity_by_folder target least)
     if(NOT DEFINED sources_of_${group})
       set(sources_of_${group} 0)
     endif()
-    math(EXPR tens "${sources_of_${group}} / 10")
+    math(EXPR unit "${sources_of_${group}} / ${most}")
     math(EXPR sources_of_${group} "${sources_of_${group}} + 1")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${tens})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${unit})
   endforeach()
 endfunction()
 
-# sturm_module(NAME [EXCLUDE pattern] [NUMERIC pattern] [TEXT] [HEADERS header...] DEPENDS target... [PRIVATE target...]): one library per folder,
+# sturm_module(NAME [EXCLUDE pattern] [NUMERIC pattern] [TEXT] [HEADERS header...] [MOST number] DEPENDS target... [PRIVATE target...]): one library per folder,
 # made of all its .cpp files but main.cpp and those whose path matches EXCLUDE. Sources are listed by the folder itself: one concept, one .cpp; a new file
 # needs no edit here. A module is numeric unless it is TEXT; of a TEXT module the files that match NUMERIC are. HEADERS are precompiled besides the
-# common ones.
+# common ones. MOST sources of text are compiled as one, in place of ten.
 function(sturm_module name)
-  cmake_parse_arguments(ARG "TEXT" "EXCLUDE;NUMERIC" "DEPENDS;PRIVATE;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "TEXT" "EXCLUDE;NUMERIC;MOST" "DEPENDS;PRIVATE;HEADERS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(ARG_EXCLUDE)
@@ -145,7 +146,12 @@ function(sturm_module name)
       target_link_libraries(sturm_${name}_${kind} PRIVATE ${ARG_DEPENDS} sturm_options sturm_eigen nlohmann_json::nlohmann_json ${ARG_PRIVATE})
       target_include_directories(sturm_${name}_${kind} PRIVATE ${PROJECT_SOURCE_DIR})
       sturm_precompiled_headers(sturm_${name}_${kind} ${kind} ${ARG_HEADERS})
-      sturm_unity_by_folder(sturm_${name}_${kind} ${sturm_${kind}_least} ${${kind}_sources})
+      if(ARG_MOST AND kind STREQUAL text)
+        set(most ${ARG_MOST})
+      else()
+        set(most ${sturm_most})
+      endif()
+      sturm_unity_by_folder(sturm_${name}_${kind} ${sturm_${kind}_least} ${most} ${${kind}_sources})
       target_sources(sturm_${name} PRIVATE $<TARGET_OBJECTS:sturm_${name}_${kind}>)
     endif()
   endforeach()

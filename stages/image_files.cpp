@@ -4,8 +4,8 @@
 
 #include "io/files/atomic_file.h"
 #include "io/images/exr.h"
-#include "io/images/image_formats.h"
 #include "io/images/picture_file.h"
+#include "io/images/png_output.h"
 #include "io/images/tone_map.h"
 
 namespace sturm {

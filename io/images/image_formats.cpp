@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -21,6 +19,7 @@
 #include "io/images/claimed_size.h"
 #include "io/images/imageformats/abi.h"
 #include "io/images/picture_format.h"
+#include "io/images/png_input.h"
 #include "io/images/tiff_header.h"
 #include "io/images/upright.h"
 
@@ -34,7 +33,6 @@ using namespace std::string_view_literals;
 struct Module {
   decltype(&sturm_imageformats_read) read;
   decltype(&sturm_imageformats_read_memory) read_memory;
-  decltype(&sturm_imageformats_encode_png) encode_png;
   decltype(&sturm_imageformats_free) free;
 };
 
@@ -53,9 +51,8 @@ Module open_module() {
     const Module module{
         reinterpret_cast<decltype(Module::read)>(dlsym(library, "sturm_imageformats_read")),
         reinterpret_cast<decltype(Module::read_memory)>(dlsym(library, "sturm_imageformats_read_memory")),
-        reinterpret_cast<decltype(Module::encode_png)>(dlsym(library, "sturm_imageformats_encode_png")),
         reinterpret_cast<decltype(Module::free)>(dlsym(library, "sturm_imageformats_free"))};
-    if (!module.read || !module.read_memory || !module.encode_png || !module.free)
+    if (!module.read || !module.read_memory || !module.free)
       throw RuntimeFailure(file.string() + " is not the image format module of this program");
     return module;
   }
@@ -65,6 +62,11 @@ Module open_module() {
 const Module& module() {
   static const Module opened = open_module();
   return opened;
+}
+
+/// Of an ICC profile.
+void follow_profile(std::span<const unsigned char> profile, StoredImage& stored) {
+  if (const auto note = note_of_profile(profile, stored.bits > 0)) stored.colours.notes.push_back(*note);
 }
 
 /// What else the module has found, and the picture as it is to be seen.
@@ -78,8 +80,7 @@ void describe(const sturm_imageformats_pixels& pixels, StoredImage& stored) {
   if (pixels.has_more) stored.notes.emplace_back("the first of its pictures is taken");
   if (!pixels.profile) return;
   const std::unique_ptr<unsigned char, decltype(Module::free)> owner(pixels.profile, module().free);
-  if (const auto note = note_of_profile({pixels.profile, pixels.profile_size}, pixels.bits > 0))
-    stored.colours.notes.push_back(*note);
+  follow_profile({pixels.profile, pixels.profile_size}, stored);
 }
 
 /// What a function of the module decodes; `name` is for messages.
@@ -103,6 +104,24 @@ StoredImage decoded(const std::string& name, const Read& read) {
   stored.bits = pixels.bits;
   describe(pixels, stored);
   return stored;
+}
+
+/// Nothing for other formats, and for PNG files that OpenImageIO knows more of.
+std::optional<StoredImage> read_by_libpng(const PictureFormat& format, const BytesAt& bytes_at, std::uint64_t most,
+                                          const std::string& name) {
+  if (format.reader != "png"sv) return std::nullopt;
+  try {
+    std::optional<StoredPng> png = read_png(bytes_at, most);
+    if (!png) return std::nullopt;
+    StoredImage stored;
+    stored.image = std::move(png->image);
+    stored.bits = png->bits;
+    if (!png->profile.empty())
+      follow_profile({reinterpret_cast<const unsigned char*>(png->profile.data()), png->profile.size()}, stored);
+    return stored;
+  } catch (const std::runtime_error& error) {
+    throw InputError(name, "", error.what(), "a complete PNG picture");
+  }
 }
 
 /// Colours that are stored times alpha.
@@ -155,26 +174,11 @@ std::uint64_t admitted_pixels(const PictureFormat& format, const BytesAt& bytes_
   return most;
 }
 
-template <class Integer>
-std::vector<unsigned char> encoded_png(const Image& display) {
-  constexpr auto largest = static_cast<float>(std::numeric_limits<Integer>::max());
-  std::vector<Integer> rounded(display.pixels.size());
-  std::transform(display.pixels.begin(), display.pixels.end(), rounded.begin(), [](float value) {
-    if (!std::isfinite(value)) throw std::invalid_argument("a PNG cannot hold a value that is not finite");
-    return static_cast<Integer>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
-  });
-  const Module& formats = module();
-  unsigned char* bytes = nullptr;
-  std::size_t size = 0;
-  std::array<char, 1024> error{};
-  if (formats.encode_png(rounded.data(), std::numeric_limits<Integer>::digits, display.width, display.height,
-                         display.channels, &bytes, &size, error.data(), error.size()))
-    throw RuntimeFailure(std::string("PNG encoding failed: ") + error.data());
-  const std::unique_ptr<unsigned char, decltype(Module::free)> owner(bytes, formats.free);
-  return {bytes, bytes + size};
-}
-
 }  // namespace
+
+void require_image_formats() {
+  static_cast<void>(module());
+}
 
 StoredImage read_stored_image(const std::filesystem::path& path) {
   require_plain_file(path, "an image");
@@ -190,12 +194,13 @@ StoredImage read_stored_image(const std::filesystem::path& path) {
   if (!format) throw InputError(path.string(), "", "a file of another kind", picture_formats);
   const std::uint64_t size = std::filesystem::file_size(path);
   const std::uint64_t most = admitted_pixels(*format, bytes_at, size, path.string());
-  StoredImage stored =
-      decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
-        return module().read(format->reader, path.c_str(), most, &pixels, error, error_size);
-      });
-  follow_bytes(*format, bytes_at, size, path.string(), stored);
-  return stored;
+  std::optional<StoredImage> stored = read_by_libpng(*format, bytes_at, most, path.string());
+  if (!stored)
+    stored = decoded(path.string(), [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
+      return module().read(format->reader, path.c_str(), most, &pixels, error, error_size);
+    });
+  follow_bytes(*format, bytes_at, size, path.string(), *stored);
+  return std::move(*stored);
 }
 
 Image read_image(const std::filesystem::path& path) {
@@ -211,19 +216,13 @@ StoredImage read_embedded_image(std::span<const unsigned char> bytes, const std:
   if (!format || (format->reader != "png"sv && format->reader != "jpeg"sv))
     throw InputError(name, "", "neither a PNG nor a JPEG file", "an image that OpenImageIO reads");
   const std::uint64_t most = admitted_pixels(*format, bytes_at, bytes.size(), name);
-  StoredImage stored = decoded(name, [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
-    return module().read_memory(format->reader, bytes.data(), bytes.size(), most, &pixels, error, error_size);
-  });
-  follow_bytes(*format, bytes_at, bytes.size(), name, stored);
-  return stored;
-}
-
-std::vector<unsigned char> encode_png(const Image& display, int bits) {
-  if (display.width < 1 || display.height < 1 || (display.channels != 1 && display.channels != 3))
-    throw std::invalid_argument("a PNG is made of an image with 1 or 3 channels");
-  if (bits == 8) return encoded_png<std::uint8_t>(display);
-  if (bits == 16) return encoded_png<std::uint16_t>(display);
-  throw std::invalid_argument("a PNG has 8 or 16 bits");
+  std::optional<StoredImage> stored = read_by_libpng(*format, bytes_at, most, name);
+  if (!stored)
+    stored = decoded(name, [&](sturm_imageformats_pixels& pixels, char* error, std::size_t error_size) {
+      return module().read_memory(format->reader, bytes.data(), bytes.size(), most, &pixels, error, error_size);
+    });
+  follow_bytes(*format, bytes_at, bytes.size(), name, *stored);
+  return std::move(*stored);
 }
 
 }  // namespace sturm

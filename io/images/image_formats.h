@@ -13,7 +13,7 @@ namespace sturm {
 /// Beyond them a picture is refused, whatever its format.
 inline constexpr std::size_t most_pixels = std::size_t{1} << 28;
 
-/// What OpenImageIO has read.
+/// What was read of a picture.
 struct StoredImage {
   Image image;                     ///< channels and values as in the file; integers as 0…1, alpha not multiplied in
   int bits = 0;                    ///< of integer values; 0 for floats
@@ -22,7 +22,11 @@ struct StoredImage {
   std::vector<std::string> notes;  ///< what was turned, left out or made on reading
 };
 
-/// Reads an image (see picture_format.h) with OpenImageIO, which is loaded on first use. Values are not decoded (see
+/// Throws RuntimeFailure where the module that reads other pictures than PNG is not installed.
+void require_image_formats();
+
+/// Reads an image (see picture_format.h): a PNG with libpng, others, and a PNG that has EXIF or XMP data, with
+/// OpenImageIO, which is loaded on first use. Values are not decoded (see
 /// decoded_light). The picture is turned as its file says that it is to be seen (EXIF). Room is made for pixels that
 /// are there, not for those that a header claims. Throws InputError for missing and broken files, those of other kinds
 /// and claims that the bytes cannot fulfil, RuntimeFailure where the format module is not installed.
@@ -33,10 +37,5 @@ Image read_image(const std::filesystem::path& path);
 
 /// The same of a file that stands in memory: a PNG or JPEG embedded in another file. `name` is for messages.
 StoredImage read_embedded_image(std::span<const unsigned char> bytes, const std::string& name);
-
-/// PNG of a display-referred image (0…1, 1 or 3 channels; values are clamped and rounded to nearest) with 8 or 16 bits.
-/// Throws std::invalid_argument for other channel counts and bits, empty images and non-finite values, RuntimeFailure
-/// if encoding fails.
-std::vector<unsigned char> encode_png(const Image& display, int bits = 8);
 
 }  // namespace sturm

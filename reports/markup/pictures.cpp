@@ -9,9 +9,9 @@
 #include "io/files/error.h"
 #include "io/files/formatted_text.h"
 #include "io/images/exr.h"
-#include "io/images/image_formats.h"
 #include "io/images/opencv_view.h"
 #include "io/images/picture_file.h"
+#include "io/images/png_output.h"
 #include "reports/markup/false_colour.h"
 
 namespace sturm {

@@ -1,7 +1,7 @@
 """Every command that stands in the documents works: those of their own lines are run in a clean folder, those within sentences have the
 options that there are.
 
-Pictures are made small, since it is the commands that are tested here.
+Pictures, tables and spectra are made small, since it is the commands that are tested here.
 """
 import functools
 import json
@@ -80,8 +80,15 @@ class DocumentedCommands(FolderTest):
         if name in ("common", "validate"):
             self.write("query.json", documents.changed(documents.query(), "/eye/pupil_diameter_mm", -4) if name == "validate" else documents.query())
             self.write("view.json", documents.view())
-        if name in ("ellipse", "psf"):
-            self.write({"ellipse": "query.json", "psf": "psf.json"}[name], json_block(page))
+        if name == "ellipse":
+            self.write("query.json", json_block(page))
+        if name == "psf":
+            spreads = json_block(page)
+            spreads["lights"][1]["step_nm"] = 50
+            self.write("psf.json", spreads)
+        if name == "wearers":
+            table = "configs/data/papila_prescriptions.csv"
+            self.write(table, "".join((SOURCE / table).read_text(encoding="utf-8").splitlines(keepends=True)[:40]))
         if name in ("run", "compare-runs", "gate", "report", "junit"):
             self.write("my.json", json_block("docs/formats/experiment.md"))
             self.write("gates.json", json_block("docs/formats/gates.md"))

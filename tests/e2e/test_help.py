@@ -43,6 +43,8 @@ class Terminal:
 class Examples(FolderTest):
     """The lines at the end of each command's help, as a user would copy them."""
 
+    # Pictures of shipped views are small, since it is the lines that are tested here.
+    SMALL = ("--size", "96x72")
     # These take minutes, need the page of the browser, or go on until they are stopped: their documents alone are made.
     DOCUMENT_ALONE = ("run ", "bench ", "render desk --rx", "view ", "serve ")
 
@@ -52,6 +54,8 @@ class Examples(FolderTest):
     def run_line(self, line):
         if line.startswith(self.DOCUMENT_ALONE):
             line = re.sub(r" -o \S+", "", line) + " --print-config"
+        elif re.match(r"render (?!check/)", line) and self.SMALL[0] not in line:
+            line += " " + " ".join(self.SMALL)
         environment = {**os.environ, "PATH": f"{STURM.parent}:{os.environ['PATH']}"}
         process = subprocess.run(["bash", "-c", f"set -o pipefail; sturm {line}"], cwd=self.folder, env=environment,
                                  capture_output=True, text=True, check=False, timeout=120)
@@ -62,7 +66,7 @@ class Examples(FolderTest):
             self.succeed("ellipse", "--rx", rx, "--print-config", "-o", f"{name}.json", cwd=self.folder)
         for name in ("photo", "pairs/box/test", "pairs/box/reference"):
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-            self.succeed("render", "cornell", "--rx", "-1 DS", "--samples", 1, "-o", f"{name}.png", cwd=self.folder)
+            self.succeed("render", "cornell", "--rx", "-1 DS", "--samples", 1, *self.SMALL, "-o", f"{name}.png", cwd=self.folder)
         width, height = png_pixels.size((self.folder / "photo.png").read_bytes())
         self.write("depth.png", picture_files.png([[2000] * width] * height, 16))
         self.succeed("init", "view", ".", cwd=self.folder)

@@ -48,6 +48,7 @@ OWN_LIBRARIES = {
     "OpenImageIO": {"io"},
     "opencv2": {"io", "compare", "reports", "wavefront"},
     "openssl": {"io"},
+    "png.h": {"io"},
     "valijson": {"io"},
     "CLI": {"app"},
     "httplib.h": {"server"},

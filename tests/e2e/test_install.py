@@ -35,16 +35,18 @@ class Installed(unittest.TestCase):
         self.assertRegex(self.sturm("--version", cwd="/"), r"^sturm \d+\.\d+\.\d+ \(commit (unknown|[0-9a-f]{12}(\+changes)?)\)\n")
 
     def test_render_from_another_folder(self):
-        # The PNG needs the image format module, found beside the installed program and not in the build tree.
         work = self.folder / "work"
         work.mkdir()
         view = documents.changed(documents.view(), "/camera/resolution", [16, 12])
         installed_box = self.prefix / "share/sturm/configs/scenes/cornell_box.json"
         (work / "view.json").write_text(json.dumps(documents.changed(view, "/scene", str(installed_box))))
-        mapped = subprocess.run([str(self.prefix / "bin/sturm"), "render", "view.json", "-o", "a.exr", "--quiet"], cwd=work, check=False,
+        self.sturm("render", "view.json", "-o", "a.exr", "--quiet", cwd=work)
+        self.assertEqual((work / "a.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        # To read a TGA takes the image format module, found beside the installed program and not in the build tree.
+        (work / "a.tga").write_bytes(bytes([0, 0, 2, *[0] * 9, 16, 0, 12, 0, 24, 32, *range(16 * 12), *[128] * (2 * 16 * 12)]))
+        mapped = subprocess.run([str(self.prefix / "bin/sturm"), "compare", "a.tga", "a.tga"], cwd=work, check=False,
                                 env={**os.environ, "LD_DEBUG": "files", "LD_DEBUG_OUTPUT": str(work / "loader")}, capture_output=True, text=True)
         self.assertEqual(mapped.returncode, 0, mapped.stderr)
-        self.assertEqual((work / "a.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         loaded = "".join(path.read_text(errors="replace") for path in work.glob("loader.*"))
         self.assertIn(str(self.prefix / "lib/sturm/sturm_imageformats.so"), loaded)
         self.assertNotIn(str(BUILD), loaded)

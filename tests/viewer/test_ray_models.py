@@ -70,14 +70,18 @@ class RayModels(PageTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.page = cls.write_page(cls(), spot_view())
+        cls.spots = {}
 
     def setUp(self):
         self.browser.open(self.page)
         self.wait("window.sturmViewer")
 
     def spot(self, model, edit=""):
-        self.change(f"s.rayModel = '{model}'; {edit}")
-        return along_and_across(self.measured(f"picture('path', {SAMPLES})"))
+        """Drawn once for all tests."""
+        if (model, edit) not in self.spots:
+            self.change(f"s.rayModel = '{model}'; {edit}")
+            self.spots[model, edit] = along_and_across(self.measured(f"picture('path', {SAMPLES})"))
+        return self.spots[model, edit]
 
     def test_spots_are_those_of_the_theory(self):
         # Some 60 000 rays meet the square; 4σ of a semi-axis is 1.3 %, less where the square's own extent counts little.

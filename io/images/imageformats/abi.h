@@ -30,9 +30,5 @@ int sturm_imageformats_read_memory(const char* format, const unsigned char* byte
                                    std::size_t max_pixels, sturm_imageformats_pixels* pixels, char* error,
                                    std::size_t error_size);
 
-/// `pixels` has bytes where `bits` is 8, and std::uint16_t where it is 16.
-int sturm_imageformats_encode_png(const void* pixels, int bits, int width, int height, int channels,
-                                  unsigned char** bytes, std::size_t* size, char* error, std::size_t error_size);
-
 void sturm_imageformats_free(void* memory);
 }

@@ -182,25 +182,6 @@ int sturm_imageformats_read_memory(const char* format, const unsigned char* byte
   });
 }
 
-int sturm_imageformats_encode_png(const void* pixels, int bits, int width, int height, int channels,
-                                  unsigned char** bytes, std::size_t* size, char* error, std::size_t error_size) {
-  return guarded(error, error_size, [&] {
-    const auto output = OIIO::ImageOutput::create("png");
-    if (!output) throw std::runtime_error(OIIO::geterror());
-    std::vector<unsigned char> encoded;
-    OIIO::Filesystem::IOVecOutput memory_file(encoded);
-    const OIIO::TypeDesc type = bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
-    OIIO::ImageSpec spec(width, height, channels, type);
-    spec["oiio:ColorSpace"] = "sRGB";
-    if (!output->set_ioproxy(&memory_file) || !output->open("memory.png", spec) || !output->write_image(type, pixels) ||
-        !output->close())
-      throw std::runtime_error(output->geterror());
-    *bytes = allocate<unsigned char>(encoded.size());
-    std::memcpy(*bytes, encoded.data(), encoded.size());
-    *size = encoded.size();
-  });
-}
-
 void sturm_imageformats_free(void* memory) {
   std::free(memory);
 }

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "io/files/error.h"
-#include "io/images/image_formats.h"
+#include "io/images/png_output.h"
 #include "pathtrace/materials/fresnel.h"
 #include "pathtrace/scene/gltf_surface.h"
 #include "pathtrace/scene/scene_import.h"

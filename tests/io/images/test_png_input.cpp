@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "io/images/png_input.h"
+
+namespace sturm {
+namespace {
+
+/// The bytes of a file as the reader asks for them.
+BytesAt piece_of(const std::vector<unsigned char>& file) {
+  return [&file](std::uint64_t offset, std::size_t count) {
+    const std::size_t start = std::min<std::size_t>(offset, file.size());
+    return std::string(file.begin() + static_cast<std::ptrdiff_t>(start),
+                       file.begin() + static_cast<std::ptrdiff_t>(std::min(file.size(), start + count)));
+  };
+}
+
+// Both files are made by Python's struct and zlib.
+// 3 × 2 pixels of 2 bits: entries 0 1 2 and 2 1 0 of the palette (255, 0, 0), (0, 51, 0), (0, 0, 102), of which the
+// first two have alpha 255 and 51.
+const std::vector<unsigned char> palette_png = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+    0x00, 0x03, 0x00, 0x00, 0x00, 0x02, 0x02, 0x03, 0x00, 0x00, 0x00, 0xe0, 0x1a, 0x8e, 0x89, 0x00, 0x00, 0x00,
+    0x09, 0x50, 0x4c, 0x54, 0x45, 0xff, 0x00, 0x00, 0x00, 0x33, 0x00, 0x00, 0x00, 0x66, 0x88, 0x7c, 0xe3, 0xb0,
+    0x00, 0x00, 0x00, 0x02, 0x74, 0x52, 0x4e, 0x53, 0xff, 0x33, 0x5a, 0x67, 0x51, 0x5c, 0x00, 0x00, 0x00, 0x0c,
+    0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0x90, 0x60, 0x98, 0x00, 0x00, 0x00, 0xdc, 0x00, 0xa9, 0x6c, 0xe7,
+    0xc0, 0x23, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+// 3 × 3 pixels of 16 bits, interlaced: 10000 y + 1000 x.
+const std::vector<unsigned char> interlaced_png = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+    0x00, 0x03, 0x00, 0x00, 0x00, 0x03, 0x10, 0x00, 0x00, 0x00, 0x01, 0x54, 0xd4, 0x06, 0xb6, 0x00, 0x00, 0x00,
+    0x20, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0x60, 0x60, 0x60, 0x60, 0xbf, 0xc0, 0xe0, 0xa7, 0x10, 0xfa,
+    0x81, 0x81, 0xf9, 0x05, 0x43, 0x10, 0x07, 0x83, 0xba, 0x80, 0xd6, 0x0f, 0xbd, 0x07, 0x00, 0x3c, 0xa1, 0x06,
+    0x37, 0x5e, 0xe9, 0xf1, 0xd7, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+TEST(PngInput, PalettesBecomeColoursWithAlpha) {
+  const auto png = read_png(piece_of(palette_png), 6);
+  ASSERT_TRUE(png);
+  EXPECT_EQ(png->bits, 8);
+  EXPECT_EQ(png->image.width, 3);
+  EXPECT_EQ(png->image.height, 2);
+  ASSERT_EQ(png->image.channels, 4);
+  const std::vector<float> red = {1, 0, 0, 1}, green = {0, 0.2f, 0, 0.2f}, blue = {0, 0, 0.4f, 1};
+  std::vector<float> expected;
+  for (const auto& colour : {red, green, blue, blue, green, red})
+    expected.insert(expected.end(), colour.begin(), colour.end());
+  ASSERT_EQ(png->image.pixels.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_FLOAT_EQ(png->image.pixels[i], expected[i]) << i;  // single precision
+}
+
+TEST(PngInput, InterlacedPixelsComeToTheirPlaces) {
+  const auto png = read_png(piece_of(interlaced_png), 9);
+  ASSERT_TRUE(png);
+  EXPECT_EQ(png->bits, 16);
+  ASSERT_EQ(png->image.channels, 1);
+  ASSERT_EQ(png->image.pixels.size(), 9u);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x)
+      EXPECT_NEAR(65535.0 * *png->image.at(x, y), 10000 * y + 1000 * x, 0.01) << x << ", " << y;  // float near 2^15
+}
+
+TEST(PngInput, NeitherMorePixelsThanAdmittedNorFilesThatBreakOff) {
+  EXPECT_THROW(read_png(piece_of(palette_png), 5), std::runtime_error);
+  for (std::size_t size = 0; size + 12 < palette_png.size(); ++size) {  // the last chunk says nothing
+    const std::vector<unsigned char> cut(palette_png.begin(), palette_png.begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_THROW(read_png(piece_of(cut), 6), std::runtime_error) << size;
+  }
+}
+
+}  // namespace
+}  // namespace sturm
