@@ -11,8 +11,7 @@ namespace sturm {
 
 namespace {
 
-constexpr int zlib_window = 15;                // the largest
-constexpr int gzip_window = zlib_window + 16;  // 16 more make it a gzip file
+constexpr int gzip_window = 15 + 16;  // zlib's largest window; 16 more make it a gzip file
 
 /// Takes `bytes` through one of zlib's streams in pieces that its counters can hold.
 template <class Step>
@@ -36,9 +35,11 @@ std::string pumped(z_stream& stream, std::string_view bytes, const Step& step) {
   return result;
 }
 
-std::string compressed(std::string_view bytes, int window) {
+}  // namespace
+
+std::string gzip(std::string_view bytes) {
   z_stream stream{};
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK)
     throw RuntimeFailure("zlib: no memory");
   try {
     std::string file = pumped(stream, bytes, [&](int flush) { return deflate(&stream, flush); });
@@ -48,16 +49,6 @@ std::string compressed(std::string_view bytes, int window) {
     deflateEnd(&stream);
     throw;
   }
-}
-
-}  // namespace
-
-std::string gzip(std::string_view bytes) {
-  return compressed(bytes, gzip_window);
-}
-
-std::string deflated(std::string_view bytes) {
-  return compressed(bytes, zlib_window);
 }
 
 std::string gunzip(std::string_view file) {

@@ -1,57 +1,89 @@
 #include "io/images/png_output.h"
 
-#include <zlib.h>
+#include <png.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csetjmp>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+#include <utility>
 
-#include "io/files/gzip.h"
+#include "io/files/error.h"
 
 namespace sturm {
 
 namespace {
 
+/// A file on its way through libpng, which leaves its functions by longjmp where something is wrong: whoever calls them
+/// has nothing to destroy and keeps everything here.
+struct PngWriting {
+  const Image& display;
+  int bits;
+  std::vector<png_byte> rows;
+  std::size_t row_bytes;
+  std::string failure{};
+  std::vector<unsigned char> file{};
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+
+  ~PngWriting() { png_destroy_write_struct(&png, &info); }
+};
+
+[[noreturn]] void note_png_failure(png_structp png, png_const_charp message) {
+  static_cast<PngWriting*>(png_get_error_ptr(png))->failure = message;
+  png_longjmp(png, 1);
+}
+
+void ignore_png_remark(png_structp, png_const_charp) {}
+
+/// Whether there was room for the bytes.
+bool append_bytes(std::vector<unsigned char>& file, png_const_bytep bytes, std::size_t count) {
+  try {
+    file.insert(file.end(), bytes, bytes + count);
+    return true;
+  } catch (const std::exception&) {  // which must not cross libpng's functions
+    return false;
+  }
+}
+
+void give_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+  if (!append_bytes(static_cast<PngWriting*>(png_get_io_ptr(png))->file, bytes, count)) png_error(png, "no memory");
+}
+
+void write_all(PngWriting& writing) {
+  const auto width = static_cast<png_uint_32>(writing.display.width),
+             height = static_cast<png_uint_32>(writing.display.height);
+  png_set_write_fn(writing.png, &writing, give_bytes, nullptr);
+  png_set_IHDR(writing.png, writing.info, width, height, writing.bits,
+               writing.display.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(writing.png, writing.info, PNG_sRGB_INTENT_PERCEPTUAL);
+  png_write_info(writing.png, writing.info);
+  for (png_uint_32 y = 0; y < height; ++y) png_write_row(writing.png, writing.rows.data() + y * writing.row_bytes);
+  png_write_end(writing.png, nullptr);
+}
+
+/// Runs what calls libpng.
+void guard_png_writing(PngWriting& writing) {
+  if (setjmp(png_jmpbuf(writing.png))) throw RuntimeFailure("PNG encoding failed: " + writing.failure);
+  write_all(writing);
+}
+
+/// Rows of integers, the most significant byte first.
 template <class Integer>
-void append_big_endian(std::string& bytes, Integer number) {
-  for (int shift = std::numeric_limits<Integer>::digits - 8; shift >= 0; shift -= 8)
-    bytes += static_cast<char>(number >> shift & 0xff);
-}
-
-/// A chunk by its type and data (PNG Specification, Third Edition, 5.3).
-void append_chunk(std::string& file, const std::string& type_and_data) {
-  append_big_endian(file, static_cast<std::uint32_t>(type_and_data.size() - 4));
-  file += type_and_data;
-  const auto* bytes = reinterpret_cast<const Bytef*>(type_and_data.data());
-  append_big_endian(file, static_cast<std::uint32_t>(crc32_z(0, bytes, type_and_data.size())));
-}
-
-std::string png_header_chunk(const Image& display, int bits) {
-  std::string chunk = "IHDR";
-  append_big_endian(chunk, static_cast<std::uint32_t>(display.width));
-  append_big_endian(chunk, static_cast<std::uint32_t>(display.height));
-  constexpr char grey = 0, colour = 2;
-  for (const char byte : {static_cast<char>(bits), display.channels == 1 ? grey : colour, '\0', '\0', '\0'})
-    chunk += byte;
-  return chunk;
-}
-
-/// Rows of integers, the most significant byte first, each behind its filter: none.
-template <class Integer>
-std::string png_rows(const Image& display) {
+std::vector<png_byte> png_rows(const Image& display) {
   constexpr auto largest = static_cast<float>(std::numeric_limits<Integer>::max());
-  const std::size_t row = static_cast<std::size_t>(display.width) * static_cast<std::size_t>(display.channels);
-  std::string rows;
-  rows.reserve(display.pixels.size() * sizeof(Integer) + static_cast<std::size_t>(display.height));
-  for (std::size_t i = 0; i < display.pixels.size(); ++i) {
-    if (i % row == 0) rows += '\0';
-    const float value = display.pixels[i];
+  std::vector<png_byte> rows;
+  rows.reserve(display.pixels.size() * sizeof(Integer));
+  for (const float value : display.pixels) {
     if (!std::isfinite(value)) throw std::invalid_argument("a PNG cannot hold a value that is not finite");
-    append_big_endian(rows, static_cast<Integer>(std::lround(largest * std::clamp(value, 0.0f, 1.0f))));
+    const auto rounded = static_cast<std::uint32_t>(std::lround(largest * std::clamp(value, 0.0f, 1.0f)));
+    if constexpr (sizeof(Integer) == 2) rows.push_back(static_cast<png_byte>(rounded >> 8));
+    rows.push_back(static_cast<png_byte>(rounded & 0xff));
   }
   return rows;
 }
@@ -62,16 +94,13 @@ std::vector<unsigned char> encode_png(const Image& display, int bits) {
   if (display.width < 1 || display.height < 1 || (display.channels != 1 && display.channels != 3))
     throw std::invalid_argument("a PNG is made of an image with 1 or 3 channels");
   if (bits != 8 && bits != 16) throw std::invalid_argument("a PNG has 8 or 16 bits");
-  using namespace std::string_literals;
-  std::string file = "\x89PNG\r\n\x1a\n";
-  append_chunk(file, png_header_chunk(display, bits));
-  append_chunk(file, "gAMA\0\0\xb1\x8f"s);  // 1/2.2, for programs that do not know the next chunk
-  append_chunk(file, "sRGB\0"s);            // perceptual
-  const std::string data = deflated(bits == 8 ? png_rows<std::uint8_t>(display) : png_rows<std::uint16_t>(display));
-  constexpr std::size_t piece = 1 << 20;
-  for (std::size_t at = 0; at < data.size(); at += piece) append_chunk(file, "IDAT" + data.substr(at, piece));
-  append_chunk(file, "IEND");
-  return {file.begin(), file.end()};
+  PngWriting writing{display, bits, bits == 8 ? png_rows<std::uint8_t>(display) : png_rows<std::uint16_t>(display),
+                     static_cast<std::size_t>(display.width) * static_cast<std::size_t>(display.channels * bits / 8)};
+  writing.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writing, note_png_failure, ignore_png_remark);
+  writing.info = writing.png ? png_create_info_struct(writing.png) : nullptr;
+  if (!writing.info) throw RuntimeFailure("PNG encoding failed: no memory");
+  guard_png_writing(writing);
+  return std::move(writing.file);
 }
 
 }  // namespace sturm
