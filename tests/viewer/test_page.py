@@ -200,15 +200,13 @@ class Page(PageTest):
         self.wait("document.getElementById('message').hidden && " + passes)
         self.browser.console()  # the loss itself is remarked upon
 
-    def become_phone(self):
-        self.browser.as_phone(390, 844)
-        self.addCleanup(self.browser.as_phone, 0, 0)
-
     def test_a_phone_has_one_column(self):
         self.open()
         columns = "return getComputedStyle(document.querySelector('main')).gridTemplateColumns.split(' ').length"
         self.assertEqual(self.browser.run(columns), 2)
-        self.become_phone()
+        self.browser.as_phone(390, 844)
+        self.addCleanup(self.browser.as_phone, 0, 0)
+        self.wait("innerWidth === 390 && innerHeight === 844")
         self.assertEqual(self.browser.run("return getComputedStyle(document.querySelector('main')).display"), "block")
         self.browser.run("document.querySelector('#controls').lastElementChild.scrollIntoView()")  # the picture stays in sight
         self.assertEqual(self.browser.run("return Math.round(document.getElementById('frame').getBoundingClientRect().top)"), 0)
