@@ -4,6 +4,7 @@ import shutil
 import tempfile
 import unittest
 
+import test_displacement
 import test_light
 import test_lobes
 import test_mutants
@@ -24,12 +25,12 @@ from marionette import Firefox, firefox
 from page_in_browser import PageTest, main
 from viewer_page import skip
 
-FILES = (test_light, test_lobes, test_mutants, test_native_button, test_numbers, test_opening_documents, test_opening_models, test_page, test_paths, test_pictures,
+FILES = (test_displacement, test_light, test_lobes, test_mutants, test_native_button, test_numbers, test_opening_documents, test_opening_models, test_page, test_paths, test_pictures,
          test_ray_models, test_readout, test_shipped_views, test_spectacles, test_speed)
 # Less to draw where a bound is a share, a ratio or a multiple of the noise, and so is the same for it.
 SMALLER = {test_light: {"PROGRAM_SAMPLES": 32}, test_mutants: {"PASSES": 16}, test_pictures: {"SIZE": 64}, test_speed: {"WIDTH": 320, "HEIGHT": 180}}
 # What edges on 1/256 of a pixel allow.
-TIGHTER = {test_pictures.Pictures: {"RASTER_RMSE": 1e-3}}
+TIGHTER = {case: {"RASTER_RMSE": 1e-3} for case in (test_pictures.Pictures, test_displacement.Displacement)}
 
 
 def setUpModule():
