@@ -1,7 +1,7 @@
 """Rasterised passes against traced ones of the same state, which test_pictures.py holds to the program: after every kind of change, since vertices are displaced,
 and triangles out of sight left out, once for all passes; through lenses, whose field bends; and where triangles are near, or at the picture's edge."""
 import test_pictures
-from page_in_browser import QUADS_ASIDE, PageTest, emissive_view, main
+from page_in_browser import QUADS_ASIDE, PageTest, emissive_view, main, rectangle
 from picture_measures import rmse
 
 SIZE, PASSES = 64, 8
@@ -40,6 +40,15 @@ FLOOR_CHANGES = {
     "an eye that looks ahead": "s.camera.gaze = 'camera';",
     "a progressive lens": "s.glasses.right.kind = 'progressive';",
 }
+# A narrow field, which blur reaches into from far aside, and in which a lens whose power changes over the pupil shows: small tiles, most of them out of sight.
+TILES = [("wall", rectangle(0, 0, -6, 12, 12), 8)] + [(f"tile {i} {j}", rectangle(0.04 * i, 0.04 * j, -1.2 if (i + j) % 2 else -0.8, 0.012, 0.012, 0.3), 9 + (i + 2 * j) % 4)
+                                                    for i in range(-4, 5) for j in range(-4, 5)]
+NARROW = "s.eyes.right.pupil_mm = 8; s.camera.field_deg = 5;"
+NARROW_CHANGES = {
+    "a progressive lens": "Object.assign(s.glasses.right, {kind: 'progressive', fitted: false, sphere_D: 1, addition_D: 3});",
+    "an eye that looks ahead": "s.camera.gaze = 'camera'; s.glasses.right.cylinder_D = -4;",
+    "no lens": "s.glasses.right.kind = 'none';",
+}
 
 
 class Displacement(PageTest):
@@ -72,6 +81,11 @@ class Displacement(PageTest):
         self.begin(emissive_view(SIZE, FLOOR, 40))
         self.change("s.camera.tilt_deg = -40;")
         self.hold(FLOOR_CHANGES)
+
+    def test_what_is_far_aside_is_blurred_into_a_narrow_field(self):
+        self.begin(emissive_view(SIZE, TILES, 40))
+        self.change(NARROW)
+        self.hold(NARROW_CHANGES)
 
 
 if __name__ == "__main__":
