@@ -215,7 +215,8 @@ class Page(PageTest):
     def test_lessons_are_states(self):
         self.open()
         for title in self.browser.run("return [...document.querySelectorAll('.buttons button')].slice(0, 5).map((b) => b.textContent)"):
-            self.browser.run("[...document.querySelectorAll('button')].find((b) => b.textContent === arguments[0]).click()", title)
+            self.browser.run("const b = [...document.querySelectorAll('button')].find((b) => b.textContent === arguments[0]); b.scrollIntoView(); b.click()", title)
+            self.assertGreaterEqual(self.browser.run("return document.getElementById('lesson').getBoundingClientRect().top"), 0)  # within sight
             text = self.browser.text("#lesson")
             self.assertGreater(len(text), 40)
             self.assertEqual(text.count(". ") + 1, 2, title)
