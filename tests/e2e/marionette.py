@@ -16,9 +16,14 @@ PREFERENCES = {"marionette.port": 0, "ui.prefersReducedMotion": 1, "browser.shel
                "datareporting.policy.dataSubmissionEnabled": False, "app.update.disabledForTesting": True}
 # Errors of the page's own scripts and styles; the browser's messages about itself are none of them.
 ERRORS = """
-  const seen = Services.console.getMessageArray().filter((m) => m instanceof Ci.nsIScriptError && String(m.sourceName).startsWith("file:"));
+  const seen = Services.console.getMessageArray().filter((m) => m instanceof Ci.nsIScriptError && /^(file:|http:..127.0.0.1)/.test(m.sourceName));
   Services.console.reset();
   return seen.map((m) => ({message: m.errorMessage}));"""
+
+# The page within the window as large as a phone's screen; no size: as large as the window has room for.
+AS_PHONE = """
+  const {style} = gBrowser.selectedBrowser, [width, height] = arguments, px = (size) => (size ? `${size}px` : "");
+  [style.minWidth, style.maxWidth, style.minHeight, style.maxHeight] = [px(width), px(width), px(height), px(height)];"""
 
 
 def firefox():
@@ -97,12 +102,19 @@ class Firefox(Browser):
             return self._send(OF_ELEMENTS[parts[3]], {"id": parts[2], **(body or {})})
         return self._send(COMMANDS[path], body or {})
 
-    def console(self):
+    def _run_in_browser(self, script, *arguments):
+        """As run(), in the browser's own window."""
         self._send("Marionette:SetContext", {"value": "chrome"})
         try:
-            return self._call("POST", "/execute/sync", {"script": ERRORS, "args": []})
+            return self.run(script, *arguments)
         finally:
             self._send("Marionette:SetContext", {"value": "content"})
+
+    def as_phone(self, width, height):
+        self._run_in_browser(AS_PHONE, width, height)
+
+    def console(self):
+        return self._run_in_browser(ERRORS)
 
     def close(self):
         try:

@@ -43,6 +43,11 @@ class Browser:
             raise RuntimeError(f"{value['error']}: {value['message']}")
         return value
 
+    @property
+    def process(self):
+        """The number of the process that all of the browser comes from."""
+        return self._process.pid
+
     def open(self, path):
         self.visit(path.as_uri())
 

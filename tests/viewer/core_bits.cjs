@@ -1,4 +1,4 @@
-// Asks the WebAssembly core and prints JSON: node core_bits.cjs CORE.js fields | sights | ellipses FILE | answers < QUERIES.json
+// Asks the WebAssembly core and prints JSON: node core_bits.cjs CORE.js fields | sights | edges | ellipses FILE | answers < QUERIES.json
 const crypto = require('crypto');
 const fs = require('fs');
 const answers = require('./core_answers.js');
@@ -93,6 +93,33 @@ function sights(core) {
   return result;
 }
 
+// How far from where spectacles of the page end a grid lets them end, for an eye that turns [slope]: along 90 lines from straight ahead, the largest and the mean.
+function edges(core) {
+  const optics = new core.Optics(), step = 0.02, size = 171, first = -1.7, result = {};
+  optics.setEye(eye(prescription(-2, 0, 180), 4e-3, {mode: 'relaxed'}));
+  for (const [name, power_D] of [['minus 8', -8], ['plus 5', 5], ['plus 8', 8]]) {
+    optics.setLens({...singleVision(prescription(power_D, 0, 180)), refractive_index: 1.6, diameter_m: 65e-3, center_thickness_m: power_D > 0 ? 6e-3 : 2e-3});
+    const ask = (x, y, n) => optics.sights({gaze: 'foveal', first_x: x, first_y: y, step_x: step, step_y: step, columns: n, rows: n}), all = ask(first, first, size);
+    const between = (x, y) => {
+      const i = Math.floor((x - first) / step), j = Math.floor((y - first) / step), u = (x - first) / step - i, v = (y - first) / step - j;
+      const [a, b, c, d] = [0, 1, size, size + 1].map((k) => all[40 * (j * size + i + k) + 3]);
+      return (1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d);
+    };
+    const off = Array.from({length: 90}, (_, k) => {
+      const c = Math.cos((4 * k + 0.1) * Math.PI / 180), s = Math.sin((4 * k + 0.1) * Math.PI / 180);
+      const end = (within) => {
+        let [low, high] = [0.05, 1.65];
+        while (high - low > 1e-6) [low, high] = within(0.5 * (low + high)) ? [0.5 * (low + high), high] : [low, 0.5 * (low + high)];
+        return low;
+      };
+      return Math.abs(end((r) => between(r * c, r * s) > 0) - end((r) => ask(r * c, r * s, 1)[3] > 0));
+    });
+    result[name] = {largest: Math.max(...off), mean: off.reduce((sum, x) => sum + x) / off.length};
+  }
+  optics.delete();
+  return result;
+}
+
 // Largest differences from what native_reference.cpp wrote.
 function ellipses(core, file) {
   const bytes = fs.readFileSync(file);
@@ -149,6 +176,6 @@ function manners(core) {
 }
 
 require(process.argv[2])().then((core) => {
-  const what = {fields, sights, ellipses, manners, answers: () => answers(core, JSON.parse(fs.readFileSync(0, 'utf8')))}[process.argv[3]];
+  const what = {fields, sights, edges, ellipses, manners, answers: () => answers(core, JSON.parse(fs.readFileSync(0, 'utf8')))}[process.argv[3]];
   process.stdout.write(JSON.stringify(what(core, process.argv[4])));
 });

@@ -200,15 +200,13 @@ class Page(PageTest):
         self.wait("document.getElementById('message').hidden && " + passes)
         self.browser.console()  # the loss itself is remarked upon
 
-    def become_phone(self):
-        self.browser.as_phone(390, 844)
-        self.addCleanup(self.browser.as_phone, 0, 0)
-
     def test_a_phone_has_one_column(self):
         self.open()
         columns = "return getComputedStyle(document.querySelector('main')).gridTemplateColumns.split(' ').length"
         self.assertEqual(self.browser.run(columns), 2)
-        self.become_phone()
+        self.browser.as_phone(390, 844)
+        self.addCleanup(self.browser.as_phone, 0, 0)
+        self.wait("innerWidth === 390 && innerHeight === 844")
         self.assertEqual(self.browser.run("return getComputedStyle(document.querySelector('main')).display"), "block")
         self.browser.run("document.querySelector('#controls').lastElementChild.scrollIntoView()")  # the picture stays in sight
         self.assertEqual(self.browser.run("return Math.round(document.getElementById('frame').getBoundingClientRect().top)"), 0)
@@ -217,7 +215,8 @@ class Page(PageTest):
     def test_lessons_are_states(self):
         self.open()
         for title in self.browser.run("return [...document.querySelectorAll('.buttons button')].slice(0, 5).map((b) => b.textContent)"):
-            self.browser.run("[...document.querySelectorAll('button')].find((b) => b.textContent === arguments[0]).click()", title)
+            self.browser.run("const b = [...document.querySelectorAll('button')].find((b) => b.textContent === arguments[0]); b.scrollIntoView(); b.click()", title)
+            self.assertGreaterEqual(self.browser.run("return document.getElementById('lesson').getBoundingClientRect().top"), 0)  # within sight
             text = self.browser.text("#lesson")
             self.assertGreater(len(text), 40)
             self.assertEqual(text.count(". ") + 1, 2, title)

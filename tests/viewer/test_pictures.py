@@ -4,7 +4,7 @@ import json
 from page_in_browser import QUADS_ASIDE, PageTest, emissive_view, main
 from picture_measures import differences, rmse, same_passes
 
-SIZE, PASSES = 128, 64
+SIZE, RASTER_SIZE, PASSES = 128, 64, 64
 WORN = "s.modes = ['gather']; s.eyes.right = {...s.eyes.right, sphere_D: -3, cylinder_D: -1.5, axis_deg: 70, vertex_mm: 12};"
 EYES = {
     "naked": "",
@@ -23,7 +23,7 @@ class Pictures(PageTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.pages = {size: cls.write_page(cls(), emissive_view(size), f"page{size}") for size in (SIZE, SIZE // 2)}
+        cls.pages = {size: cls.write_page(cls(), emissive_view(size), f"page{size}") for size in (SIZE, RASTER_SIZE)}
 
     def open(self, size):
         self.browser.open(self.pages[size])
@@ -45,7 +45,7 @@ class Pictures(PageTest):
                     self.assertTrue(same_passes(page, program, PASSES))
 
     def test_displaced_vertices_make_nearly_the_same_picture(self):
-        self.open(SIZE // 2)
+        self.open(RASTER_SIZE)
         self.change("s.modes = ['gather'];")
         # What users see at first has one set of points for all pixels: grain, not an error.
         self.assertLess(rmse(self.measured("picture('raster', 0)"), self.saved()), 8e-3)
@@ -57,7 +57,7 @@ class Pictures(PageTest):
                 self.assertLess(rmse(page, program), self.RASTER_RMSE)
 
     def test_the_rim_is_the_programs(self):
-        view = emissive_view(SIZE // 2, QUADS_ASIDE, 90)
+        view = emissive_view(RASTER_SIZE, QUADS_ASIDE, 90)
         view["camera"]["gaze"], view["spectacles"], view["method"]["passes"] = "foveal", SMALL_LENS, 16
         self.page_of(view, "rim")
         self.change("s.passes = 16; s.modes = ['gather'];")

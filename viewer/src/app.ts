@@ -164,6 +164,7 @@ export class App {
     const place = byId('lesson');
     place.textContent = text;
     place.hidden = text === '';
+    place.scrollIntoView({ block: 'nearest' });  // its button may stand far below
   }
 
   private setUpGpu(): void {

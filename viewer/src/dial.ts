@@ -13,7 +13,7 @@ export function axisDial(changed: (axis_deg: number) => void): Dial {
   const knob = svg('circle', { class: 'knob', r: 8 });
   const at = (deg: number, r: number) => ({ x: centre.x + r * Math.cos((deg * Math.PI) / 180), y: centre.y - r * Math.sin((deg * Math.PI) / 180) });
   const numbers = [0, 30, 60, 90, 120, 150, 180].map((deg) => {
-    const { x, y } = at(deg, radius + 15);
+    const { x, y } = at(deg, radius + 18);
     return svg('text', { x, y: y + 3 }, String(deg));
   });
   // The slider beside it is what keyboards and screen readers use.

@@ -78,26 +78,24 @@ class MeshBuilder {
   }
 }
 
-/** Cuts every edge that is seen under more than the angle, from both of its sides alike, so that no gaps open. */
-function cut(corners: Three, isLong: (a: Corner, b: Corner) => boolean, depth: number, add: (piece: Three) => void): void {
-  const [a, b, c] = corners;
-  const ab = depth > 0 && isLong(a, b), bc = depth > 0 && isLong(b, c), ca = depth > 0 && isLong(c, a);
-  const again = (...next: Three) => cut(next, isLong, depth - 1, add);
-  if (ab && bc && ca) {
-    const d = halfway(a, b), e = halfway(b, c), f = halfway(c, a);
-    again(a, d, f); again(d, b, e); again(f, e, c); again(d, e, f);
-  } else if (ab) {
-    const d = halfway(a, b);
-    again(a, d, c); again(d, b, c);
-  } else if (bc) {
-    const e = halfway(b, c);
-    again(b, e, a); again(e, c, a);
-  } else if (ca) {
-    const f = halfway(c, a);
-    again(c, f, b); again(f, a, b);
-  } else {
-    add(corners);
+/**
+ * Cuts every edge that is seen under more than the angle, from both of its sides alike, so that no gaps open; the longest first, so that pieces of a long
+ * and narrow triangle are not narrow: a rasteriser that clips them at the picture's edge would leave gaps.
+ */
+function cut(corners: Three, isLong: (a: Corner, b: Corner) => boolean, add: (piece: Three) => void): void {
+  const [a, b, c] = corners, turns: Three[] = [[a, b, c], [b, c, a], [c, a, b]];
+  let longest: Three | null = null, most = 0;
+  for (const turn of turns) {
+    const size = length(subtract(turn[0].position, turn[1].position));
+    if (size > most && isLong(turn[0], turn[1])) [longest, most] = [turn, size];
   }
+  if (!longest) {
+    add(corners);
+    return;
+  }
+  const [from, to, across] = longest, between = halfway(from, to);
+  cut([from, between, across], isLong, add);
+  cut([between, to, across], isLong, add);
 }
 
 function cornerOf(scene: SceneData, v: number): Corner {
@@ -126,7 +124,7 @@ function ballTriangles(steps: number): Vec3[][] {
   return faces;
 }
 
-const depth = 12, mostTriangles = 150000;
+const mostTriangles = 150000;
 
 interface Piece { corners: Three; material: number }
 
@@ -138,7 +136,7 @@ function piecesOf(scene: SceneData, corners: readonly Three[], eye: Vec3, angle:
     pieces.length <= most && length(subtract(a.position, b.position)) > angle * Math.max(0.2, length(subtract(middle(a.position, b.position), eye)));
   for (let t = 0; t < corners.length && pieces.length <= most; ++t) {
     const material = scene.triangleMaterials[t] ?? 0;
-    cut(corners[t] as Three, isLong, depth, (piece) => pieces.push({ corners: piece, material }));
+    cut(corners[t] as Three, isLong, (piece) => pieces.push({ corners: piece, material }));
   }
   return pieces.length <= most ? pieces : null;
 }

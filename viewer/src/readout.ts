@@ -31,9 +31,9 @@ function clearWords(optics: Optics, state: State, azimuth: number, elevation: nu
   const pupil_m = state.eyes[state.side].pupil_mm / 1e3;
   if (pupil_m === 0) return 'Through a pinhole all distances are clear.';
   const clear = optics.clearVision(azimuth, elevation, (clearDioptres * pupil_m) / 2);
-  if (clear.status !== 'ok' || clear.near_vergence_D === null || clear.far_vergence_D === null) return clear.status === 'never_clear' ? 'No distance is clear to ⅛ D.' : '';
+  if (clear.status !== 'ok' || clear.near_vergence_D === null || clear.far_vergence_D === null) return clear.status === 'never_clear' ? 'No distance is clear to ⅛\u00a0D.' : '';
   const metres = (v: number) => (v > 0.001 ? `${fixed(1 / v, 2)} m` : 'infinity');
-  return `Clear to ⅛ D from ${metres(clear.near_vergence_D)} to ${metres(clear.far_vergence_D)}.`;
+  return `Clear to ⅛\u00a0D from ${metres(clear.near_vergence_D)} to ${metres(clear.far_vergence_D)}.`;
 }
 
 export class Readout {
