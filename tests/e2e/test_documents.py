@@ -28,6 +28,7 @@ ELSEWHERE = {
     "scripts/bench": "minutes, and other people's programs",
     "scripts/cycles_check.py": "needs Blender",
     "scripts/gate_seeds.py": "minutes: 20 runs of an experiment",
+    "scripts/convert_usd": "needs Node; tests/viewer/test_convert_usd.py",
     "scripts/viewer": "builds the page with Node; tests/viewer",
     "cmake": "tests/e2e/test_install.py builds, installs and uses the library",
     "PYTHONPATH=": "tests/e2e/test_deb.py runs the example",
