@@ -50,12 +50,12 @@ build_preset() {
   }
 }
 
-# Libraries of the viewer's page, in viewer/node_modules. Returns 1 where npm could not fetch them.
+# Libraries of the viewer's page, in viewer/node_modules, and the folder build/viewer. Returns 1 where npm could not fetch them.
 install_page_libraries() {
   command -v npm >/dev/null || install_packages npm
-  [ ! viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ] || return 0
   local log=build/viewer/setup.log
   mkdir -p build/viewer
+  [ ! viewer/node_modules/.package-lock.json -nt viewer/package-lock.json ] || return 0
   (cd viewer && npm ci --no-audit --no-fund) >"$log" 2>&1 || {
     tail -n 20 "$log" >&2
     echo "warning: npm could not fetch the libraries of the viewer's page; the whole log is in $log" >&2
