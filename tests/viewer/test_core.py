@@ -50,11 +50,12 @@ class Bits(FolderTest):
 
 
 class Sights(unittest.TestCase):
-    def test_nodes_between_traced_ones_in_the_time_of_a_slider(self):
+    def test_nodes_between_traced_ones_in_half_the_time(self):
         for lens, found in core("sights").items():
             with self.subTest(lens=lens):
-                print(f"lines of sight of a picture, {lens}: {found['ms']:.1f} ms", flush=True)
-                self.assertLess(found["ms"], 5)
+                print(f"lines of sight of a picture, {lens}: {found['ms']:.1f} ms, each traced {found['traced_ms']:.1f} ms", flush=True)
+                # A quarter of them is traced, and of the others those next to the rim.
+                self.assertLess(found["ms"], 0.5 * found["traced_ms"])
                 self.assertGreater(found["stopped"], 100)  # by the rim, to which nodes are right
                 self.assertEqual(found["wrong"], 0)
                 # Straight lines between nodes, as in the program and on the graphics card, are off by 2e-5 rad (conoid/pictures/sight_field.h); here
