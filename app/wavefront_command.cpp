@@ -1,4 +1,6 @@
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -24,7 +26,7 @@ namespace {
 /// A wavefront from whatever source, and what is said of it.
 struct Outcome {
   WavefrontEye eye;
-  Json report;
+  Json report;            ///< of a fit; else what is said besides the eye itself
   std::string residuals;  ///< CSV, "" where there is no fit
 };
 
@@ -103,27 +105,29 @@ Outcome fit_table(const WavefrontOptions& o) {
   query.drop_outside = o.drop_outside;
   if (o.noise) query.noise = *o.noise * (query.table.heights ? metres_per_micrometre : 1.0);
   const FittedWavefront fitted = fit_wavefront(query);
-  return {{fitted.coefficients_um(),
-           pupil_mm,
-           pupil_mm,
-           {},
-           o.wavelength_nm,
-           formatted("fitted to %zu measurements up to radial order %d", fitted.points.size(), fitted.radial_order)},
-          wavefront_report(query, fitted),
-          residual_table(query, fitted)};
+  Outcome outcome;
+  outcome.eye.coefficients_um = fitted.coefficients_um();
+  outcome.eye.measured_pupil_mm = outcome.eye.pupil_mm = pupil_mm;
+  outcome.eye.wavelength_nm = o.wavelength_nm;
+  outcome.eye.source =
+      formatted("fitted to %zu measurements up to radial order %d", fitted.points.size(), fitted.radial_order);
+  outcome.report = wavefront_report(query, fitted, o.mirror);
+  outcome.residuals = residual_table(query, fitted);
+  return outcome;
 }
 
-Json plain_report(const char* measured, const std::vector<double>& coefficients_um, double pupil_mm) {
+/// Of an eye that is written without a fit; `about` says what it was.
+Json plain_report(Json about, const WavefrontEye& eye) {
   Json list = Json::array();
-  for (std::size_t j = 0; j < coefficients_um.size(); ++j) {
+  for (std::size_t j = 0; j < eye.coefficients_um.size(); ++j) {
     const ZernikeIndex index = ZernikeIndex::of(static_cast<int>(j));
-    list.push_back({{"j", j}, {"n", index.n}, {"m", index.m}, {"value_um", coefficients_um[j]}});
+    list.push_back({{"j", j}, {"n", index.n}, {"m", index.m}, {"value_um", eye.coefficients_um[j]}});
   }
-  return {{"format", "sturm.wavefront_report/1"},
-          {"measured", measured},
-          {"pupil_diameter_mm", pupil_mm},
-          {"coefficients", std::move(list)},
-          {"refraction", refraction_json(coefficients_um, pupil_mm)}};
+  about["format"] = "sturm.wavefront_report/1";
+  about["pupil_diameter_mm"] = eye.measured_pupil_mm;
+  about["coefficients"] = std::move(list);
+  about["refraction"] = refraction_json(eye.coefficients_um, eye.measured_pupil_mm);
+  return about;
 }
 
 /// Coefficients [µm] in the examiner's frame over a smaller pupil.
@@ -151,18 +155,20 @@ Outcome restate_eye(const WavefrontOptions& o) {
                                ? *spec.eye.wavefront
                                : ZernikeWave::of_power(spec.eye.correction, 0.5 * metres_per_millimetre * pupil_mm);
   Outcome outcome;
-  outcome.eye = {micrometres_over(wave, std::min(pupil_mm, 2.0 * wave.radius_m() / metres_per_millimetre)),
-                 pupil_mm,
-                 own_mm > 0.0 ? std::min(own_mm, pupil_mm) : pupil_mm,
-                 {},
-                 stated_wavelength_nm(document, where),
-                 document.value("source", "restated from an eye's document")};
+  WavefrontEye& eye = outcome.eye;
+  eye.coefficients_um = micrometres_over(wave, std::min(pupil_mm, 2.0 * wave.radius_m() / metres_per_millimetre));
+  eye.measured_pupil_mm = pupil_mm;
+  eye.pupil_mm = own_mm > 0.0 ? std::min(own_mm, pupil_mm) : pupil_mm;
+  eye.wavelength_nm = o.wavelength_nm ? o.wavelength_nm : stated_wavelength_nm(document, where);
+  eye.source = document.value("source", "restated from an eye's document");
+  for (const char* key : {"rotation_center_mm", "accommodation", "stiles_crawford_per_mm2"})
+    if (document.contains(key)) eye.others[key] = document[key];
   if (document.contains("wavefront")) {
     const Json& measured = document["wavefront"];
-    if (measured.contains("eye")) outcome.eye.side = measured.value("mirror_to", measured["eye"].get<std::string>());
+    if (measured.contains("eye")) eye.side = measured.value("mirror_to", measured["eye"].get<std::string>());
+    if (measured.contains("second_order")) eye.second_order = measured["second_order"].get<std::string>();
   }
-  if (o.wavelength_nm) outcome.eye.wavelength_nm = o.wavelength_nm;
-  outcome.report = plain_report("eye", outcome.eye.coefficients_um, pupil_mm);
+  outcome.report["measured"] = "eye";
   return outcome;
 }
 
@@ -180,17 +186,15 @@ Outcome random_eye(const WavefrontOptions& o) {
   const bool left = o.side == "left";  // the statistics are those of left eyes
   if (!left) c = mirrored(c);
   Outcome outcome;
-  outcome.eye = {
-      micrometres_over(ZernikeWave::from_examiner(c, 0.5 * metres_per_millimetre * population->pupil_diameter_mm),
-                       pupil_mm),
-      pupil_mm,
-      pupil_mm,
-      left ? "left" : "right",
-      o.wavelength_nm,
-      formatted("random eye %llu of the population of Thibos, Bradley and Hong (2002), %d eyes at %g mm",
-                static_cast<unsigned long long>(o.seed), population->eyes, population->pupil_diameter_mm)};
-  outcome.report = plain_report("random", outcome.eye.coefficients_um, pupil_mm);
-  outcome.report["seed"] = o.seed;
+  WavefrontEye& eye = outcome.eye;
+  eye.coefficients_um = micrometres_over(
+      ZernikeWave::from_examiner(c, 0.5 * metres_per_millimetre * population->pupil_diameter_mm), pupil_mm);
+  eye.measured_pupil_mm = eye.pupil_mm = pupil_mm;
+  eye.side = left ? "left" : "right";
+  eye.wavelength_nm = o.wavelength_nm;
+  eye.source = formatted("random eye %llu of the population of Thibos, Bradley and Hong (2002), %d eyes at %g mm",
+                         static_cast<unsigned long long>(o.seed), population->eyes, population->pupil_diameter_mm);
+  outcome.report = {{"measured", "random"}, {"seed", o.seed}};
   return outcome;
 }
 
@@ -199,6 +203,18 @@ Outcome outcome_of(const WavefrontOptions& o) {
     throw InputError("", "FILE", o.random ? "\"" + o.file + "\" and --random" : "nothing", "a file or --random");
   if (o.random) return random_eye(o);
   return o.file.ends_with(".json") ? restate_eye(o) : fit_table(o);
+}
+
+/// Throws where one result would replace another.
+void require_files_of_their_own(const WavefrontOptions& o) {
+  const auto name = [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal(); };
+  const std::pair<const char*, std::string> results[] = {
+      {"--output", o.output}, {"--report", o.report}, {"--residuals", o.residuals}};
+  for (const auto* one = std::begin(results); one != std::end(results); ++one)
+    for (const auto* other = std::begin(results); other != one; ++other)
+      if (!one->second.empty() && !other->second.empty() && name(one->second) == name(other->second))
+        throw InputError("", one->first, "\"" + one->second + "\"",
+                         std::string("a file of its own, beside that of ") + other->first);
 }
 
 /// What the options say of the eye's file whatever its source.
@@ -234,10 +250,12 @@ int wavefront_command(const WavefrontOptions& o) {
   require_answer_name(o.output, AnswerKind::Json);
   require_answer_name(o.report, AnswerKind::Json, "--report");
   require_answer_name(o.residuals, AnswerKind::Csv, "--residuals");
+  require_files_of_their_own(o);
   Outcome outcome = outcome_of(o);
   finish(o, outcome.eye);
   if (!o.residuals.empty() && outcome.residuals.empty())
     throw InputError("", "--residuals", "\"" + o.residuals + "\"", "a table of a sensor or of heights to fit");
+  if (outcome.residuals.empty()) outcome.report = plain_report(outcome.report, outcome.eye);
   const Json eye = eye_document(outcome.eye);
   validate(eye, "eye", o.output);
   for (const std::string& file : {o.output, o.report, o.residuals})

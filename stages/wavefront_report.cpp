@@ -3,6 +3,7 @@
 
 #include "io/json/values.h"
 #include "lensmodel/units.h"
+#include "lensmodel/zernike_order.h"
 #include "stages/wavefront_stage.h"
 
 namespace sturm {
@@ -47,7 +48,17 @@ Json residuals_json(const FittedWavefront& fitted, double unit, bool spurious_on
   return list;
 }
 
-Json coefficients_json(const ModalFit& fit, const std::optional<double>& noise) {
+/// +1 or −1 for each mode of a fit: what a mirror makes of its coefficient.
+Eigen::VectorXd signs_of(const ModalFit& fit, bool mirror) {
+  Eigen::VectorXd signs = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(fit.modes.size()));
+  if (!mirror || fit.modes.empty()) return signs;
+  const std::vector<double> of_all = mirrored(std::vector<double>(static_cast<std::size_t>(fit.modes.back()) + 1, 1.0));
+  for (Eigen::Index i = 0; i < signs.size(); ++i)
+    signs[i] = of_all[static_cast<std::size_t>(fit.modes[static_cast<std::size_t>(i)])];
+  return signs;
+}
+
+Json coefficients_json(const ModalFit& fit, const Eigen::VectorXd& signs, const std::optional<double>& noise) {
   Json list = Json::array();
   for (std::size_t i = 0; i < fit.modes.size(); ++i) {
     const ZernikeIndex index = ZernikeIndex::of(fit.modes[i]);
@@ -55,20 +66,20 @@ Json coefficients_json(const ModalFit& fit, const std::optional<double>& noise) 
     list.push_back({{"j", fit.modes[i]},
                     {"n", index.n},
                     {"m", index.m},
-                    {"value_um", fit.coefficients[k] / metres_per_micrometre},
+                    {"value_um", signs[k] * fit.coefficients[k] / metres_per_micrometre},
                     {"standard_error_um",
                      noise ? number_or_null(fit.standard_error(k, *noise) / metres_per_micrometre) : Json(nullptr)}});
   }
   return list;
 }
 
-Json covariance_json(const ModalFit& fit, const std::optional<double>& noise) {
+Json covariance_json(const ModalFit& fit, const Eigen::VectorXd& signs, const std::optional<double>& noise) {
   if (!noise) return nullptr;
   const double scale = *noise * *noise / (metres_per_micrometre * metres_per_micrometre);
   Json rows = Json::array();
   for (Eigen::Index i = 0; i < fit.unit_covariance.rows(); ++i) {
     Json row = Json::array();
-    for (Eigen::Index k = 0; k <= i; ++k) row.push_back(scale * fit.unit_covariance(i, k));
+    for (Eigen::Index k = 0; k <= i; ++k) row.push_back(scale * signs[i] * signs[k] * fit.unit_covariance(i, k));
     rows.push_back(std::move(row));
   }
   return rows;
@@ -106,8 +117,10 @@ Json refraction_json(const std::vector<double>& coefficients_um, double pupil_mm
           {"higher_order_rms_um", std::sqrt(higher)}};
 }
 
-Json wavefront_report(const WavefrontQuery& query, const FittedWavefront& fitted) {
+Json wavefront_report(const WavefrontQuery& query, const FittedWavefront& fitted, bool mirror) {
   const ModalFit& fit = fitted.fit;
+  const Eigen::VectorXd signs = signs_of(fit, mirror);
+  const std::vector<double> coefficients_um = mirror ? mirrored(fitted.coefficients_um()) : fitted.coefficients_um();
   const double unit = residual_unit(query.table.heights);
   const std::optional<double> noise = query.noise ? query.noise : fit.noise;
   const Json spurious = residuals_json(fitted, unit, true);
@@ -135,9 +148,9 @@ Json wavefront_report(const WavefrontQuery& query, const FittedWavefront& fitted
           {"left_out_rms", scaled(fit.left_out_rms, unit)},
           {"noise", scaled(noise, unit)},
           {"noise_is", query.noise ? "given" : "estimated"},
-          {"coefficients", coefficients_json(fit, noise)},
-          {"covariance_um2", covariance_json(fit, noise)},
-          {"refraction", refraction_json(fitted.coefficients_um(), millimetres(2.0 * query.pupil_radius_m))},
+          {"coefficients", coefficients_json(fit, signs, noise)},
+          {"covariance_um2", covariance_json(fit, signs, noise)},
+          {"refraction", refraction_json(coefficients_um, millimetres(2.0 * query.pupil_radius_m))},
           {"residuals", residuals_json(fitted, unit, false)}};
 }
 
@@ -149,10 +162,13 @@ Json eye_document(const WavefrontEye& eye) {
   Json wavefront = {{"coefficients_um", std::move(coefficients)}, {"pupil_diameter_mm", eye.measured_pupil_mm}};
   if (eye.side) wavefront["eye"] = *eye.side;
   if (eye.wavelength_nm) wavefront["wavelength_nm"] = *eye.wavelength_nm;
-  return {{"format", "sturm.eye/1"},
-          {"source", eye.source},
-          {"wavefront", std::move(wavefront)},
-          {"pupil_diameter_mm", eye.pupil_mm}};
+  if (eye.second_order) wavefront["second_order"] = *eye.second_order;
+  Json document = {{"format", "sturm.eye/1"},
+                   {"source", eye.source},
+                   {"wavefront", std::move(wavefront)},
+                   {"pupil_diameter_mm", eye.pupil_mm}};
+  document.update(eye.others);
+  return document;
 }
 
 }  // namespace sturm

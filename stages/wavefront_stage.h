@@ -38,16 +38,20 @@ struct FittedWavefront {
 /// that do not determine the modes.
 FittedWavefront fit_wavefront(const WavefrontQuery& query);
 
-/// The sturm.wavefront_report/1 document of a fit.
-Json wavefront_report(const WavefrontQuery& query, const FittedWavefront& fitted);
+/// The sturm.wavefront_report/1 document of a fit. `mirror`: its coefficients, their covariance and the refraction are
+/// those of the mirrored wavefront; places and residuals stay the sensor's.
+Json wavefront_report(const WavefrontQuery& query, const FittedWavefront& fitted, bool mirror);
 
 /// An eye's document (sturm.eye/1) with a wavefront.
 struct WavefrontEye {
-  std::vector<double> coefficients_um;  ///< OSA normalised, examiner's frame
-  double measured_pupil_mm, pupil_mm;  ///< diameter that the coefficients are stated for, and the eye's own, not larger
-  std::optional<std::string> side;     ///< "right" or "left"
-  std::optional<double> wavelength_nm;  ///< that the wave is stated for
-  std::string source;                   ///< where the measurement comes from, in words
+  std::vector<double> coefficients_um;      ///< OSA normalised, examiner's frame
+  double measured_pupil_mm = 0.0;           ///< diameter that the coefficients are stated for
+  double pupil_mm = 0.0;                    ///< the eye's own, not larger
+  std::optional<std::string> side;          ///< "right" or "left"
+  std::optional<double> wavelength_nm;      ///< that the wave is stated for
+  std::string source;                       ///< where the measurement comes from, in words
+  std::optional<std::string> second_order;  ///< as in the document that it is restated from
+  Json others = Json::object();             ///< members of that document that are not about its wavefront
 };
 Json eye_document(const WavefrontEye& eye);  ///< its sturm.eye/1
 

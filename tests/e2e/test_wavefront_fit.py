@@ -124,6 +124,39 @@ class WavefrontFit(FolderTest):
             for j in range(15):
                 self.assertAlmostEqual(c.get(j, 0), {4: 0.3, 8: 0.2}.get(j, 0), delta=1e-12)
 
+    def test_a_report_is_about_the_eye_that_is_written(self):
+        slopes, _, eye = self.fit(REAL, *RIG, "--order", 5)
+        mirrored, _, other = self.fit(REAL, *RIG, "--order", 5, "--mirror")
+        self.assertNotEqual(eye["wavefront"], other["wavefront"])
+        for report, written in ((slopes, eye), (mirrored, other)):
+            for mode in report["coefficients"]:
+                self.assertEqual(mode["value_um"], written["wavefront"]["coefficients_um"][str(mode["j"])])
+        self.assertAlmostEqual(slopes["refraction"]["axis_deg"] + mirrored["refraction"]["axis_deg"], 180, delta=1e-9)
+        signs = [a["value_um"] / b["value_um"] for a, b in zip(slopes["coefficients"], mirrored["coefficients"])]
+        self.assertIn(-1, signs)
+        for i, row in enumerate(slopes["covariance_um2"]):
+            for k, value in enumerate(row):
+                self.assertEqual(mirrored["covariance_um2"][i][k], signs[i] * signs[k] * value)
+        self.assertEqual(slopes["residuals"], mirrored["residuals"])
+        oblique = self.write("oblique.json", {"format": "sturm.eye/1", "prescription": {"sphere_D": -1, "cylinder_D": -2, "axis_deg": 30, "vertex_distance_mm": 0},
+                                              "pupil_diameter_mm": 6})
+        restated, _, _ = self.fit(oblique, "--mirror")
+        self.assertAlmostEqual(restated["refraction"]["axis_deg"], 150, delta=1e-9)
+
+    def test_each_result_has_a_file_of_its_own(self):
+        before = snapshot(self.folder)
+        process = sturm("wavefront", REAL, *RIG, "-o", self.folder / "one.json", "--report", self.folder / "." / "one.json")
+        self.assertEqual(process.returncode, WRONG_INPUT, process.stderr)
+        self.assertIn("--report", process.stderr)
+        self.assertEqual(snapshot(self.folder), before)
+
+    def test_what_else_a_document_says_of_an_eye_is_kept(self):
+        others = {"accommodation": {"mode": "fixed", "power_D": 1}, "stiles_crawford_per_mm2": 0.05, "rotation_center_mm": 11}
+        given = self.write("given.json", dict(others, format="sturm.eye/1", prescription={"sphere_D": -1}, pupil_diameter_mm=6))
+        _, _, eye = self.fit(given)
+        self.assertNotIn("prescription", eye)
+        self.assertEqual({key: eye[key] for key in others}, others)
+
     def test_orders_norms_and_sides_of_an_eye(self):
         def restated(wavefront, *options):
             _, c, eye = self.fit(self.write("given.json", {"format": "sturm.eye/1", "wavefront": dict(wavefront, pupil_diameter_mm=6), "pupil_diameter_mm": 6}), *options)
@@ -149,6 +182,9 @@ class WavefrontFit(FolderTest):
         got, eye = restated({"coefficients_um": {"8": 0.3}, "eye": "left"}, "--mirror")
         self.assertAlmostEqual(got[8], -0.3, delta=1e-15)
         self.assertEqual(eye["wavefront"]["eye"], "right")
+        self.assertNotIn("second_order", eye["wavefront"])
+        _, eye = restated({"coefficients_um": {"12": 0.3}, "second_order": "paraxial"})
+        self.assertEqual(eye["wavefront"]["second_order"], "paraxial")
         # A smaller pupil: spherical aberration has defocus in its middle; a prescription is a second-order wavefront.
         got, _ = restated({"coefficients_um": {"12": 0.2}}, "--pupil-mm", 3)
         self.assertAlmostEqual(got[12], 0.2 / 16, delta=1e-15)

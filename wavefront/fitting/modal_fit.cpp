@@ -53,20 +53,41 @@ Eigen::VectorXd least_absolute_residuals(const ModalProblem& problem) {
   return residuals;
 }
 
-/// Standard deviation of residuals by the median of their sizes, which a minority of bad ones hardly moves.
-double robust_deviation(const ModalProblem& problem, const Eigen::VectorXd& residuals, const std::vector<bool>& used) {
+/// Sizes of the residuals of what is used, the smallest first.
+std::vector<double> sizes_of(const ModalProblem& problem, const Eigen::VectorXd& residuals,
+                             const std::vector<bool>& used) {
   std::vector<double> sizes;
   for (int row = 0; row < residuals.size(); ++row)
     if (used[static_cast<std::size_t>(row / problem.rows_per_sample)]) sizes.push_back(std::abs(residuals[row]));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle / normal_quartile;
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
 }
 
-std::vector<bool> without_spurious(const ModalProblem& problem, const Eigen::VectorXd& residuals,
-                                   const std::vector<bool>& before) {
-  const double limit = std::max(problem.negligible, spurious_distance * robust_deviation(problem, residuals, before));
-  std::vector<bool> used(before.size());
+/// Standard deviation of the noise by the median of sizes from the first one that counts, which a minority of bad ones
+/// hardly moves.
+double deviation_from(const std::vector<double>& sizes, std::size_t first) {
+  return sizes[first + (sizes.size() - first) / 2] / normal_quartile;
+}
+
+/// The fit with the least sum of distances goes through about as many values as it has modes; the others tell the
+/// noise.
+double deviation_of_least_absolute(const ModalProblem& problem, const Eigen::VectorXd& residuals) {
+  const std::vector<bool> all(static_cast<std::size_t>(problem.samples()), true);
+  return deviation_from(sizes_of(problem, residuals, all), problem.modes.size());
+}
+
+/// Least squares leave √(1 − modes/values) of the noise in each residual. None where there are no more values than
+/// modes.
+std::optional<double> deviation_of_least_squares(const ModalProblem& problem, const ModalFit& fit) {
+  const std::vector<double> sizes = sizes_of(problem, fit.residuals, fit.used);
+  const auto values = static_cast<double>(sizes.size()), modes = static_cast<double>(problem.modes.size());
+  if (!(values > modes)) return std::nullopt;
+  return deviation_from(sizes, 0) / std::sqrt(1.0 - modes / values);
+}
+
+std::vector<bool> without_spurious(const ModalProblem& problem, const Eigen::VectorXd& residuals, double deviation) {
+  const double limit = std::max(problem.negligible, spurious_distance * deviation);
+  std::vector<bool> used(static_cast<std::size_t>(problem.samples()));
   for (int sample = 0; sample < problem.samples(); ++sample)
     used[static_cast<std::size_t>(sample)] = distance(residuals, sample, problem.rows_per_sample) <= limit;
   return used;
@@ -175,15 +196,16 @@ ModalFit fit_modes(const ModalProblem& problem, const std::vector<bool>& used) {
 
 ModalFit fit_modes_robustly(const ModalProblem& problem) {
   constexpr int rounds = 20;
-  const std::vector<bool> all(static_cast<std::size_t>(problem.samples()), true);
-  if (problem.design.rows() <= problem.design.cols()) return fit_modes(problem, all);
-  std::vector<bool> used = without_spurious(problem, least_absolute_residuals(problem), all);
-  ModalFit fit = fit_modes(problem, used);
+  if (problem.design.rows() <= problem.design.cols())
+    return fit_modes(problem, std::vector<bool>(static_cast<std::size_t>(problem.samples()), true));
+  const Eigen::VectorXd first = least_absolute_residuals(problem);
+  ModalFit fit = fit_modes(problem, without_spurious(problem, first, deviation_of_least_absolute(problem, first)));
   for (int round = 0; round < rounds; ++round) {
-    const std::vector<bool> next = without_spurious(problem, fit.residuals, used);
-    if (next == used) break;
-    used = next;
-    fit = fit_modes(problem, used);
+    const std::optional<double> deviation = deviation_of_least_squares(problem, fit);
+    if (!deviation) break;
+    const std::vector<bool> next = without_spurious(problem, fit.residuals, *deviation);
+    if (next == fit.used) break;
+    fit = fit_modes(problem, next);
   }
   return fit;
 }

@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <random>
+#include <tuple>
 
 #include "lensmodel/zernike_wave.h"
 #include "support/reference_file.h"
@@ -139,6 +141,37 @@ TEST(ModalFit, SpuriousSpotsAreFoundAndDoNotMatter) {
       const ModalFit pulled = fit_modes(problem, std::vector<bool>(spots.size(), true));
       EXPECT_GT((pulled.coefficients - rest.coefficients).cwiseAbs().maxCoeff(), 0.1 * um) << id;
     }
+}
+
+/// Noise alone on a square grid of lenslets about the middle of the pupil, `across` of them in its radius.
+std::vector<SlopeSample> noisy_spots(double across, double noise, std::mt19937& random) {
+  std::normal_distribution<double> deviate(0.0, noise);
+  std::vector<SlopeSample> spots;
+  const int most = static_cast<int>(across);
+  for (int y = -most; y <= most; ++y)
+    for (int x = -most; x <= most; ++x)
+      if (std::hypot(x, y) <= across)
+        spots.push_back({3e-3 / across * Eigen::Vector2d(x, y), Eigen::Vector2d(deviate(random), deviate(random))});
+  return spots;
+}
+
+TEST(ModalFit, NoiseOfFewSpotsIsNotSpurious) {
+  std::mt19937 random(20261201);
+  constexpr int fits = 300;
+  for (const auto& [spots_expected, across, order] :
+       {std::tuple(13u, 2.0, 3), {21u, 2.5, 4}, {21u, 2.5, 5}, {29u, 3.0, 6}}) {
+    long long rejected = 0, spots_in_all = 0;
+    for (int i = 0; i < fits; ++i) {
+      const auto spots = noisy_spots(across, 5e-5, random);
+      const ModalFit fit = fit_modes_robustly(slope_problem(spots, modes_of_slopes(order), 3e-3, 0.0));
+      rejected += std::count(fit.used.begin(), fit.used.end(), false);
+      spots_in_all += static_cast<long long>(spots.size());
+    }
+    EXPECT_EQ(spots_in_all, fits * spots_expected);
+    RecordProperty("rejected_" + std::to_string(spots_expected) + "_" + std::to_string(order),
+                   std::to_string(rejected));
+    EXPECT_EQ(rejected, 0) << spots_expected << " spots, order " << order;
+  }
 }
 
 TEST(ModalFit, LeavingOutIsFittingTheOthers) {
