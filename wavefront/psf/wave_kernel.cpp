@@ -2,15 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "io/files/formatted_text.h"
 
 namespace sturm {
 
-SpreadKernel wave_kernel(const WavePsf& psf, double pixel_rad, double left_out) {
+SpreadKernel wave_kernel(const WavePsf& psf, double pixel_rad, int largest_radius_px, double left_out) {
   const WaveEnergy energy(psf, Eigen::Vector2d::Zero());
   const double half_window = 0.5 * psf.sampling.window_rad();
   const double held = energy.within(half_window);
   const double reach = energy.radius((1.0 - left_out) * held).value_or(half_window);
-  const int radius = static_cast<int>(std::ceil(std::min(reach, half_window) / pixel_rad));
+  const double needed_px = std::ceil(std::min(reach, half_window) / pixel_rad);
+  if (!(needed_px <= largest_radius_px))
+    throw std::invalid_argument("the blur reaches " + plain_number(needed_px) + " pixels, more than " +
+                                std::to_string(largest_radius_px));
+  const int radius = static_cast<int>(needed_px);
   const PsfCells cells = cells_of(psf, pixel_rad, 2 * radius + 1);
   const double scale = 1.0 / cells.energy.cwiseMax(0.0).sum();
   SpreadKernel kernel;

@@ -84,15 +84,17 @@ double visual_strehl(const WavePsf& psf, const PupilWave& pupil, const Light& li
 }
 
 PsfCells cells_of(const WavePsf& psf, double cell, int side) {
-  const double f = psf.sampling.frequency_step;
+  const double f = psf.sampling.frequency_step, edge = 0.5 * psf.sampling.window_rad();
   const int highest = psf.highest, middle = side / 2;
   Eigen::MatrixXcd rows(side, 2 * highest + 1), columns(highest + 1, side);
   for (int i = 0; i < side; ++i) {
-    const double x = cell * (i - middle);
+    const double first = std::clamp(cell * (i - middle - 0.5), -edge, edge),
+                 last = std::clamp(cell * (i - middle + 0.5), -edge, edge);
+    const double x = 0.5 * (first + last), width = last - first;
     for (int k = -highest; k <= highest; ++k)
-      rows(i, highest + k) = std::polar(f * cell * sinc(f * k * cell), two_pi * f * k * x);
+      rows(i, highest + k) = std::polar(f * width, two_pi * f * k * x) * sinc(f * k * width);
     for (int k = 0; k <= highest; ++k)
-      columns(k, i) = std::polar((k == 0 ? 1.0 : 2.0) * f * cell * sinc(f * k * cell), two_pi * f * k * x);
+      columns(k, i) = std::polar((k == 0 ? 1.0 : 2.0) * f * width, two_pi * f * k * x) * sinc(f * k * width);
   }
   const Eigen::MatrixXcd half = rows * psf.otf;
   return {cell, (half * columns).real()};

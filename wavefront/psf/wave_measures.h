@@ -36,7 +36,8 @@ struct PsfCells {
   double outside() const { return 1.0 - energy.sum(); }  ///< the share that no cell has
 };
 
-/// Exact integrals over side × side cells of the spread, which is band-limited.
+/// Exact integrals over side × side cells of the spread, which is band-limited. It has one period, the window: what
+/// lies beyond holds nothing.
 PsfCells cells_of(const WavePsf& psf, double cell_rad, int side);
 
 /// Total variation ½ Σ |p − q| over equal cells; the rest of the world is one more cell.

@@ -138,8 +138,23 @@ TEST(WavePsf, CellsHoldItsEnergy) {
   EXPECT_GT(fine.energy.minCoeff(), -1e-12);
   for (int i = 0; i < 27; ++i)
     for (int k = 0; k < 27; ++k) EXPECT_NEAR(coarse.energy(i, k), (fine.energy.block<3, 3>(3 * i, 3 * k).sum()), 1e-12);
-  const SpreadKernel kernel = wave_kernel(psf, 0.5 * arcmin);
+  const SpreadKernel kernel = wave_kernel(psf, 0.5 * arcmin, 512);
   EXPECT_NEAR(kernel.sum(), 1.0, 1e-6);
+  EXPECT_THROW(wave_kernel(psf, 0.5 * arcmin, kernel.radius_px - 1), std::invalid_argument);
+  EXPECT_THROW(wave_kernel(psf, 1e-9 * arcmin, 512), std::invalid_argument);  // before any memory is taken
+}
+
+TEST(WavePsf, CellsBeyondItsWindowAreEmpty) {
+  const PupilWave pupil = examiner_wave({0.0}, 4.0, 4.0);
+  const WavePsf psf = spread_of(pupil, monochromatic_light(555), 0.0);
+  const double window = psf.sampling.window_rad(), all = psf.otf(psf.highest, 0).real();
+  // Three periods across; cells that the window's border cuts.
+  const PsfCells cells = cells_of(psf, window / 10.0, 31), within = cells_of(psf, window / 10.0, 11);
+  EXPECT_NEAR(cells.energy.sum(), all, 1e-12);
+  EXPECT_NEAR(within.energy.sum(), all, 1e-12);
+  EXPECT_EQ(cells.energy(15, 25), 0.0);
+  EXPECT_GT(cells.energy(15, 20), 0.0);
+  EXPECT_NEAR(cells_of(psf, 3.0 * window, 1).energy.sum(), all, 1e-12);
 }
 
 TEST(WavePsf, ReferencesAt550nm) {
