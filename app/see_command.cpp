@@ -64,6 +64,8 @@ class SeeRun {
   void write(const fs::path& output, bool film) {
     const std::vector<fs::path> files = files_of_frames(spec_, output);
     for (const fs::path& file : files) require_writable(file);
+    if (spec_.sequence)  // no frame is written of one that cannot be finished
+      for (const SeeingEye& frame : spec_.frames) require_blur(inputs_.picture, inputs_.layers, settings_of(frame));
     const Json resolved = resolved_with_pixels(spec_, inputs_.pixel_slope);
     Json counters = {{"filled_holes", inputs_.filled_holes}, {"frames", Json::array()}};
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -85,7 +87,7 @@ class SeeRun {
   }
 
  private:
-  SeenPicture seen_by(const SeeingEye& frame) {
+  SeeSettings settings_of(const SeeingEye& frame) const {
     SeeSettings settings;
     settings.eye = frame.eye;
     settings.accommodation_D = frame.accommodation_D;
@@ -93,7 +95,11 @@ class SeeRun {
     settings.psf = spec_.psf;
     settings.chromatic = spec_.chromatic;
     settings.parts = spec_.parts;
-    SeenPicture seen = see_picture(inputs_.picture, inputs_.layers, settings);
+    return settings;
+  }
+
+  SeenPicture seen_by(const SeeingEye& frame) {
+    SeenPicture seen = see_picture(inputs_.picture, inputs_.layers, settings_of(frame));
     for (const auto& [part, seconds] : seen.seconds) facts_.seconds[part] += seconds;
     return seen;
   }

@@ -6,10 +6,11 @@
 #include "app/eye_options.h"
 #include "app/option_values.h"
 #include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "io/files/plain_file.h"
 #include "io/json/values.h"
 #include "io/specs/eye_spec.h"
-#include "stages/see_stage.h"
+#include "wavefront/layers/part_count.h"
 
 namespace sturm {
 
@@ -64,9 +65,20 @@ void apply_focus(Json& document, const CommonOptions& common, double focus_D) {
   if (document["eye"].is_object()) document["eye"]["accommodation"] = {{"mode", "fixed"}, {"power_D", focus_D}};
 }
 
+int parts_of_error(double error) {
+  if (const std::optional<int> parts = parts_for_error(error)) return *parts;
+  const ErrorOfParts& most = errors_of_parts().back();
+  throw InputError("", "--error", plain_number(error),
+                   "at least " + plain_number(most.error) + ", which " + std::to_string(most.parts) +
+                       " parts of the pupil reach, or --parts with more of them");
+}
+
 void apply_rest(Json& document, const SeeOptions& options) {
   if (!options.picture_layer.empty()) document["picture_layer"] = options.picture_layer;
-  set_if_given(document, "parts", options.error ? parts_for_error(*options.error) : options.parts);
+  if (options.error)
+    document["parts"] = parts_of_error(*options.error);
+  else
+    set_if_given(document, "parts", options.parts);
   if (!options.psf.empty()) document["psf"] = options.psf;
   if (options.chromatic) document["chromatic"] = true;
   set_if_given(document, "exposure", options.exposure);

@@ -60,6 +60,17 @@ void darken_negative(Image& radiance, const std::string& path, std::vector<std::
   if (below > 0) notes.push_back(path + ": " + std::to_string(below) + " negative values were taken for 0");
 }
 
+/// What a picture does not cover is black where no layer tells what lies behind it.
+void put_before_black(ColorFile& file, const std::string& path, std::vector<std::string>& notes) {
+  if (file.coverage.empty()) return;
+  for (std::size_t i = 0; i < file.coverage.size(); ++i)
+    for (int c = 0; c < 3; ++c) file.radiance.pixels[3 * i + c] *= file.coverage[i];
+  const auto transparent = std::count_if(file.coverage.begin(), file.coverage.end(), [](float a) { return a < 1.0f; });
+  notes.push_back(path + ": " + std::to_string(transparent) +
+                  " pixels are transparent, and what lies behind them is taken for black, as no --layer tells it");
+  file.coverage.clear();
+}
+
 ColorFile read_color_file(const std::string& path, const SeeSpec& spec, std::vector<std::string>& notes) {
   const bool layered = has_layers(path);
   PictureFile picture = read_picture_file(path, layered ? spec.picture_layer : std::nullopt);
@@ -120,6 +131,7 @@ double pixel_slope_of(const SeeSpec& spec, const ColorFile& file) {
 SeeInputs read_see_inputs(const SeeSpec& spec) {
   SeeInputs inputs;
   ColorFile file = read_color_file(spec.picture, spec, inputs.notes);
+  if (spec.layers.empty()) put_before_black(file, spec.picture, inputs.notes);
   inputs.pixel_slope = pixel_slope_of(spec, file);
   DepthMap depth = picture_depth(spec, file);
   require_size(depth.width, depth.height, file.radiance, spec.depth_map.value_or(spec.picture));

@@ -17,6 +17,10 @@ using Light = std::vector<SpectralLine>;
 /// Shortest and longest wavelength that the chromatic eye and V(λ) are stated for [nm].
 inline constexpr double shortest_visible_nm = 380.0, longest_visible_nm = 780.0;
 
+/// The wavelength that the wavefront or prescription of whoever looks at a picture is taken to be in focus at [nm]: the
+/// peak of daylight vision.
+inline constexpr double focus_wavelength_nm = 555.0;
+
 /// Vergence error [D] of the Indiana chromatic eye at a wavelength when it is in focus at another one:
 /// 633.46·(1/(f − 214.102) − 1/(λ − 214.102)), wavelengths in nm [Thibos1992]. Negative for blue: the eye is myopic
 /// there. It is *added* to the vergence of the target. Wavelengths > 300 nm.

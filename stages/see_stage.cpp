@@ -11,11 +11,11 @@
 #include "wavefront/layers/guessed_background.h"
 #include "wavefront/layers/kernel_bank.h"
 #include "wavefront/layers/lamps.h"
-#include "wavefront/layers/layer_detail.h"
-#include "wavefront/layers/part_count.h"
+#include "wavefront/layers/primaries.h"
 #include "wavefront/layers/ray_kernels.h"
 #include "wavefront/layers/unmixed_edges.h"
 #include "wavefront/layers/wave_kernels.h"
+#include "wavefront/psf/pupil_wave.h"
 
 namespace sturm {
 
@@ -76,18 +76,40 @@ struct SeeRun {
   }
 };
 
-/// Runs `see(model, run)` with the kernels of the settings.
-template <class See>
-SeenPicture seen_through(const SeeSettings& settings, bool pupil_as_a_whole, const See& see) {
-  SeeRun run{settings.progress};
-  run.seen.parts = settings.psf == SeenPsf::Waves || pupil_as_a_whole ? 1 : settings.parts;
+/// Runs `work()`; what cannot be computed of a blur is wrong input.
+template <class Work>
+auto computed(const Work& work) {
   try {
-    see(kernels_of(settings, run.seen.parts), run);
+    return work();
   } catch (const std::invalid_argument& error) {
     throw InputError("", "", error.what(),
                      "a blur that can be computed: a smaller picture, pupil or distance to focus");
   }
+}
+
+int parts_of(const SeeSettings& settings, bool pupil_as_a_whole) {
+  return settings.psf == SeenPsf::Waves || pupil_as_a_whole ? 1 : settings.parts;
+}
+
+/// Runs `see(model, run)` with the kernels of the settings.
+template <class See>
+SeenPicture seen_through(const SeeSettings& settings, bool pupil_as_a_whole, const See& see) {
+  SeeRun run{settings.progress};
+  run.seen.parts = parts_of(settings, pupil_as_a_whole);
+  computed([&] { see(kernels_of(settings, run.seen.parts), run); });
   return std::move(run.seen);
+}
+
+/// Whether no ray comes near the largest radius of a kernel.
+bool clearly_small(const SeeSettings& settings, double vergence_D) {
+  if (settings.psf == SeenPsf::Waves) return false;
+  if (settings.eye.pupil_radius_m == 0.0) return true;
+  Light light = monochromatic_light(focus_wavelength_nm);
+  if (settings.chromatic)
+    for (const double nm : primary_wavelengths_nm) light.push_back({nm, 1.0});
+  const double slope =
+      PupilWave::of(settings.eye, focus_wavelength_nm).largest_slope(light, vergence_D - settings.accommodation_D);
+  return slope < 0.5 * largest_kernel_radius_px * settings.pixel_slope;
 }
 
 }  // namespace
@@ -107,8 +129,27 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
     if (in_copy) take_lamps(picture);
     if (in_copy && layers.empty()) unmix_edges(picture, layers, edges);  // by colours, which no lamp may be among
     const KernelBank bank = run.bank_for(picture, model);
-    picture.detail = shows_detail(bank) ? detail_of(picture) : std::vector<Detail>();
+    picture.shows_detail = shows_detail(bank);
     run.blur(picture, bank, edges);
+  });
+}
+
+void require_blur(const LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+  const auto widen = [&](const std::vector<double>& vergence_D) {
+    for (const double v : vergence_D) {
+      lowest = std::min(lowest, v);
+      highest = std::max(highest, v);
+    }
+  };
+  widen(sharp.vergence_D);
+  for (const PictureLayer& layer : layers) widen(layer.vergence_D);
+  if (clearly_small(settings, lowest) && clearly_small(settings, highest)) return;
+  computed([&] {
+    const KernelModel model = kernels_of(settings, parts_of(settings, one_distance(sharp, layers)));
+    for (const double vergence_D : {lowest, highest})
+      for (int part = 0; part < static_cast<int>(model.parts.size()); ++part)
+        for (int channel = 0; channel < model.channels; ++channel) model.kernel(vergence_D, part, channel);
   });
 }
 

@@ -47,10 +47,9 @@ SeenPicture see_picture(LayeredPicture& sharp, std::span<const PictureLayer> lay
 /// The same of a picture whose `hidden` surfaces, coverage and `jump_D` are known.
 SeenPicture see_surfaces(LayeredPicture& picture, const SeeSettings& settings);
 
-/// The least number of parts of the pupil with which the root-mean-square error beside edges stayed below `error`
-/// (linear light, pictures between 0 and 1) in pictures with known hidden surfaces; the largest of the table where none
-/// did.
-int parts_for_error(double error);
+/// Throws InputError as `see_picture` would where the blur at the nearest or farthest distance is too large, in a small
+/// part of its time: for sequences, of which nothing is to be written then.
+void require_blur(const LayeredPicture& sharp, std::span<const PictureLayer> layers, const SeeSettings& settings);
 
 /// Counters for the manifest.
 Json counters_of(const SeenPicture& seen);

@@ -68,10 +68,11 @@ std::string on_time(const PredictionFinding& prediction) {
                &paths = prediction.samples_of_equal_error, &needed = prediction.rmse_needed,
                &error = prediction.squared_error.total, &noise = prediction.squared_error.prediction_noise;
   if (!faster || !cost || !paths || !error || !noise) return "";
-  const std::string start =
-      formatted("%.3g × faster than path tracing to the same error (%.3g paths per pixel)", *faster, *paths);
+  const std::string start = plain_number(*faster, 3) + " × faster than path tracing to the same error (" +
+                            plain_number(*paths, 3) + " paths per pixel)";
   if (*faster >= speed_bar) return start + formatted(" reaches %.0f.", speed_bar);
-  return start + formatted(" misses %.0f. The prediction takes the time of %.3g paths per pixel", speed_bar, *cost) +
+  return start + formatted(" misses %.0f. The prediction takes the time of ", speed_bar) + plain_number(*cost, 3) +
+         " paths per pixel" +
          (needed ? formatted(
                        ", so %.0f × needed the RMSE %.2g that path tracing has after %.0f times as many; it has %.2g",
                        speed_bar, *needed, speed_bar, std::sqrt(std::max(0.0, *error)))

@@ -43,33 +43,59 @@ double vergence_of_number(double number, DepthUnit unit, const StereoCalibration
 
 /// Fills holes ring by ring; a ring sees only what earlier ones have filled, so that the order of visits does not
 /// matter.
-void fill_holes(DepthMap& map) {
-  std::vector<std::size_t> holes;
-  for (std::size_t i = 0; i < map.vergence_D.size(); ++i)
-    if (map.vergence_D[i] == hole) holes.push_back(i);
-  map.filled_holes = static_cast<long long>(holes.size());
-  const auto farthest_around = [&](std::size_t i) {
-    const int x = static_cast<int>(i % map.width), y = static_cast<int>(i / map.width);
-    double farthest = hole;
-    for (int v = std::max(0, y - 1); v <= std::min(map.height - 1, y + 1); ++v)
-      for (int u = std::max(0, x - 1); u <= std::min(map.width - 1, x + 1); ++u) {
-        const double there = map.vergence_D[static_cast<std::size_t>(v) * map.width + u];
-        if (there != hole && (farthest == hole || there < farthest)) farthest = there;
+class HoleFilling {
+ public:
+  explicit HoleFilling(DepthMap& map) : map_(map), listed_(map.vergence_D.size(), false) {}
+
+  void fill() {
+    map_.filled_holes = std::count(map_.vergence_D.begin(), map_.vergence_D.end(), hole);
+    if (map_.filled_holes == 0) return;
+    std::vector<std::size_t> ring, next;
+    for (std::size_t i = 0; i < map_.vergence_D.size(); ++i)
+      if (is_hole(i) && farthest_about(i) != hole) {
+        listed_[i] = true;
+        ring.push_back(i);
       }
-    return farthest;
-  };
-  while (!holes.empty()) {
-    std::vector<std::pair<std::size_t, double>> ring;
-    std::vector<std::size_t> left;
-    for (const std::size_t i : holes)
-      if (const double v = farthest_around(i); v != hole)
-        ring.emplace_back(i, v);
-      else
-        left.push_back(i);
-    for (const auto& [i, v] : ring) map.vergence_D[i] = v;
-    holes = std::move(left);
+    std::vector<double> filled;
+    for (; !ring.empty(); std::swap(ring, next)) {
+      filled.clear();
+      for (const std::size_t i : ring) filled.push_back(farthest_about(i));
+      for (std::size_t k = 0; k < ring.size(); ++k) map_.vergence_D[ring[k]] = filled[k];
+      next.clear();
+      for (const std::size_t i : ring) list_holes_about(i, next);
+    }
   }
-}
+
+ private:
+  bool is_hole(std::size_t i) const { return map_.vergence_D[i] == hole; }
+
+  template <class Visit>
+  void around(std::size_t i, Visit visit) const {
+    const int x = static_cast<int>(i % map_.width), y = static_cast<int>(i / map_.width);
+    for (int v = std::max(0, y - 1); v <= std::min(map_.height - 1, y + 1); ++v)
+      for (int u = std::max(0, x - 1); u <= std::min(map_.width - 1, x + 1); ++u)
+        visit(static_cast<std::size_t>(v) * map_.width + u);
+  }
+
+  void list_holes_about(std::size_t i, std::vector<std::size_t>& ring) {
+    around(i, [&](std::size_t j) {
+      if (!is_hole(j) || listed_[j]) return;
+      listed_[j] = true;
+      ring.push_back(j);
+    });
+  }
+
+  double farthest_about(std::size_t i) const {
+    double farthest = hole;
+    around(i, [&](std::size_t j) {
+      if (!is_hole(j) && (farthest == hole || map_.vergence_D[j] < farthest)) farthest = map_.vergence_D[j];
+    });
+    return farthest;
+  }
+
+  DepthMap& map_;
+  std::vector<bool> listed_;  // in a ring
+};
 
 Image read_float_map(const std::filesystem::path& path) {
   const std::optional<std::string> bytes = file_contents(path);
@@ -110,7 +136,7 @@ DepthMap depth_of(const Image& stored, const DepthReading& reading, const std::s
     any = any || map.vergence_D[i] != hole;
   }
   if (!any) throw InputError(name, "", "no pixel with a depth", "a depth map");
-  fill_holes(map);
+  HoleFilling(map).fill();
   return map;
 }
 

@@ -21,6 +21,7 @@ class HiddenSurface {
       : radiance_(radiance), vergence_(vergence_D), jump_(jump_D), guess_(vergence_D.size(), none), edges_(edges) {}
 
   void grow(const std::function<double(double)>& reach_px) {
+    guesses_.reserve(vergence_.size());  // memory is taken as it is filled, and never moved
     mark_mixed_pixels();
     std::vector<std::size_t> front = first_ring();
     for (std::int32_t ring = 2; !front.empty(); ++ring) front = next_ring(front, ring, reach_px);
@@ -28,6 +29,7 @@ class HiddenSurface {
 
   std::vector<HiddenSample> samples() const {
     std::vector<HiddenSample> result;
+    result.reserve(guesses_.size());
     for (std::size_t i = 0; i < guess_.size(); ++i) {
       if (guess_[i] == none) continue;
       const auto& rgb = guess(i).rgb;

@@ -4,10 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files/error.h"
+#include "io/files/formatted_text.h"
 #include "io/json/named_file.h"
 #include "io/json/schema.h"
 #include "io/specs/eye_spec.h"
+#include "io/specs/wavefront_spec.h"
 #include "io/specs/words.h"
+#include "lensmodel/chromatic_eye.h"
 
 namespace sturm {
 
@@ -72,11 +75,24 @@ Json eye_of_frame(const Json& document, Json eye, int i, int count) {
   return eye;
 }
 
+/// Pictures take a wave as it is, whatever light it is stated for.
+void note_wavelength(const Json& eye, const Source& where, SeeSpec& spec) {
+  const std::optional<double> stated = stated_wavelength_nm(eye, where);
+  if (!stated || *stated == focus_wavelength_nm) return;
+  spec.notes.push_back(where.file + ": " + where.pointer + "/wavefront/wavelength_nm is " + plain_number(*stated) +
+                       ": the picture takes the wave as it is. In " + plain_number(focus_wavelength_nm) +
+                       " nm the eye's refraction is " +
+                       formatted("%+.2f", chromatic_vergence_D(focus_wavelength_nm, *stated)) + " D from there");
+}
+
 /// An eye that accommodates as well as it can needs one distance to do so for.
 SeeingEye seeing_eye(const Json& eye, const Source& where, SeeSpec& spec) {
   validate(eye, "eye", where);
   EyeSpec read = read_eye_spec(eye, where);
-  if (spec.frames.empty()) spec.notes = std::move(read.notes);
+  if (spec.frames.empty()) {
+    spec.notes = std::move(read.notes);
+    note_wavelength(eye, where, spec);
+  }
   if (!spec.distance_m) require_camera_accommodation(read.eye.accommodation, std::nullopt, where / "accommodation");
   return {read.eye, read.eye.accommodation_for(spec.distance_m ? 1.0 / *spec.distance_m : 0.0)};
 }

@@ -12,8 +12,9 @@ namespace sturm {
 namespace {
 
 std::string run_gnuplot(std::string_view script) {
-  // The user's own start-up file must not restyle the report.
-  return output_of({{"gnuplot", "--default-settings"},
+  // The user's own start-up file must not restyle the report. What comes in by itself gnuplot asks the system for byte
+  // by byte; from a file with a name it reads blocks.
+  return output_of({{"gnuplot", "--default-settings", "/dev/stdin"},
                     "the report's plots need gnuplot, which cannot be started (Debian package gnuplot-nox)",
                     "gnuplot could not draw a plot of the report"},
                    script);

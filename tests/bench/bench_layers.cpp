@@ -1,5 +1,5 @@
-// How long it takes to see a picture with depth, after loading: the bank of kernels, what lamps, edges and details ask
-// for, the background behind edges, and the blur.
+// How long it takes to see a picture with depth, after loading: the bank of kernels, what lamps and edges ask for,
+// the background behind edges, and the blur with its details.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@
 #include "wavefront/layers/guessed_background.h"
 #include "wavefront/layers/lamps.h"
 #include "wavefront/layers/layer_blur.h"
-#include "wavefront/layers/layer_detail.h"
 #include "wavefront/layers/ray_kernels.h"
 #include "wavefront/layers/unmixed_edges.h"
 
@@ -41,14 +40,15 @@ LayeredPicture room(int width, int height) {
 }
 
 struct Seconds {
-  double kernels, detail, background, blur;
-  double all() const { return kernels + detail + background + blur; }
+  double kernels, lamps_and_edges, background, blur;
+  double all() const { return kernels + lamps_and_edges + background + blur; }
 };
 
 Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, int parts, BlurCounters& work) {
   Seconds seconds{};
   picture.hidden.clear();
   picture.coverage.clear();
+  picture.shows_detail = true;
   KernelModel model;
   std::optional<KernelBank> bank;
   std::vector<std::size_t> edges;
@@ -57,11 +57,10 @@ Seconds see_once(LayeredPicture& picture, const Eye& eye, double pixel_slope, in
     picture.jump_D = 1.0 / model.reach_px_per_D;
     bank.emplace(model, planes_for(picture.vergence_D, model.reach_px_per_D));
   });
-  seconds.detail = bench::seconds([&] {
+  seconds.lamps_and_edges = bench::seconds([&] {
     take_lamps(picture);
     edges = edges_of(picture);
     unmix_edges(picture, {}, edges);
-    picture.detail = detail_of(picture);
   });
   seconds.background = bench::seconds([&] { add_guessed_background(picture, *bank, edges); });
   seconds.blur = bench::seconds([&] { blur_layers(picture, *bank, work); });
@@ -90,11 +89,13 @@ int main(int argc, char** argv) {
       all.push_back(last.all());
     }
     std::printf(
-        "%d part(s): median %.3f s; last: kernels %.3f, detail %.3f, background %.3f, blur %.3f s; layers: %zu planes, "
+        "%d part(s): median %.3f s; last: kernels %.3f, lamps and edges %.3f, background %.3f, blur %.3f s; layers: "
+        "%zu planes, "
         "%lld through the spectrum, %lld tap by tap, %lld copied, %lld covered; peak memory %.0f MB\n",
-        parts, bench::median(all), last.kernels, last.detail, last.background, last.blur, work.tiles[0].layers.size(),
-        work.layers(LayerWork::Transform), work.layers(LayerWork::Spatial), work.layers(LayerWork::Unblurred),
-        work.layers(LayerWork::Covered), 1e-6 * static_cast<double>(peak_memory_bytes()));
+        parts, bench::median(all), last.kernels, last.lamps_and_edges, last.background, last.blur,
+        work.tiles[0].layers.size(), work.layers(LayerWork::Transform), work.layers(LayerWork::Spatial),
+        work.layers(LayerWork::Unblurred), work.layers(LayerWork::Covered),
+        1e-6 * static_cast<double>(peak_memory_bytes()));
   }
   return 0;
 }

@@ -139,6 +139,31 @@ class See(FolderTest):
         self.assertEqual(multiplied[0][0], (231,) * 3)  # 0.8
         self.assertEqual(seen(0.4, 0.0)[20][20], (231,) * 3)  # 0.4 + 0.4
 
+    def test_what_a_picture_does_not_cover_is_black(self):
+        """A square that is half covered, in the picture's own field of a colour that must not show."""
+        def seen(name, inside, around):
+            inner = lambda x, y: abs(x - WIDTH // 2) < 8 and abs(y - HEIGHT // 2) < 8  # noqa: E731
+            self.photo = self.write(name, png([[inside if inner(x, y) else around for x in range(WIDTH)] for y in range(HEIGHT)]))
+            return self.see("--distance-m", "1")
+
+        grey = 188  # half of white in linear light
+        opaque = seen("opaque.png", (grey, grey, grey, 255), (0, 0, 0, 255))
+        notes = json.loads((self.folder / "seen.manifest.json").read_text())["notes"]
+        self.assertEqual(notes, [])
+        transparent = seen("transparent.png", (255, 255, 255, 128), (255, 255, 255, 0))
+        self.assertLessEqual(max(abs(a - b) for r, s in zip(opaque, transparent) for p, q in zip(r, s) for a, b in zip(p, q)), 1)
+        notes = json.loads((self.folder / "seen.manifest.json").read_text())["notes"]
+        self.assertTrue(any(f"{WIDTH * HEIGHT} pixels are transparent" in note for note in notes), notes)
+
+    def test_a_wave_stated_for_another_light_is_noted(self):
+        wave = {"coefficients_um": {"12": 0.1}, "pupil_diameter_mm": 5}
+        for stated, more in ((None, None), (555, None), (850, "-0.86 D")):
+            wavefront = dict(wave, wavelength_nm=stated) if stated else wave
+            self.eye = self.write("eye.json", {"format": "sturm.eye/1", "wavefront": wavefront, "pupil_diameter_mm": 5})
+            self.see("--distance-m", "1")
+            notes = json.loads((self.folder / "seen.manifest.json").read_text())["notes"]
+            self.assertEqual([more in note and "850" in note for note in notes], [True] if more else [])
+
     def test_a_slanted_plane_has_no_steps(self):
         """From 0.3 m at the top to 10 m at the bottom; a ramp of light across the slant stays a ramp. A pixel is 1/28°, so that the kernel
         grows by 13 px on the way."""
@@ -290,6 +315,16 @@ class See(FolderTest):
         seen = self.see("--distance-m", "inf", "--pupil-mm", "9", "--focus-D", "8")
         middle = to_linear(seen[HEIGHT // 2][WIDTH // 2][0] / 255)
         self.assertAlmostEqual(middle, 0.5 * (to_linear(200 / 255) + to_linear(60 / 255)), delta=0.02)
+
+    def test_of_a_sequence_that_cannot_be_finished_nothing_is_written(self):
+        message = self.refuse(self.photo, "--rx=0", "--vfov-deg", "0.2", "--distance-m", "6", "--rack-focus-D", "0", "40", "--frames", "5")
+        self.assertIn("the blur reaches", message)
+        message = self.refuse(self.photo, "--rx=-1", "--psf", "waves", "--vfov-deg", "0.01", "--distance-m", "6")
+        self.assertIn("the blur reaches", message)
+
+    def test_an_error_that_no_number_of_parts_reaches_is_refused(self):
+        message = self.refuse(self.photo, "--eye", self.eye, "--vfov-deg", "2", "--distance-m", "1", "--error", "0.001")
+        self.assertIn("at least 0.002", message)
 
     def test_sequences_and_explanations(self):
         depth = self.write("d.pfm", pfm(two_distances(0.5, 10.0)))

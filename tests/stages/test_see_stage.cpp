@@ -9,6 +9,7 @@
 
 #include "io/images/depth_map.h"
 #include "stages/see_stage.h"
+#include "wavefront/layers/plane_cases.h"
 
 namespace sturm {
 namespace {
@@ -94,6 +95,73 @@ INSTANTIATE_TEST_SUITE_P(Places, LampsInALayeredPicture,
                          ::testing::Values(std::pair(180, 90),    // on the wall
                                            std::pair(75, 90),     // on the card
                                            std::pair(112, 90)));  // on the wall beside the card
+
+/// How far the rays of the scene `two` reach [px], by the distance of their surface [m].
+nlohmann::json reaches_of_two(const nlohmann::json& planes, const std::string& eye) {
+  for (const nlohmann::json& one : planes.at("cases"))
+    if (one.at("id") == "two_" + eye) return one.at("psf_reach_px");
+  throw std::invalid_argument(eye);
+}
+
+SeenPicture with_lamp(LayeredPicture picture, int left, int top, int size, const SeeSettings& settings) {
+  for (int y = top; y < top + size; ++y) std::fill_n(picture.radiance.at(left, y), 3 * size, 1e4f);
+  return see_picture(picture, {}, settings);
+}
+
+class LampsInReferencePictures : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(LampsInReferencePictures, LeaveWhatTheyDoNotReach) {
+  // Lamps of one, four and nine pixels all over the two surfaces, stripes and edges of stripes, but 4 px from where one
+  // surface ends. What is guessed in a lamp's place sharpens the pixels beside it, so pixels beyond the kernel may know
+  // of the lamp by how far the guess is from what was there. Within the reach of its rays, too, there are pixels that
+  // none of them lights.
+  const nlohmann::json planes = testing::reference_file("planes/planes.json"),
+                       reaches = reaches_of_two(planes, GetParam());
+  const auto [eye, accommodation_D] = testing::plane_eye(planes, GetParam());
+  SeeSettings settings;
+  settings.eye = eye;
+  settings.accommodation_D = accommodation_D;
+  settings.pixel_slope = testing::plane_pixel(planes);
+  const LayeredPicture dark = testing::plane_picture("two", 1.0);
+  LayeredPicture sharp = dark;
+  const SeenPicture without = see_picture(sharp, {}, settings);
+  constexpr float even = 0.5f;
+  LayeredPicture grey = dark;
+  std::fill(grey.radiance.pixels.begin(), grey.radiance.pixels.end(), even);
+  constexpr double corners = std::numbers::sqrt2;  // half a pixel each way of the lamp's, and of the one that it lights
+  double beyond = 0.0, within = 0.0;
+  int lamps = 0;
+  for (int lamp_y = 24; lamp_y < 300; lamp_y += 47)
+    for (int lamp_x = 20; lamp_x < 300; lamp_x += 53) {
+      const auto vergence_D = [&](int x, int y) { return dark.vergence_D[static_cast<std::size_t>(y) * 320 + x]; };
+      const double own_D = vergence_D(lamp_x, lamp_y);
+      bool edge = false;
+      for (int y = lamp_y - 4; y <= lamp_y + 6; ++y)
+        for (int x = lamp_x - 4; x <= lamp_x + 6; ++x) edge |= vergence_D(x, y) != own_D;
+      if (edge) continue;
+      const int size = 1 + ++lamps % 3;
+      grey.vergence_D.assign(dark.vergence_D.size(), own_D);
+      const SeenPicture with = with_lamp(dark, lamp_x, lamp_y, size, settings),
+                        light = with_lamp(grey, lamp_x, lamp_y, size, settings);
+      const double reach = own_D > 1.0 ? reaches.at("0.5") : reaches.at("3");
+      for (int y = 0; y < 320; ++y)
+        for (int x = 0; x < 320; ++x) {
+          const int dx = x - std::clamp(x, lamp_x, lamp_x + size - 1),
+                    dy = y - std::clamp(y, lamp_y, lamp_y + size - 1);
+          const bool reached = std::hypot(dx, dy) <= reach + corners;
+          if (reached && ((dx == 0 && dy == 0) || light.radiance.at(x, y)[0] != even)) continue;
+          double& largest = reached ? within : beyond;
+          for (int c = 0; c < 3; ++c)
+            largest = std::max<double>(largest, std::abs(with.radiance.at(x, y)[c] - without.radiance.at(x, y)[c]));
+        }
+    }
+  EXPECT_GE(lamps, 24);
+  EXPECT_LE(beyond, 1e-5);
+  RecordProperty("beyond", std::to_string(1e5 * beyond) + "e-5");
+  RecordProperty("within", std::to_string(1e5 * within) + "e-5");
+}
+
+INSTANTIATE_TEST_SUITE_P(Eyes, LampsInReferencePictures, ::testing::Values("myope", "astigmat", "coma"));
 
 TEST(SeePicture, LampsOnASmoothSurfaceShineNoFartherThanTheirRays) {
   // The surface goes on smoothly where the lamp is, so what surrounds it is sharpened as ever. The kernels reach the

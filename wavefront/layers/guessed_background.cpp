@@ -22,9 +22,11 @@ long long add_guessed_background(LayeredPicture& picture, const KernelBank& bank
 
 long long add_guessed_background(LayeredPicture& picture, const KernelBank& bank, std::span<const std::size_t> edges) {
   const auto reach = [&](double vergence_D) { return static_cast<double>(bank.radius_at(vergence_D)); };
+  const std::vector<HiddenSample> samples =
+      extrapolate_hidden(picture.radiance, picture.vergence_D, picture.jump_D, edges, reach);
   std::vector<HiddenPixel> guessed;
-  for (const HiddenSample& sample :
-       extrapolate_hidden(picture.radiance, picture.vergence_D, picture.jump_D, edges, reach)) {
+  guessed.reserve(samples.size());
+  for (const HiddenSample& sample : samples) {
     const HiddenPixel pixel{sample.x, sample.y, sample.vergence_D, 1.0f, {sample.rgb[0], sample.rgb[1], sample.rgb[2]}};
     if (!std::binary_search(picture.hidden.begin(), picture.hidden.end(), pixel, comes_before))
       guessed.push_back(pixel);

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "wavefront/layers/brightness.h"
-#include "wavefront/layers/smooth_fill.h"
+#include "wavefront/layers/outshone_colours.h"
 
 namespace sturm {
 
@@ -56,7 +56,7 @@ class LampSearch {
       std::copy_n(found.left.rgb, 3, found.rgb);
       if (found.detail) *found.detail = {};
     }
-    smooth_what_is_left();
+    guess_what_is_left();
     for (Found& found : found_) {
       for (int c = 0; c < 3; ++c) {
         found.rgb[c] = std::min(found.rgb[c], found.whole[c]);
@@ -121,12 +121,12 @@ class LampSearch {
     return mean;
   }
 
-  /// The picture's pixels go on smoothly where their lamps were, for what surrounds them is sharpened by them.
-  void smooth_what_is_left() {
+  /// The picture's surfaces go on where their lamps were, for what surrounds them is sharpened by their colours.
+  void guess_what_is_left() {
     std::vector<HiddenPixel> left;
     for (const Found& found : found_)
       if (!found.detail) left.push_back(found.left);
-    smooth_guesses(picture_, left);
+    guess_outshone(picture_, left);
     auto next = left.begin();
     for (const Found& found : found_)
       if (!found.detail) std::copy_n((next++)->rgb, 3, found.rgb);

@@ -37,7 +37,12 @@ CellBox box_of(std::span<const LayerEntry> entries, int side);
 /// by linear weights, so that slanted surfaces have no steps.
 class SplitWindow {
  public:
-  SplitWindow(const LayeredPicture& picture, const KernelBank& bank, const TileWindow& window);
+  /// Of nothing yet. Keeps references.
+  SplitWindow(const LayeredPicture& picture, const KernelBank& bank)
+      : picture_(picture), bank_(bank), slopes_(bank.parts().size() > 1) {}
+
+  /// Goes to a window, in the memory of the one before.
+  void split(const TileWindow& window);
 
   std::span<const LayerEntry> entries_of(int plane) const {
     return {entries_.data() + first_[plane], entries_.data() + first_[plane + 1]};
@@ -47,11 +52,31 @@ class SplitWindow {
   }
 
  private:
-  void add_lamps(const LayeredPicture& picture, const KernelBank& bank, const TileWindow& window);
+  struct Piece {
+    KernelBank::Place place;
+    LayerEntry entry;  // its weight is the whole coverage
+  };
 
-  std::vector<std::vector<LampEntry>> lamps_;  // of each plane, if there are any
+  int width() const { return picture_.radiance.width; }
+  int height() const { return picture_.radiance.height; }
+  void find_details();
+  void collect_front();
+  void collect_hidden();
+  void collect(int x, int y, double vergence_D, float coverage, const float* rgb, const SurfaceSlope& slope,
+               const Detail* detail);
+  void share_out();
+  void collect_lamps();
+
+  const LayeredPicture& picture_;
+  const KernelBank& bank_;
+  bool slopes_;
+  TileWindow window_{};
+  int left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;  // of the window, within the picture
+  std::vector<Piece> pieces_;
+  std::vector<Detail> details_;  // of the picture's pixels, row by row, if it shows any
   std::vector<LayerEntry> entries_;
-  std::vector<std::size_t> first_;  // of each plane, and one more
+  std::vector<std::size_t> first_;             // of each plane, and one more
+  std::vector<std::vector<LampEntry>> lamps_;  // of each plane, if there are any
 };
 
 }  // namespace sturm

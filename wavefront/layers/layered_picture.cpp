@@ -1,5 +1,6 @@
 #include "wavefront/layers/layered_picture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/images/depth_edges.h"
@@ -36,7 +37,9 @@ std::vector<HiddenPixel> hidden_by(const LayeredPicture& picture, std::span<cons
   std::vector<LayerDetail> details;
   for (const PictureLayer& layer : layers)
     details.emplace_back(layer.radiance, layer.vergence_D, layer.coverage, picture.jump_D);
-  for (int y = 0; y < height; ++y)
+  std::vector<std::span<const Detail>> rows(layers.size());
+  for (int y = 0; y < height; ++y) {
+    std::ranges::transform(details, rows.begin(), &LayerDetail::next_row);
     for (int x = 0; x < width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * width + x;
       const bool see_through = !picture.coverage.empty() && picture.coverage[i] < 1.0f;
@@ -48,10 +51,11 @@ std::vector<HiddenPixel> hidden_by(const LayeredPicture& picture, std::span<cons
         if (!(coverage > 0.0f) || !(see_through || behind || lies_before(layer, picture, i))) continue;
         const float* rgb = layer.radiance.at(x, y);
         const SurfaceSlope slope = surface_slope(layer.vergence_D, width, height, x, y, picture.jump_D);
-        hidden.push_back(
-            {x, y, vergence, coverage, {rgb[0], rgb[1], rgb[2]}, slope.x, slope.y, details[number].at(x, y)});
+        const Detail& detail = rows[number][static_cast<std::size_t>(x)];
+        hidden.push_back({x, y, vergence, coverage, {rgb[0], rgb[1], rgb[2]}, slope.x, slope.y, detail});
       }
     }
+  }
   return hidden;
 }
 

@@ -37,7 +37,7 @@ struct LayeredPicture {
   std::vector<float> coverage;      ///< by the picture's surface, 0 … 1; empty where it covers every pixel
   std::vector<HiddenPixel> hidden;  ///< rows ascend, columns within a row
   std::vector<LampPixel> lamps;     ///< the same order
-  std::vector<Detail> detail;       ///< one for each pixel of the picture, or empty
+  bool shows_detail = false;        ///< surfaces make up for what sharing light among pixels takes (layer_detail.h)
   /// Vergences of neighbours that differ by more belong to two surfaces.
   double jump_D = 0.0;
 };

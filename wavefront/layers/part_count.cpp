@@ -7,10 +7,10 @@ std::span<const ErrorOfParts> errors_of_parts() {
   return table;
 }
 
-int parts_for_error(double error) {
+std::optional<int> parts_for_error(double error) {
   for (const ErrorOfParts& row : errors_of_parts())
     if (row.error <= error) return row.parts;
-  return errors_of_parts().back().parts;
+  return std::nullopt;
 }
 
 }  // namespace sturm

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 
 namespace sturm {
@@ -13,7 +14,7 @@ struct ErrorOfParts {
 /// Rounded up from the worst of the pictures of tests/wavefront/layers/test_planes.cpp, by rising number of parts.
 std::span<const ErrorOfParts> errors_of_parts();
 
-/// The fewest parts whose error is at most this one; the most that are listed where none is.
-int parts_for_error(double error);
+/// The fewest parts whose error is at most this one, if there are any.
+std::optional<int> parts_for_error(double error);
 
 }  // namespace sturm

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/files/formatted_text.h"
+
 namespace sturm {
 
 namespace {
@@ -104,7 +106,7 @@ SpreadKernel deposited(std::span<const LandedRay> rays, int largest_radius_px, R
   double reach = 0.0;
   for (const LandedRay& ray : rays) reach = std::max(reach, ray.place.lpNorm<Eigen::Infinity>());
   if (!(reach < largest_radius_px))
-    throw std::invalid_argument("the blur reaches " + std::to_string(std::llround(reach)) + " pixels, more than " +
+    throw std::invalid_argument("the blur reaches " + plain_number(std::round(reach)) + " pixels, more than " +
                                 std::to_string(largest_radius_px));
   Deposit deposit(static_cast<int>(reach) + 2);
   for (const LandedRay& ray : rays)

@@ -23,6 +23,7 @@ class Membrane {
         guess_at_(picture.vergence_D.size(), -1) {
     for (std::size_t i = 0; i < guesses.size(); ++i)
       guess_at_[index(guesses[i].x, guesses[i].y)] = static_cast<std::int32_t>(i);
+    nodes_.reserve(guesses.size());
     for (const HiddenPixel& guess : guesses) nodes_.push_back(node_of(guess));
   }
 

@@ -24,6 +24,7 @@ float stretch(const LayerEntry& entry, const PupilPart& part) {
 
 TileBlur::TileBlur(const BlurScene& scene)
     : scene_(scene),
+      window_(scene.picture, scene.bank),
       source_(scene.plan.side(), scene.bank.channels()),
       spectrum_(source_),
       blurred_(source_),
@@ -33,19 +34,19 @@ TileBlur::TileBlur(const BlurScene& scene)
 
 void TileBlur::blur(TileWork& tile, Image& seen) {
   const int rim = scene_.plan.rim(), side = scene_.plan.side();
-  const SplitWindow window(scene_.picture, scene_.bank, {tile.left - rim, tile.top - rim, side});
+  window_.split({tile.left - rim, tile.top - rim, side});
   for (TileLight& total : totals_) total.clear();
-  lamp_rays_.follow(window);
+  lamp_rays_.follow(window_);
   lamp_pixels_ += lamp_rays_.lamps();
   tile.layers.clear();
   bool covered = false;
   for (int plane = static_cast<int>(scene_.bank.planes_D().size()) - 1; plane >= 0; --plane) {
-    const auto entries = window.entries_of(plane);
+    const auto entries = window_.entries_of(plane);
     if (entries.empty() || covered) {
       tile.layers.push_back(entries.empty() ? LayerWork::Empty : LayerWork::Covered);
       continue;
     }
-    const Blurred layer = blur_layer(plane, entries, window.lamps_of(plane));
+    const Blurred layer = blur_layer(plane, entries, window_.lamps_of(plane));
     tile.layers.push_back(layer.work);
     covered = layer.covered;
   }
@@ -142,8 +143,8 @@ void TileBlur::blur_source(BlurMethod method, int plane, int part, bool transfor
   for (int i = 0; i < source_.count(); ++i) {
     // The coverage before blur is the same for all colours.
     if (!transformed && i < 4) transform_tile(source_.planes[i], spectrum_.planes[i]);
-    product_of_spectra(spectrum_.planes[std::min(i, 3)], scene_.spectra.of(plane, part, source_.kernel_of(i)),
-                       product_);
+    product_of_spectra(spectrum_.planes[std::min(i, 3)],
+                       scene_.spectra.of(plane, part, source_.kernel_of(i), kernel_spectra_), product_);
     tile_of_spectrum(product_, blurred_.planes[i]);
   }
 }

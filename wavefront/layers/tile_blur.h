@@ -56,8 +56,10 @@ class TileBlur {
   void write(int left, int top, Image& seen) const;
 
   BlurScene scene_;
+  SplitWindow window_;
   TileLight source_, spectrum_, blurred_;
   Image product_;
+  KernelSpectra::Scratch kernel_spectra_;
   std::vector<TileLight> totals_;  // of each part of the pupil
   std::vector<Lamp> lamps_;
   CellBox lit_;

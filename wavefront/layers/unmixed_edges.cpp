@@ -19,6 +19,14 @@ constexpr float doubt_of_place =
     1.0f / 48.0f;                // variance of a coverage between a half and one, of which no more is known
 constexpr float unknown = 1e6f;  // doubt about a colour of which nothing is known
 
+/// Of the channels of colours, by the mean of their squares. What sums of 25 colours in single precision leave of one
+/// colour is none.
+float variance_of(float mean_square, const Vector3f& mean) {
+  constexpr float rounding = 25.0f / (1 << 24);
+  const float variance = mean_square - mean.squaredNorm() / 3.0f;
+  return variance > rounding * mean_square ? variance : 0.0f;
+}
+
 struct NearSurface {
   Vector3f color;
   double vergence_D;  // where it is continued to the pixel
@@ -41,10 +49,9 @@ class EdgePixels {
     if (picture_.coverage.empty()) picture_.coverage.assign(picture_.vergence_D.size(), 1.0f);
     for (int y = 0; y < height_ && !layers_.empty(); ++y)
       for (int x = 0; x < width_; ++x) take_what_is_told(x, y);
-    const Image radiance = picture_.radiance;  // as it was: neighbours are asked about it
-    mixed_ = &radiance;
     for (const std::size_t i : edges)
       if (picture_.coverage[i] >= covers_all) unmix(static_cast<int>(i % width_), static_cast<int>(i / width_));
+    for (const auto& [pixel, own] : parted_) std::copy_n(own.data(), 3, &picture_.radiance.pixels[3 * pixel]);
     std::stable_sort(picture_.hidden.begin(), picture_.hidden.end(), [](const HiddenPixel& a, const HiddenPixel& b) {
       return std::tie(a.y, a.x) < std::tie(b.y, b.x);
     });
@@ -53,7 +60,7 @@ class EdgePixels {
  private:
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
   double vergence(int x, int y) const { return picture_.vergence_D[index(x, y)]; }
-  Vector3f color(int x, int y) const { return Vector3f(mixed_->at(x, y)); }
+  Vector3f color(int x, int y) const { return Vector3f(picture_.radiance.at(x, y)); }
 
   template <class Visit>
   void around(int x, int y, int distance, Visit visit) const {
@@ -138,7 +145,7 @@ class EdgePixels {
       });
       if (weights == 0.0f) continue;
       mean.color /= weights;
-      mean.variance = mixed ? unknown : std::max(0.0f, mean.variance / weights - mean.color.squaredNorm() / 3.0f);
+      mean.variance = mixed ? unknown : variance_of(mean.variance / weights, mean.color);
       return mean;
     }
     return std::nullopt;
@@ -188,7 +195,7 @@ class EdgePixels {
     });
     if (weights == 0.0f) return std::nullopt;
     mean.color /= weights;
-    mean.variance = std::max(0.0f, mean.variance / weights - mean.color.squaredNorm() / 3.0f);
+    mean.variance = variance_of(mean.variance / weights, mean.color);
     return mean;
   }
 
@@ -211,6 +218,12 @@ class EdgePixels {
     }
   }
 
+  /// Variance of the colour behind an edge. Where the pixels about it tell that colour, a pixel that no mixture
+  /// explains may as well have another one of its own.
+  float doubt_about_far(const FarSurface& far, float unexplained) const {
+    return far.variance + (layers_.empty() && unexplained > like_colors ? unexplained : 0.0f);
+  }
+
   /// Parts the pixel between a near surface and the colour behind it, whose vergence is `behind_D` or less.
   void part(int x, int y, const NearSurface& near, const FarSurface& far, double behind_D, bool near_in_front) {
     const Vector3f& behind = far.color;
@@ -224,34 +237,36 @@ class EdgePixels {
     // What a mixture of the two colours leaves unexplained says how far the colour of the near surface can be trusted.
     const float unexplained = (mixed - behind - by_color * contrast).squaredNorm() / 3.0f;
     const float doubt = (variance + unexplained) / square;
-    // Less would make the near surface darker than black; a colour that varies tells nothing of the kind.
-    const float least = far.variance > 0.0f
+    const float far_doubt = doubt_about_far(far, std::max(0.0f, unexplained - near.variance));
+    // Less would make the near surface darker than black; a colour that is in doubt tells nothing of the kind.
+    const float least = far_doubt > 0.0f
                             ? 0.0f
                             : std::clamp(1.0f - (mixed.array() / behind.array().max(1e-12f)).minCoeff(), 0.0f, 1.0f);
     const float told = std::max(
         least, (by_color * doubt_of_place + coverage_by_place(x, y, behind_D) * doubt) / (doubt_of_place + doubt));
-    // What a far surface of many colours leaves in doubt stays where the depth map has it.
-    const float kept = near_in_front ? 1.0f : 0.0f, trust = doubt_of_place / (doubt_of_place + far.variance / square);
+    // What a doubtful far surface leaves open stays where the depth map has it.
+    const float kept = near_in_front ? 1.0f : 0.0f, trust = doubt_of_place / (doubt_of_place + far_doubt / square);
     const float alpha = kept + trust * (told - kept);
-    if (far.variance > 0.0f && std::abs(alpha - kept) < little) return;
+    if (far_doubt > 0.0f && std::abs(alpha - kept) < little) return;
     Vector3f own = near.color.cwiseMin(mixed / std::max(alpha, 1e-6f));  // no more than the pixel has
-    const bool by_far_color = near_in_front || far.variance == 0.0f || near.variance >= unknown;
+    const bool by_far_color = near_in_front || far_doubt == 0.0f || near.variance >= unknown;
     if (by_far_color && alpha > little) own = ((mixed - (1.0f - alpha) * behind) / alpha).cwiseMax(0.0f);
     if (near_in_front) {
       picture_.coverage[i] = alpha;
-      Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) = own;
+      parted_.emplace_back(i, own);
     } else if (alpha > 0.0f) {
       picture_.hidden.push_back(
           {x, y, near.vergence_D, alpha, {own.x(), own.y(), own.z()}, near.slope.x, near.slope.y});
-      Eigen::Map<Vector3f>(picture_.radiance.at(x, y)) =
-          by_far_color ? behind : Vector3f(((mixed - alpha * own) / std::max(1.0f - alpha, little)).cwiseMax(0.0f));
+      parted_.emplace_back(
+          i, by_far_color ? behind : Vector3f(((mixed - alpha * own) / std::max(1.0f - alpha, little)).cwiseMax(0.0f)));
     }
   }
 
   LayeredPicture& picture_;
   std::span<const PictureLayer> layers_;
   int width_, height_;
-  const Image* mixed_ = nullptr;
+  std::vector<std::pair<std::size_t, Vector3f>>
+      parted_;  // new colours of pixels; neighbours are asked about the old ones
 };
 
 }  // namespace

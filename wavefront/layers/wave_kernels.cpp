@@ -1,7 +1,6 @@
 #include "wavefront/layers/wave_kernels.h"
 
 #include <stdexcept>
-#include <string>
 
 #include "wavefront/layers/primaries.h"
 #include "wavefront/layers/ray_kernels.h"
@@ -18,7 +17,7 @@ constexpr int coarse_grid = 512;  // pixels of pictures do not see what a finer 
 SpreadKernel wave_kernel_at(const PupilWave& pupil, const Light& light, double vergence_D, double pixel_slope) {
   try {
     const WaveSampling sampling = wave_sampling(pupil, light, vergence_D, std::nullopt, coarse_grid);
-    return wave_kernel(wave_psf(pupil, light, vergence_D, sampling), pixel_slope);
+    return wave_kernel(wave_psf(pupil, light, vergence_D, sampling), pixel_slope, largest_kernel_radius_px);
   } catch (const AliasedSampling& error) {
     throw std::invalid_argument(error.what());
   }
@@ -36,11 +35,7 @@ KernelModel wave_kernels(const Eye& eye, double accommodation_D, double pixel_sl
   model.kernel = [=](double vergence_D, int, int channel) {
     const Light light = chromatic ? monochromatic_light(primary_wavelengths_nm[static_cast<std::size_t>(channel)])
                                   : luminance_weighted_light(spectrum_step_nm);
-    SpreadKernel kernel = wave_kernel_at(pupil, light, vergence_D - accommodation_D, pixel_slope);
-    if (kernel.radius_px > largest_kernel_radius_px)
-      throw std::invalid_argument("the blur reaches " + std::to_string(kernel.radius_px) + " pixels, more than " +
-                                  std::to_string(largest_kernel_radius_px));
-    return kernel;
+    return wave_kernel_at(pupil, light, vergence_D - accommodation_D, pixel_slope);
   };
   return model;
 }

@@ -58,6 +58,24 @@ TEST(DepthMap, HolesGetTheDepthOfTheirFarthestNeighbour) {
   EXPECT_DOUBLE_EQ(map.vergence_D[3], 0.25);
 }
 
+TEST(DepthMap, AHoleIsFilledFromTheRingThatReachesItFirst) {
+  // Known at two corners, 2 m and 5 m: a pixel's ring is its distance from the nearer one, along rows or columns.
+  constexpr int side = 9;
+  Image stored(side, side, 1);
+  *stored.at(0, 0) = 2.0f;
+  *stored.at(side - 1, side - 1) = 5.0f;
+  const DepthMap map = depth_of(stored, {}, "d");
+  EXPECT_EQ(map.filled_holes, side * side - 2);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int to_near = std::max(x, y), to_far = side - 1 - std::min(x, y);
+      if (std::abs(to_near - to_far) < 2) continue;  // where the two grow together, the farther one goes on
+      EXPECT_DOUBLE_EQ(map.vergence_D[static_cast<std::size_t>(y * side + x)], to_near < to_far ? 0.5 : 0.2)
+          << x << " " << y;
+    }
+  EXPECT_DOUBLE_EQ(map.vergence_D[4 * side + 4], 0.2);
+}
+
 TEST(DepthMap, FarAwayIsNoHole) {
   DepthReading metres;
   const DepthMap map = depth_of(stored_row({std::numeric_limits<float>::infinity(), 0.5f}), metres, "d");

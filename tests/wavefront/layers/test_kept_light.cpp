@@ -6,7 +6,6 @@
 
 #include "wavefront/layers/flat_pictures.h"
 #include "wavefront/layers/lamps.h"
-#include "wavefront/layers/layer_detail.h"
 #include "wavefront/layers/wave_kernels.h"
 
 namespace sturm {
@@ -105,7 +104,7 @@ LayeredPicture card_and_patch() {
 Image seen_with_lamps(LayeredPicture picture, const KernelModel& model) {
   picture.jump_D = 1.0 / model.reach_px_per_D;
   take_lamps(picture);
-  picture.detail = detail_of(picture);
+  picture.shows_detail = true;
   return testing::seen_through(model, std::move(picture));
 }
 

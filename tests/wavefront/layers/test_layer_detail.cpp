@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +20,66 @@ LayeredPicture picture_of(int width, int height, const std::function<float(int, 
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) std::fill_n(picture.radiance.at(x, y), 3, value(x, y));
   return picture;
+}
+
+/// Of the columns from `left` up to `right`, from the row `top` up to `bottom`.
+std::vector<Detail> detail_of(const LayeredPicture& picture, int left, int right, int top, int bottom) {
+  LayerDetail layer(picture.radiance, picture.vergence_D, picture.coverage, picture.jump_D, left, right, top);
+  std::vector<Detail> detail;
+  for (int y = top; y < bottom; ++y) {
+    const std::span<const Detail> row = layer.next_row();
+    detail.insert(detail.end(), row.begin(), row.end());
+  }
+  return detail;
+}
+
+std::vector<Detail> detail_of(const LayeredPicture& picture) {
+  return detail_of(picture, 0, picture.radiance.width, 0, picture.radiance.height);
+}
+
+/// The same of one pixel and colour, neighbour by neighbour.
+float plain_detail(const LayeredPicture& picture, int x, int y, int c) {
+  const auto value = [&](int u, int v) { return picture.radiance.at(u, v)[c]; };
+  const auto joined = [&](int u, int v, int s, int t) {
+    if (s < 0 || t < 0 || s >= picture.radiance.width || t >= picture.radiance.height) return false;
+    const auto i = static_cast<std::size_t>(v * picture.radiance.width + u),
+               j = static_cast<std::size_t>(t * picture.radiance.width + s);
+    return std::min(picture.coverage[i], picture.coverage[j]) > 0.0f &&
+           std::abs(picture.vergence_D[i] - picture.vergence_D[j]) <= picture.jump_D;
+  };
+  float sum = 0.0f;
+  for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+    const int u = x + dx, v = y + dy;
+    if (!joined(x, y, u, v) || value(x, y) == value(u, v)) continue;
+    const float difference = value(x, y) - value(u, v), limit = std::min(value(x, y), value(u, v)) / 4.0f;
+    float beside = 0.0f;
+    if (joined(x, y, x - dx, y - dy)) beside = std::abs(value(x, y) - value(x - dx, y - dy));
+    if (joined(u, v, u + dx, v + dy)) beside = std::max(beside, std::abs(value(u, v) - value(u + dx, v + dy)));
+    const float share = std::clamp((beside / std::abs(difference) - 0.2f) / 0.25f, 0.0f, 1.0f);
+    sum += std::clamp(share * difference / 12.0f, -limit, limit);
+  }
+  return sum;
+}
+
+TEST(LayerDetail, IsTheSameInAnyWindow) {
+  LayeredPicture picture =
+      picture_of(23, 19, [](int x, int y) { return static_cast<float>((x * x * 7 + y * 13 + x * y) % 11); });
+  picture.coverage.assign(picture.vergence_D.size(), 1.0f);
+  for (std::size_t i = 0; i < picture.vergence_D.size(); ++i) {
+    if (i * 7 % 31 < 9) picture.vergence_D[i] = 3.0;
+    if (i % 29 == 0) picture.coverage[i] = 0.0f;
+  }
+  for (const auto& [left, right, top, bottom] :
+       {std::array{0, 23, 0, 19}, {5, 18, 4, 15}, {1, 22, 1, 18}, {22, 23, 18, 19}}) {
+    const std::vector<Detail> detail = detail_of(picture, left, right, top, bottom);
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x)
+        for (int c = 0; c < 3; ++c)
+          ASSERT_NEAR(
+              detail[static_cast<std::size_t>((y - top) * (right - left) + x - left)][static_cast<std::size_t>(c)],
+              plain_detail(picture, x, y, c), 1e-6)
+              << x << " " << y;
+  }
 }
 
 TEST(LayerDetail, IsATwelfthOfTheSecondDifferences) {
@@ -64,7 +126,7 @@ TEST(LayerDetail, StripesKeepTheContrastThatTheBlurLeavesThem) {
   constexpr double k = 0.7, r = 1.5, pixel = 4e-4;
   LayeredPicture picture =
       picture_of(300, 40, [&](int x, int) { return static_cast<float>(0.5 + 0.1 * std::cos(k * x)); });
-  picture.detail = detail_of(picture);
+  picture.shows_detail = true;
   // In focus at 0 D, so that 1 D of error over a radius of r px.
   const KernelModel model = ray_kernels(Eye::with(Prescription{0.0, 0.0, 0.0, 0.0}, 2.0 * r * pixel), 0.0, pixel, {});
   BlurCounters work;
@@ -75,7 +137,7 @@ TEST(LayerDetail, StripesKeepTheContrastThatTheBlurLeavesThem) {
 
 TEST(LayerDetail, DoesNothingInFocus) {
   LayeredPicture picture = picture_of(300, 40, [](int x, int y) { return static_cast<float>((x * 7 + y * 3) % 5); });
-  picture.detail = detail_of(picture);
+  picture.shows_detail = true;
   const KernelModel model = ray_kernels(Eye::with(Prescription{-1.0, 0.0, 0.0, 0.0}, 4e-3), 0.0, 4e-4, {});
   BlurCounters work;
   EXPECT_EQ(blur_layers(picture, KernelBank(model, {1.0}), work).pixels, picture.radiance.pixels);

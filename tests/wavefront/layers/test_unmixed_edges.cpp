@@ -206,5 +206,52 @@ TEST(UnmixedEdges, BeforeAFarSurfaceOfManyColoursStayWhereTheirDepthIs) {
   for (const float coverage : picture.coverage) EXPECT_EQ(coverage, 1.0f);
 }
 
+TEST(UnmixedEdges, WhatNoMixtureExplainsStaysWhereItsDepthIs) {
+  // The wall has a line of another colour right beside the surface, or the surface has one along its edge: brighter or
+  // darker than both, so no share of either makes it.
+  for (const float line : {0.0f, 2.0f}) {
+    const LayeredPicture behind = edge_in_a_picture(-1, 0.0f, [&](int x, int) { return x == 50 ? line : 0.5f; });
+    EXPECT_TRUE(behind.hidden.empty()) << line;
+    for (int y = 0; y < height; ++y) EXPECT_EQ(behind.radiance.at(50, y)[0], line) << y;
+    const LayeredPicture before = edge_in_a_picture(49, 0.0f, [&](int x, int) { return x == 49 ? line : 0.5f; });
+    EXPECT_TRUE(before.hidden.empty()) << line;
+    for (int y = 0; y < height; ++y) {
+      EXPECT_EQ(before.radiance.at(49, y)[0], line) << y;
+      EXPECT_EQ(before.coverage[static_cast<std::size_t>(y * width + 49)], 1.0f) << y;
+    }
+  }
+}
+
+/// Bars of many colours, two pixels wide, before a plain wall that only the picture tells; from right to left.
+LayeredPicture bars_before_a_plain_wall(bool mirrored) {
+  LayeredPicture picture;
+  picture.radiance = Image(width, height, 3);
+  picture.jump_D = 0.2;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int u = mirrored ? width - 1 - x : x;
+      const bool bar = u / 2 % 5 == 0;
+      picture.vergence_D.push_back(bar ? near_D : far_D);
+      std::fill_n(picture.radiance.at(x, y), 3,
+                  bar ? 0.6f + 0.03f * static_cast<float>((7 * u * u + 13 * y + u * y) % 11) : 0.2f);
+    }
+  unmix_edges(picture, {});
+  return picture;
+}
+
+TEST(UnmixedEdges, OfBarsBeforeAPlainWallAreThoseOfTheirMirrorImage) {
+  // The wall's colours are summed up in another order, so that rounding gives them another variance.
+  const LayeredPicture one = bars_before_a_plain_wall(false), other = bars_before_a_plain_wall(true);
+  ASSERT_EQ(one.hidden.size(), other.hidden.size());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int mirrored = width - 1 - x;
+      EXPECT_NEAR(one.coverage[static_cast<std::size_t>(y * width + x)],
+                  other.coverage[static_cast<std::size_t>(y * width + mirrored)], 1e-4)
+          << x << " " << y;
+      EXPECT_NEAR(one.radiance.at(x, y)[0], other.radiance.at(mirrored, y)[0], 1e-4) << x << " " << y;
+    }
+}
+
 }  // namespace
 }  // namespace sturm

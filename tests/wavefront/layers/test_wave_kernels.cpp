@@ -25,7 +25,7 @@ TEST(WaveKernels, AreThoseOfTheFineGrid) {
   for (const double vergence : {0.0, 0.7, 2.0}) {
     const SpreadKernel coarse = model.kernel(vergence, 0, 0),
                        fine = wave_kernel(wave_psf(pupil, light, vergence, wave_sampling(pupil, light, vergence)),
-                                          2.0 * arcmin);
+                                          2.0 * arcmin, largest_kernel_radius_px);
     const int radius = std::min(fine.radius_px, coarse.radius_px);
     EXPECT_GE(radius, 8);  // where each is cut is decided by a thousandth of the light
     double difference = 0.0;
