@@ -52,6 +52,9 @@ if(STURM_SANITIZE)
   target_compile_options(sturm_options INTERFACE -fsanitize=${STURM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(sturm_options INTERFACE -fsanitize=${STURM_SANITIZE})
 endif()
+if(STURM_FUZZ)
+  target_compile_options(sturm_options INTERFACE -fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/tests/fuzz/instrumented_sources.txt)
+endif()
 
 # Most of a compilation is the same few headers and the optimisation of code that runs once. So headers are compiled beforehand, and code that
 # moves text and JSON about (KIND text) is optimised lightly; numbers come out the same, as neither level may reorder floating point.
