@@ -27,6 +27,15 @@ class PlanePolynomial {
     return sum;
   }
 
+  /// Its coefficients of x⁰, x¹, … where y is given: for many values with one y.
+  std::vector<double> in_x(double y) const {
+    std::vector<double> row(static_cast<std::size_t>(degree_ + 1), 0.0);
+    for (int k = degree_; k >= 0; --k)
+      for (int i = 0; i <= degree_; ++i)
+        row[static_cast<std::size_t>(i)] = row[static_cast<std::size_t>(i)] * y + (i + k <= degree_ ? at(i, k) : 0.0);
+    return row;
+  }
+
   PlanePolynomial derivative_x() const;
   PlanePolynomial derivative_y() const;
 

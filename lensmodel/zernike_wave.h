@@ -45,6 +45,9 @@ class ZernikeWave {
   /// W [m] at the pupil point [m].
   double height(const Eigen::Vector2d& pupil_point) const;
 
+  /// W [m] as a polynomial in x/radius where y/radius is given: its coefficients of x⁰, x¹, …
+  std::vector<double> height_in_x(double y_of_radius) const { return height_.in_x(y_of_radius); }
+
   /// Slopes −∇W of the ray through the pupil point [m].
   Eigen::Vector2d slope(const Eigen::Vector2d& pupil_point) const;
 

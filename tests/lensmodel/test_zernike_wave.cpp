@@ -89,6 +89,22 @@ TEST(ZernikeWave, ComaFollowsTheExaminersX) {
   EXPECT_NEAR(ZernikeWave::from_examiner(only(7, c), a).slope({0.0, 0.0}).y(), 5.656854249492381 * c / a, 1e-18);
 }
 
+TEST(ZernikeWave, AlongXItIsAPolynomial) {
+  std::vector<double> c(28, 0.0);  // up to order 6, all of them
+  for (std::size_t j = 0; j < c.size(); ++j) c[j] = 1e-7 * static_cast<double>(j % 5 + 1);
+  const ZernikeWave wave = ZernikeWave::from_examiner(c, 3e-3);
+  for (const double y : {-1.4e-3, 0.0, 2.1e-3}) {
+    const std::vector<double> powers = wave.height_in_x(y / 3e-3);
+    ASSERT_EQ(powers.size(), 7u);
+    for (const double x : {-1.7e-3, 0.4e-3}) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < powers.size(); ++i) sum += powers[i] * std::pow(x / 3e-3, static_cast<double>(i));
+      // Coefficients of order 6 reach 70 times a height; 28 sums in double.
+      EXPECT_NEAR(sum, wave.height({x, y}), 1e-19) << x << ' ' << y;
+    }
+  }
+}
+
 TEST(ZernikeWave, OfAPowerIsItsParabola) {
   const PowerMatrix f = PowerMatrix::from({-2.0, -1.5, 30.0, 0.0});
   const auto wave = ZernikeWave::of_power(f, 2 * mm);

@@ -5,7 +5,7 @@
 namespace sturm {
 
 /// Forward Fourier transform in place of a square field in double, e^(−2πi jk/N), unscaled. Rows from `filled_rows` on
-/// are zero.
+/// are taken for zero, whatever they hold.
 void transform(cv::Mat2d& field, int filled_rows);
 
 /// That of real samples: complex, all frequencies.

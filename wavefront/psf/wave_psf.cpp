@@ -17,69 +17,73 @@ namespace sturm {
 
 namespace {
 
-/// PSF of one wavelength [1/rad²] on the grid, X = 0 first, and what it would be there without aberration.
+/// PSF [1/rad²] on the grid, X = 0 first, and what it would be there without aberration.
 struct Spread {
   cv::Mat1d density;
   double unaberrated = 0.0;
 };
 
-/// The pupil's field times the area of each cell, in the corner of the grid: a shift changes phases of the spread only.
+/// The pupil's field of one wavelength times the area of each cell, in the corner of the grid: a shift changes phases
+/// of the spread only. Memory is kept from one wavelength to the next.
 struct PupilField {
   cv::Mat2d field;
   int rows = 0;
-  double sum = 0.0;  ///< of the amplitudes
+  double scale = 0.0;        ///< of |transform|² [1/(m⁴ rad²)]
+  double unaberrated = 0.0;  ///< as in Spread
 };
 
-PupilField pupil_field(const PupilWave& pupil, double wavelength_m, double vergence_D, const WaveSampling& sampling) {
+void fill(PupilField& p, const PupilWave& pupil, const SpectralLine& line, double vergence_D,
+          const WaveSampling& sampling) {
+  const double wavelength_m = metres_per_nanometre * line.wavelength_nm;
+  const double vergence = pupil.vergence_at(line.wavelength_nm, vergence_D);
   const double step = wavelength_m * sampling.frequency_step, half = 0.5 * step, cell = step * step;
   const int side = std::min(sampling.grid, 2 * static_cast<int>(std::ceil(pupil.radius_m / step)));
-  PupilField result{cv::Mat2d(sampling.grid, sampling.grid, cv::Vec2d(0.0, 0.0)), side, 0.0};
+  p.field.create(sampling.grid, sampling.grid);
+  p.rows = side;
   std::vector<double> sums(static_cast<std::size_t>(side), 0.0);
   tbb::parallel_for(0, side, [&](int row) {
+    p.field.row(row).setTo(cv::Scalar::all(0.0));
     const double y = (row - side / 2 + 0.5) * step;
+    const std::vector<double> wave = pupil.wave.height_in_x(y / pupil.wave.radius_m());
     for (int column = 0; column < side; ++column) {
       const double x = (column - side / 2 + 0.5) * step;
       const double area = area_within_disc(std::abs(x) - half, std::abs(x) + half, std::abs(y) - half,
                                            std::abs(y) + half, pupil.radius_m);
       if (area <= 1e-9 * cell) continue;
       const double amplitude = area * std::sqrt(pupil.intensity(x * x + y * y));
-      const double phase = two_pi / wavelength_m * pupil.height({x, y}, vergence_D);
-      result.field(row, column) = {amplitude * std::cos(phase), amplitude * std::sin(phase)};
+      double height = 0.0;
+      for (std::size_t i = wave.size(); i-- > 0;) height = height * (x / pupil.wave.radius_m()) + wave[i];
+      const double phase = two_pi / wavelength_m * (height - 0.5 * vergence * (x * x + y * y));
+      p.field(row, column) = {amplitude * std::cos(phase), amplitude * std::sin(phase)};
       sums[static_cast<std::size_t>(row)] += amplitude;
     }
   });
-  for (const double sum : sums) result.sum += sum;
-  return result;
-}
-
-Spread spread_of(const PupilWave& pupil, const SpectralLine& line, double vergence_D, const WaveSampling& sampling) {
-  const double wavelength_m = metres_per_nanometre * line.wavelength_nm;
-  PupilField p = pupil_field(pupil, wavelength_m, pupil.vergence_at(line.wavelength_nm, vergence_D), sampling);
-  transform(p.field, p.rows);
-  const double scale = line.weight / (wavelength_m * wavelength_m * pupil.area_m2());
-  Spread spread{cv::Mat1d(sampling.grid, sampling.grid), scale * p.sum * p.sum};
-  tbb::parallel_for(0, sampling.grid, [&](int row) {
-    for (int column = 0; column < sampling.grid; ++column) {
-      const cv::Vec2d& u = p.field(row, column);
-      spread.density(row, column) = scale * (u[0] * u[0] + u[1] * u[1]);
-    }
-  });
-  return spread;
+  double sum = 0.0;
+  for (const double of_row : sums) sum += of_row;
+  p.scale = line.weight / (wavelength_m * wavelength_m * pupil.area_m2());
+  p.unaberrated = p.scale * sum * sum;
 }
 
 /// All wavelengths together; groups of them side by side, added in order.
 Spread spread_of(const PupilWave& pupil, const Light& light, double vergence_D, const WaveSampling& sampling) {
   constexpr std::size_t group = 4;
   Spread total{cv::Mat1d(sampling.grid, sampling.grid, 0.0), 0.0};
+  std::vector<PupilField> fields(std::min(group, light.size()));
   for (std::size_t first = 0; first < light.size(); first += group) {
     const std::size_t count = std::min(group, light.size() - first);
-    std::vector<Spread> parts(count);
-    tbb::parallel_for(std::size_t{0}, count,
-                      [&](std::size_t i) { parts[i] = spread_of(pupil, light[first + i], vergence_D, sampling); });
-    for (const Spread& part : parts) {
-      total.density += part.density;
-      total.unaberrated += part.unaberrated;
-    }
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      fill(fields[i], pupil, light[first + i], vergence_D, sampling);
+      transform(fields[i].field, fields[i].rows);
+    });
+    tbb::parallel_for(0, sampling.grid, [&](int row) {
+      double* density = total.density[row];
+      for (std::size_t i = 0; i < count; ++i) {
+        const cv::Vec2d* u = fields[i].field[row];
+        for (int column = 0; column < sampling.grid; ++column)
+          density[column] += fields[i].scale * (u[column][0] * u[column][0] + u[column][1] * u[column][1]);
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) total.unaberrated += fields[i].unaberrated;
   }
   return total;
 }
