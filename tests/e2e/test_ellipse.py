@@ -299,7 +299,6 @@ class Format(FolderTest):
 
 
 class StartUp(FolderTest):
-    @unittest.skipIf(os.environ.get("STURM_UNOPTIMISED"), "a build with sanitizers is slow")
     def test_one_target_by_the_conoid_takes_at_most_30_ms(self):
         path = self.write("query.json", documents.query())
         seconds, pages = [], []

@@ -43,8 +43,7 @@ class FirstSteps(FolderTest):
             with self.subTest(line):
                 process, seconds = run(line, self.folder)
                 self.assertEqual((process.returncode, process.stderr if "render" not in line else ""), (0, ""), process.stderr)
-                if "STURM_UNOPTIMISED" not in os.environ:
-                    self.assertLessEqual(seconds, PICTURE_SECONDS if "render" in line else SECONDS)
+                self.assertLessEqual(seconds, PICTURE_SECONDS if "render" in line else SECONDS)
         rows, columns = len((self.folder / "blur.csv").read_text().splitlines()), png_pixels.size((self.folder / "seen.png").read_bytes())
         self.assertEqual((rows, columns), (1 + 2, (320, 320)))
         self.assertTrue((self.folder / "map.svg").read_text().startswith("<"))

@@ -51,8 +51,9 @@ void fill(PupilField& p, const PupilWave& pupil, const SpectralLine& line, doubl
                                            std::abs(y) + half, pupil.radius_m);
       if (area <= 1e-9 * cell) continue;
       const double amplitude = area * std::sqrt(pupil.intensity(x * x + y * y));
+      const double x_of_radius = x / pupil.wave.radius_m();
       double height = 0.0;
-      for (std::size_t i = wave.size(); i-- > 0;) height = height * (x / pupil.wave.radius_m()) + wave[i];
+      for (std::size_t i = wave.size(); i-- > 0;) height = height * x_of_radius + wave[i];
       const double phase = two_pi / wavelength_m * (height - 0.5 * vergence * (x * x + y * y));
       p.field(row, column) = {amplitude * std::cos(phase), amplitude * std::sin(phase)};
       sums[static_cast<std::size_t>(row)] += amplitude;
